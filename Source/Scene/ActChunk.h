@@ -32,8 +32,7 @@ struct ActChunk {
     };
     struct Placed {
         std::size_t slot = 0;
-        Eigen::Vector3d metres =
-            Eigen::Vector3d::Zero(); ///< centre of mass, as the listener hears it
+        Eigen::Vector3d metres = Eigen::Vector3d::Zero(); ///< centre of mass, as heard
         BodyPose pose;
     };
 

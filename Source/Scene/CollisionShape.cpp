@@ -13,8 +13,7 @@
 namespace idiophone {
 namespace {
 
-constexpr double roundestSection =
-    1.25; // maximum ratio of width to height of a ring's section, or its inverse
+constexpr double roundestSection = 1.25; // maximum ratio of a ring's width and height
 constexpr int capsules = 16;
 constexpr int sectors = 20; // of a ring
 constexpr int mostHullVertices = 72;

@@ -23,9 +23,8 @@ class RigidWorld {
 public:
     struct Kind {
         std::shared_ptr<const RigidBodyModel> model;
-        int group = 1; ///< one of 30 bits
-        int collidesWith =
-            ~0; ///< bits of groups; two kinds collide if each names the other's group
+        int group = 1;         ///< one of 30 bits
+        int collidesWith = ~0; ///< groups; both kinds must include the other's
     };
 
     /// The maximum pairs of nearby bodies, and of nearby body parts (a ring has several). Each pair

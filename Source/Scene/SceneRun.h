@@ -147,8 +147,7 @@ private:
     std::vector<Eigen::Vector3d> slotPlaces;
     std::vector<std::optional<Eigen::Isometry3d>> slotPoses;
     TouchTracker tracker;
-    std::array<TouchState, TouchTracker::voiceCount>
-        heardTouches; ///< with their directions to the listener
+    std::array<TouchState, TouchTracker::voiceCount> heardTouches; ///< with `heardFrom`
     std::optional<RecordedHand> hand;
     std::size_t handBody = 0;
     std::vector<Touch> touchesWithHand;

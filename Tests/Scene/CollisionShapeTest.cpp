@@ -1,4 +1,4 @@
-// Forms of bodies, by what others meet.
+// Tests the collision shapes of bodies by the bodies that hit them.
 #include "Scene/SceneCast.h"
 #include "Scene/TestBodies.h"
 
@@ -17,7 +17,7 @@ namespace {
 constexpr double stepsPerSecond = 2000;
 constexpr double ballRadius = 0.005;
 
-/// Where a ball is that is let go above what is fixed at the origin.
+/// Returns the place of a ball after its fall onto a fixed body at the origin.
 Eigen::Vector3d
 ballAfter(double seconds, const RigidWorld::Kind& fixed, const Eigen::Vector3d& from) {
     RigidWorld world({fixed, ballKind(ballRadius, {.restitution = 0})}, stepsPerSecond, gravity);
@@ -28,7 +28,7 @@ ballAfter(double seconds, const RigidWorld::Kind& fixed, const Eigen::Vector3d& 
     return world.centre(ball);
 }
 
-/// The lower half of a thin sphere about the origin.
+/// Returns the lower half of a thin sphere about the origin.
 std::shared_ptr<ModalObject> bowl(double radiusMetres, double thicknessMetres) {
     Mesh mesh = icosphereMesh(radiusMetres, 4);
     Eigen::Index kept = 0;
@@ -44,14 +44,14 @@ std::shared_ptr<ModalObject> bowl(double radiusMetres, double thicknessMetres) {
     return object;
 }
 
-/// Of one triangle, many times.
+/// Returns a mesh that has one triangle many times.
 Mesh heap(Eigen::Index faces) {
     Mesh mesh{Eigen::MatrixXd{{0, 0, 0}, {0.1, 0, 0}, {0, 0.1, 0}}, Eigen::MatrixXi(faces, 3)};
     mesh.faces.rowwise() = Eigen::RowVector3i(0, 1, 2);
     return mesh;
 }
 
-/// Of bars along two axes in turn, layer upon layer, which do not touch.
+/// Returns layers of parallel bars that do not touch, along two axes in turn.
 Mesh lattice(int bars) {
     Mesh mesh{Eigen::MatrixXd(6 * bars * bars, 3), Eigen::MatrixXi(2 * bars * bars, 3)};
     const double pitch = 1.0 / bars;
@@ -68,7 +68,7 @@ Mesh lattice(int bars) {
     return mesh;
 }
 
-/// With one more so far away along each axis.
+/// Adds a face at this distance along each axis.
 Mesh withFaceAt(double metres, Mesh mesh) {
     const auto first = mesh.vertexCount(), faces = mesh.faceCount();
     mesh.vertices.conservativeResize(first + 3, 3);
@@ -79,7 +79,7 @@ Mesh withFaceAt(double metres, Mesh mesh) {
     return mesh;
 }
 
-/// Of vertices of its own each, so that no two are the same.
+/// Returns a heap whose faces share no vertices.
 Mesh looseHeap(Eigen::Index faces) {
     Mesh mesh{heap(1).vertices.replicate(faces, 1), Eigen::MatrixXi(faces, 3)};
     for (Eigen::Index face = 0; face < faces; ++face)
@@ -99,8 +99,7 @@ BodyTemplate surfaceKind() {
 
 } // namespace
 
-TEST_CASE(
-    "A ball falls through a ring, round or flat, and is caught by its section and by a hull") {
+TEST_CASE("A ball falls through a round or flat ring and lands on its section and on a hull") {
     const double radius = 0.05;
     const bool isRound = GENERATE(true, false);
     const auto object = isRound ? objectOf(torusMesh(radius, 0.005, 48, 12), "Steel")
@@ -116,11 +115,11 @@ TEST_CASE(
     CHECK_THAT(ballAfter(0.5, hull, {0, 0, 0.1}).z(), WithinAbs(top + ballRadius, 1e-3));
 }
 
-TEST_CASE("A form is as high as its mesh") {
+TEST_CASE("A shape is as high as its mesh") {
     const auto box = boxMesh({0.05, 0.03, 0.02}, {4, 4, 4});
     const auto [mesh, form, shareLost] = GENERATE_COPY(
         std::tuple{box, BodyForm::hull, 0.03},
-        std::tuple{icosphereMesh(0.02, 4), BodyForm::hull, 0.08}, // a hull keeps few of its corners
+        std::tuple{icosphereMesh(0.02, 4), BodyForm::hull, 0.08}, // a hull keeps few corners
         std::tuple{icosphereMesh(0.02, 3), BodyForm::sphere, 0.03},
         std::tuple{tubeMesh(0.02, 0.01, 0.05, 48), BodyForm::cylinder, 0.03},
         std::tuple{box, BodyForm::ground, 0.03});
@@ -130,7 +129,7 @@ TEST_CASE("A form is as high as its mesh") {
     CHECK_THAT(ball.z(), WithinAbs(top + ballRadius, shareLost * top));
 }
 
-TEST_CASE("A cylinder rolls on as fast as it was set rolling") {
+TEST_CASE("A rolling cylinder keeps its speed") {
     const double radius = 0.02, length = 0.06, speed = 0.4;
     auto object = objectOf(tubeMesh(radius, radius / 2, length, 64), "Steel");
     const double mass = 0.3, along = mass * radius * radius / 2,
@@ -144,7 +143,7 @@ TEST_CASE("A cylinder rolls on as fast as it was set rolling") {
     const auto body = world.add(1, rolling);
     while (world.seconds() < 1)
         world.step();
-    // Contacts lag by a part of a step, which drives what rolls by a thousandth of gravity.
+    // Contacts lag by a fraction of a step. This drives a rolling body by a thousandth of gravity.
     const auto motion = world.motion(body);
     CHECK_THAT(motion.velocity.x(), WithinAbs(speed, 0.03 * speed));
     CHECK_THAT(motion.spin.y(), WithinAbs(motion.velocity.x() / radius, 0.1));
@@ -152,7 +151,7 @@ TEST_CASE("A cylinder rolls on as fast as it was set rolling") {
     CHECK_THAT(world.centre(body).x(), WithinAbs(speed, 0.02 * speed));
 }
 
-TEST_CASE("A ball rolls within a bowl, near its wall, from one side to the other") {
+TEST_CASE("A ball rolls in a bowl, along its wall, from one side to the other") {
     const double radius = 0.1, thickness = 0.002;
     const double inside = radius - thickness / 2 - ballRadius; // of the ball's centre
     RigidWorld world({kindOf(bowl(radius, thickness), BodyForm::surface, true, {}),
@@ -171,7 +170,7 @@ TEST_CASE("A ball rolls within a bowl, near its wall, from one side to the other
     CHECK(farthestLeft < -0.7 * inside * std::sin(angle));
 }
 
-TEST_CASE("A flat surface of fine faces holds up straight what rolls over it") {
+TEST_CASE("A flat surface of fine faces pushes a rolling ball straight up") {
     const double speed = GENERATE(0.1, 0.4, 1.0), metres = 0.2;
     RigidWorld world(
         {kindOf(objectOf(sheetMesh(0.4, 0.4, 10'000), "Steel"), BodyForm::surface, true, {}),
@@ -195,7 +194,7 @@ TEST_CASE("A flat surface of fine faces holds up straight what rolls over it") {
     CHECK(touches > 50);
 }
 
-TEST_CASE("A thin plate that lies askew in its mesh comes to rest as one that does not") {
+TEST_CASE("A thin plate comes to rest also if it lies askew in its mesh") {
     const double thickness = 0.0006, side = 0.05;
     const double degrees = GENERATE(0.0, 5.0, 45.0);
     Mesh mesh = boxMesh({side, side, thickness}, {4, 4, 1});
@@ -220,7 +219,7 @@ TEST_CASE("A thin plate that lies askew in its mesh comes to rest as one that do
     CHECK_THAT(world.centre(plate).z(), WithinAbs(thickness / 2, 1e-4));
 }
 
-TEST_CASE("What falls on a ring of loose points, each of faces without an area, goes on falling") {
+TEST_CASE("A body keeps falling through a ring of loose points with faces without area") {
     Mesh mesh{Eigen::MatrixXd{{0.012, 0.001, 0.001},
                               {-0.012, 0.002, 0.012},
                               {0.001, 0.012, -0.012},
@@ -236,7 +235,7 @@ TEST_CASE("What falls on a ring of loose points, each of faces without an area, 
         falling.pose.rotate(
             Eigen::AngleAxisd(0.4 * turn, Eigen::Vector3d(1, 0.5, 0.2).normalized()));
         const auto cube =
-            world.add(0, falling); // before what Bullet then takes for the second hull
+            world.add(0, falling); // added before the part that Bullet takes for the second hull
         world.add(1, at({0, 0, 0}));
         while (world.seconds() < 0.15)
             world.step();
@@ -244,7 +243,7 @@ TEST_CASE("What falls on a ring of loose points, each of faces without an area, 
     }
 }
 
-TEST_CASE("A hull that is too thin for any margin is met, or the body is refused") {
+TEST_CASE("A hull too thin for any margin still collides, or the body is refused") {
     const double thickness = GENERATE(1e-300, 1e-165, 1e-100, 1e-12, 1e-8, 1e-6);
     auto object = objectOf(sheetMesh(0.05, 0.05, 16), "Steel");
     object->body = BodyKind::shell;
@@ -265,7 +264,7 @@ TEST_CASE("A hull that is too thin for any margin is met, or the body is refused
     CHECK_THAT(world.centre(ball).z(), WithinAbs(ballRadius, 1e-3));
 }
 
-TEST_CASE("A body whose mass or moments of inertia are too small to divide by cannot move") {
+TEST_CASE("A body cannot move if its mass or inertia is too small to divide by") {
     const double massKg = GENERATE(0.1, 1e-30), share = GENERATE(1e-310, 1e-20, 1e-4);
     auto object = objectOf(boxMesh({0.02, 0.02, 0.02}, {2, 2, 2}), "Steel");
     object->mass = {.massKg = massKg,
@@ -278,12 +277,12 @@ TEST_CASE("A body whose mass or moments of inertia are too small to divide by ca
         CHECK(model.error().message == "'dust' cannot move: its object 'body' has no mass");
 }
 
-TEST_CASE("A surface of more faces than there can be is refused in a sentence that names it") {
+TEST_CASE("A surface with too many faces is refused with a sentence that names it") {
     const auto fault = [](const Mesh& mesh) {
         const auto model = makeRigidBodyModel(surfaceKind(), objectOf(mesh, "Steel"));
         return model ? std::string() : model.error().message;
     };
-    // Beyond 2^21 Bullet would write outside of its lists.
+    // Beyond 2^21 faces Bullet would write outside its arrays.
     for (const Eigen::Index faces : {100'001, 2'200'000})
         CHECK(fault(heap(faces)) ==
               "'floor' is no surface: its object 'body' has more than 100000 faces");
@@ -294,14 +293,14 @@ TEST_CASE("A surface of more faces than there can be is refused in a sentence th
     CHECK(fault(sheetMesh(1, 1, 40'000)).empty());
 }
 
-TEST_CASE("A face that is there many times is one") {
+TEST_CASE("Duplicate faces count once") {
     const auto floor = kindOf(objectOf(heap(100'000), "Steel"), BodyForm::surface, true, {});
     CHECK(floor.model->touchingFaces.pairs < 1'000'000);
     const auto ball = ballAfter(0.3, floor, {0.03, 0.03, 0.02});
     CHECK_THAT(ball.z(), WithinAbs(ballRadius, 1e-3));
 }
 
-TEST_CASE("The surfaces of a scene are bounded together") {
+TEST_CASE("The surfaces of a scene have a common limit") {
     const auto isRefusedBeyond = [](std::size_t kinds,
                                     const std::shared_ptr<const ModalObject>& floor) {
         ObjectLibrary library;
@@ -314,7 +313,7 @@ TEST_CASE("The surfaces of a scene are bounded together") {
         CHECK(SceneCast::make(scene, library).error().message ==
               "the surfaces in the scene 'Floors' have too many faces together");
     };
-    SECTION("by faces that touch each other") {
+    SECTION("of touching faces") {
         Mesh heaps = looseHeap(1510);
         for (Eigen::Index vertex = 0; vertex < heaps.vertexCount(); ++vertex)
             heaps.vertices(vertex, 0) += static_cast<double>(vertex / 3 / 151);
@@ -323,7 +322,7 @@ TEST_CASE("The surfaces of a scene are bounded together") {
         REQUIRE(touching.pairs > 500'000);
         isRefusedBeyond(mostTouchingFaces.pairs / touching.pairs, floor);
     }
-    SECTION("by what is looked at to know that none do") {
+    SECTION("of boxes searched, even if no faces touch") {
         const std::shared_ptr<const ModalObject> floor = objectOf(lattice(80), "Steel");
         const auto touching = makeRigidBodyModel(surfaceKind(), floor).value()->touchingFaces;
         REQUIRE(touching.pairs == 0);
@@ -332,7 +331,7 @@ TEST_CASE("The surfaces of a scene are bounded together") {
     }
 }
 
-TEST_CASE("The work of a body on a surface is as much as it has faces near") {
+TEST_CASE("The work of a body on a surface grows with the faces near it") {
     const auto sheet = sheetMesh(1, 1, 12'000);
     const auto floorOf = [](const Mesh& mesh) {
         return kindOf(objectOf(mesh, "Steel"), BodyForm::surface, true, {});
@@ -348,7 +347,7 @@ TEST_CASE("The work of a body on a surface is as much as it has faces near") {
     };
     const double ofBall = workOf(ballKind(ballRadius), ballRadius);
     CHECK(ofBall > 500);
-    CHECK(workOf(cubeKind(2), 1) > 50 * ofBall); // as it takes
+    CHECK(workOf(cubeKind(2), 1) > 50 * ofBall); // its real cost grows likewise
     floor = floorOf(withFaceAt(10'000, sheet));
     CHECK(workOf(ballKind(ballRadius), ballRadius) == ofBall);
 }

@@ -1,4 +1,4 @@
-// The scenes that ship.
+// Tests the factory scenes.
 #include "Scene/FactoryScenes.h"
 
 #include "Scene/SceneFile.h"
@@ -10,7 +10,7 @@
 
 using namespace idiophone;
 
-TEST_CASE("Every scene of the folder is in the program, under a name of its own") {
+TEST_CASE("Every scene of the folder is in the program under a unique name") {
     std::set<std::string> names;
     std::size_t files = 0;
     for (const auto& file : std::filesystem::directory_iterator(
@@ -28,7 +28,7 @@ TEST_CASE("Every scene of the folder is in the program, under a name of its own"
     CHECK(findFactoryScene("nothing") == nullptr);
 }
 
-TEST_CASE("Every factory scene is cast, and something is struck in its first second") {
+TEST_CASE("Every factory scene loads, and a body is struck in its first second") {
     for (const auto& scene : factoryScenes()) {
         INFO(scene.name);
         const auto cast = SceneCast::make(scene, ObjectLibrary::shared());

@@ -7,13 +7,14 @@
 
 using namespace idiophone;
 
-TEST_CASE("The lowest of many points is found to the bit, however they are turned") {
+TEST_CASE("The lowest of many points is exact to the bit in every orientation") {
     std::mt19937 random(5);
     std::normal_distribution<double> number;
     std::vector<Eigen::Vector3d> points;
     for (int k = 0; k < 2000; ++k) {
         const Eigen::Vector3d point(number(random), number(random), number(random));
-        points.push_back(k % 2 == 0 ? point.normalized() : 0.3 * point); // a ball full of points
+        points.push_back(k % 2 == 0 ? point.normalized()
+                                    : 0.3 * point); // points on a sphere and inside it
     }
     points.insert(points.end(), 100, points.front());
     const LowestPoint lowest(points);

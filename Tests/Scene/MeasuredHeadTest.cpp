@@ -1,4 +1,4 @@
-// A measured head, whose measurement is that of the spherical one.
+// Tests a measured head with the responses of the spherical one.
 #include "Scene/MeasuredSource.h"
 #include "Scene/SphereSource.h"
 
@@ -19,12 +19,13 @@ namespace {
 const Listener listener{.positionMetres = {0, 0, 0}, .towardsMetres = {0, 1, 0}};
 constexpr std::size_t lateSamples = 60;
 
-/// The listener looks along y; directions are ahead, left and up.
+/// Returns the place in a direction (ahead, left, up) of the listener, who looks along y.
 Eigen::Vector3d placeOf(const Eigen::Vector3d& direction) {
     return {-direction.y(), direction.x(), direction.z()};
 }
 
-/// The spherical head, as if it had been measured: delays to the nearest sample, and all late.
+/// Returns the responses of the spherical head with delays rounded to samples, all late by
+/// `lateSamples`.
 HeadMeasurement measuredSphere(double rateHz, std::size_t length) {
     const HeadModel head(listener);
     HeadMeasurement measured{
@@ -54,7 +55,7 @@ std::shared_ptr<const HeadResponses> sphereAt(double rateHz) {
 
 using Ears = std::array<std::vector<float>, 2>;
 
-/// A source's sound at places that change from cell to cell.
+/// Renders a source whose place changes from cell to cell.
 Ears heard(PlacedSource& source,
            const std::vector<float>& sound,
            const std::function<Eigen::Vector3d(std::size_t cell)>& place) {
@@ -84,10 +85,11 @@ std::ptrdiff_t highest(const std::vector<float>& samples) {
 
 } // namespace
 
-TEST_CASE("A sphere that was measured sounds as the sphere does, to each ear from all around") {
+TEST_CASE("A measured sphere sounds like the spherical head at both ears from all directions") {
     const auto head = sphereAt(48000);
     std::vector<float> click(20 * cellSamples);
-    for (int i = 0; i < 12; ++i) // below some 8 kHz, which the sphere's cubic leaves as they are
+    for (int i = 0; i < 12;
+         ++i) // below about 8 kHz, where the sphere's cubic interpolation is flat
         click[static_cast<std::size_t>(i)] =
             static_cast<float>(std::pow(std::sin(std::numbers::pi * (i + 0.5) / 12), 2));
     std::ptrdiff_t common = -1;
@@ -105,7 +107,7 @@ TEST_CASE("A sphere that was measured sounds as the sphere does, to each ear fro
             for (std::size_t ear = 0; ear < 2; ++ear) {
                 CHECK_THAT(10 * std::log10(energy(found[ear]) / energy(expected[ear])),
                            WithinAbs(0, 0.3));
-                // Each as late as its ear, but for one time of all that is left out.
+                // Both ears have their delays, apart from one common delay that is removed.
                 const auto late = highest(found[ear]) - highest(expected[ear]);
                 if (common < 0)
                     common = late;
@@ -116,7 +118,7 @@ TEST_CASE("A sphere that was measured sounds as the sphere does, to each ear fro
     CHECK(common < 20);
 }
 
-TEST_CASE("The nearest direction is that of the listener, at the poles too") {
+TEST_CASE("The nearest direction is that of the listener, also at the poles") {
     const auto head = sphereAt(48000);
     for (std::size_t index = 0; index < HeadResponses::directionCount; ++index) {
         const auto direction = HeadResponses::direction(index);
@@ -128,7 +130,7 @@ TEST_CASE("The nearest direction is that of the listener, at the poles too") {
     CHECK(head->nearest(Eigen::Vector3d::Zero()) < HeadResponses::directionCount);
 }
 
-TEST_CASE("What comes later than a head's responses are long fades out") {
+TEST_CASE("Responses fade out at their maximum length") {
     auto measured = measuredSphere(48000, 1000);
     for (std::size_t i = 0; i < measured.responses.size(); i += 1000)
         measured.responses[i + 700] = 0.5f;
@@ -140,7 +142,7 @@ TEST_CASE("What comes later than a head's responses are long fades out") {
         CHECK((*head)->response(index, 0).back() == 0);
 }
 
-TEST_CASE("A source that flies by a measured head makes no click, and falls silent") {
+TEST_CASE("A source that flies past a measured head does not click, and falls silent") {
     MeasuredSource source(sphereAt(48000), 48000);
     std::vector<float> tone(400 * cellSamples);
     for (std::size_t i = 0; i < 380 * cellSamples; ++i)
@@ -157,7 +159,7 @@ TEST_CASE("A source that flies by a measured head makes no click, and falls sile
     }
 }
 
-TEST_CASE("What is no head is refused with one sentence") {
+TEST_CASE("An invalid head is refused with one sentence") {
     const auto refusal = [](const std::function<void(HeadMeasurement&)>& change) {
         auto measured = measuredSphere(48000, 200);
         change(measured);
@@ -172,7 +174,7 @@ TEST_CASE("What is no head is refused with one sentence") {
                ContainsSubstring("not a finite number"));
     CHECK_THAT(refusal([](auto& m) { std::ranges::fill(m.responses, 0.0f); }),
                ContainsSubstring("nothing is heard from straight ahead"));
-    CHECK_THAT(refusal([](auto& m) { // louder than a float can say
+    CHECK_THAT(refusal([](auto& m) { // louder than a float can represent
                    for (float& sample : m.responses)
                        sample *= 1e-35f;
                    m.responses[150] = 1e10f;
@@ -180,7 +182,7 @@ TEST_CASE("What is no head is refused with one sentence") {
                ContainsSubstring("louder from elsewhere"));
 }
 
-TEST_CASE("A head's responses go from process to process as they are") {
+TEST_CASE("A head's responses can be passed on and restored unchanged") {
     const auto head = sphereAt(48000);
     const auto samples = head->allSamples();
     const auto again = HeadResponses::of({samples.begin(), samples.end()});
@@ -194,9 +196,9 @@ TEST_CASE("A head's responses go from process to process as they are") {
     CHECK_FALSE(HeadResponses::of(std::vector<float>(7)));
 }
 
-TEST_CASE("A head is as loud at a rate beyond that of its measurement") {
+TEST_CASE("A head is equally loud at a sample rate above that of its measurement") {
     auto measured = measuredSphere(48000, 240);
-    measured.sampleRateHz = 96000; // each sample twice, so at half the height
+    measured.sampleRateHz = 96000; // each sample twice at half the height
     measured.lengthSamples = 480;
     std::vector<float> doubled;
     for (const float sample : measured.responses)

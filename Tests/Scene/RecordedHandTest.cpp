@@ -1,4 +1,4 @@
-// A hand's path and taps as they were recorded, between its moments.
+// Tests the path and the taps of a recorded hand between its moments.
 #include "Scene/RecordedHand.h"
 
 #include "Scene/FactoryScenes.h"
@@ -13,7 +13,7 @@ using Catch::Matchers::WithinRel;
 
 namespace {
 
-/// The factory's bell under another path and other taps.
+/// The factory scene's bell with another path and other taps.
 class BellUnderHand {
 public:
     BellUnderHand()
@@ -37,7 +37,7 @@ public:
 
 } // namespace
 
-TEST_CASE("Between two moments a hand moves evenly and its force goes from one to the other") {
+TEST_CASE("Between two moments, the place and the force of a hand are linear") {
     const BellUnderHand scene;
     const RecordedHand hand(scene.recorded, scene.bell(), scene.tool());
     const auto touch = hand.touchAt(1.5, 7, 9);
@@ -51,7 +51,7 @@ TEST_CASE("Between two moments a hand moves evenly and its force goes from one t
     CHECK(touch->inward[1] == -touch->inward[0]);
 }
 
-TEST_CASE("A hand touches nothing before its path, after it, and while it does not press") {
+TEST_CASE("A hand has no contact before its path, after it, or without force") {
     const BellUnderHand scene;
     const RecordedHand hand(scene.recorded, scene.bell(), scene.tool());
     for (const double seconds : {0.0, 0.999, 4.5, 5.0, 100.0})
@@ -60,7 +60,7 @@ TEST_CASE("A hand touches nothing before its path, after it, and while it does n
     CHECK(hand.touchAt(3.999, 0, 1));
 }
 
-TEST_CASE("Taps come once, in the stretch of time they are in, and last after Hertz") {
+TEST_CASE("Each tap is returned once, in its interval, with the Hertz contact time") {
     const BellUnderHand scene;
     const RecordedHand hand(scene.recorded, scene.bell(), scene.tool());
     CHECK(hand.tapsBetween(0, 0.5, 0, 1).empty());

@@ -1,4 +1,4 @@
-// Known answers of mechanics: falls, rebounds, weights, rolls.
+// Tests falls, rebounds, weights and rolling against closed forms of mechanics.
 #include "Scene/TestBodies.h"
 
 #include <catch2/catch_test_macros.hpp>
@@ -13,7 +13,7 @@ namespace {
 
 constexpr double stepsPerSecond = 2000;
 
-/// Of one body above the ground.
+/// Returns the impacts of one body above the ground.
 std::vector<Impact> impactsOf(RigidWorld& world, double seconds, std::size_t body) {
     std::vector<Impact> all;
     while (world.seconds() < seconds) {
@@ -27,11 +27,11 @@ std::vector<Impact> impactsOf(RigidWorld& world, double seconds, std::size_t bod
 
 } // namespace
 
-TEST_CASE("A ball meets the ground when and as hard as it must, again and again") {
+TEST_CASE("A bouncing ball meets the ground at the exact times and speeds") {
     const double radius = 0.01, height = 0.3, restitution = 0.6;
     RigidWorld world(
         {groundKind({.restitution = restitution}), ballKind(radius, {.restitution = restitution})},
-        4 * stepsPerSecond, gravity); // a rebound loses what falling does within a step
+        4 * stepsPerSecond, gravity); // a rebound loses the speed that gravity adds in a step
     world.add(0, at({0, 0, 0}));
     const auto ball = world.add(1, at({0.1, 0.2, radius + height}));
     const auto impacts = impactsOf(world, 2, ball);
@@ -53,7 +53,7 @@ TEST_CASE("A ball meets the ground when and as hard as it must, again and again"
     }
 }
 
-TEST_CASE("The contact lasts as long as Hertz says, and both sides feel the opposite") {
+TEST_CASE("A contact lasts as long as Hertz predicts, with opposite impulses on both bodies") {
     const double radius = 0.01, height = 0.05;
     RigidWorld world({groundKind(), ballKind(radius)}, stepsPerSecond, gravity);
     const auto ground = world.add(0, at({0, 0, 0}));
@@ -66,7 +66,7 @@ TEST_CASE("The contact lasts as long as Hertz says, and both sides feel the oppo
     CHECK(one.seconds == other.seconds);
     CHECK((one.impulseNewtonSeconds + other.impulseNewtonSeconds).norm() < 1e-12);
 
-    // T = 2.87 (m²/(R E*² v))^(1/5) of a steel ball on something heavy of steel.
+    // T = 2.87 (m²/(R E*² v))^(1/5) of a steel ball on a heavy steel body.
     const auto& steel = *findMaterial("Steel");
     const double modulus =
         steel.youngsModulusPa / (2 * (1 - steel.poissonRatio * steel.poissonRatio));
@@ -75,12 +75,12 @@ TEST_CASE("The contact lasts as long as Hertz says, and both sides feel the oppo
     CHECK_THAT(one.contactSeconds, WithinRel(hertz, 0.01));
 }
 
-TEST_CASE("What rests is silent and presses with its weight") {
+TEST_CASE("A resting body causes no impacts and presses with its weight") {
     RigidWorld world({groundKind(), cubeKind(0.02)}, stepsPerSecond, gravity);
     world.add(0, at({0, 0, 0}));
     const auto cube = world.add(1, at({0, 0, 0.03}));
     impactsOf(world, 1, cube);
-    world.setVelocity(cube, {0, 0, 0}, {0, 0, 0}); // awake
+    world.setVelocity(cube, {0, 0, 0}, {0, 0, 0}); // wakes it up
     double impulse = 0;
     int impacts = 0;
     const double from = world.seconds();
@@ -94,7 +94,7 @@ TEST_CASE("What rests is silent and presses with its weight") {
     CHECK_THAT(impulse, WithinRel(0.2 * world.model(1).massKg * gravity, 0.02));
 }
 
-TEST_CASE("A ball that slides comes to roll at 5/7 of its speed, and rolls on in silence") {
+TEST_CASE("A sliding ball ends up rolling at 5/7 of its speed, without impacts") {
     const double radius = 0.02, speed = 1;
     RigidWorld world({groundKind({.friction = 0.3, .restitution = 0}),
                       ballKind(radius, {.friction = 0.3, .restitution = 0})},
@@ -103,7 +103,7 @@ TEST_CASE("A ball that slides comes to roll at 5/7 of its speed, and rolls on in
     const auto ball = world.add(1, at({0, 0, radius}, {speed, 0, 0}));
     impactsOf(world, 0.02, ball);
     REQUIRE(world.touches().size() == 1);
-    // What slips loses 7/2 μ g: it slides for 0.1 s.
+    // Sliding friction reduces the slip by 7/2 μ g: it ends after 0.1 s.
     CHECK_THAT(world.touches()[0].slideMetresPerSecond,
                WithinAbs(speed - 3.5 * 0.3 * gravity * 0.02, 0.01));
     impactsOf(world, 0.3, ball);
@@ -114,7 +114,7 @@ TEST_CASE("A ball that slides comes to roll at 5/7 of its speed, and rolls on in
     CHECK(world.touches()[0].slideMetresPerSecond < 0.01);
 }
 
-TEST_CASE("Kinds of groups that do not collide pass through each other") {
+TEST_CASE("Kinds whose groups do not collide pass through each other") {
     auto ground = groundKind(), ghost = ballKind(0.01);
     ghost.collidesWith = 2;
     RigidWorld world({ground, ghost}, stepsPerSecond, gravity);
@@ -145,7 +145,7 @@ TEST_CASE("The same bodies fall in the same way, bit for bit") {
     CHECK(fall() == first);
 }
 
-TEST_CASE("A world of more pairs than it has room for is crowded, and says so at once") {
+TEST_CASE("A world with too many pairs reports at once that it is crowded") {
     RigidWorld world({ballKind(0.01)}, stepsPerSecond, gravity);
     for (int k = 0; k < 300; ++k)
         world.add(0, at({0.1 * k, 0, 0}));
@@ -157,7 +157,7 @@ TEST_CASE("A world of more pairs than it has room for is crowded, and says so at
     CHECK(world.isCrowded());
 }
 
-TEST_CASE("Bodies that were taken away are gone, and their numbers with them") {
+TEST_CASE("The numbers of removed bodies are not reused") {
     RigidWorld world({groundKind(), ballKind(0.01)}, stepsPerSecond, gravity);
     world.add(0, at({0, 0, 0}));
     const auto first = world.add(1, at({0, 0, 0.05}));
@@ -169,7 +169,7 @@ TEST_CASE("Bodies that were taken away are gone, and their numbers with them") {
     CHECK_FALSE(impactsOf(world, 0.3, second).empty());
 }
 
-TEST_CASE("An object without faces is no surface, which would be refined for ever") {
+TEST_CASE("An object without faces is refused as a surface") {
     const auto object = objectOf(sheetMesh(1, 1, 4), "Steel");
     object->faces.clear();
     BodyTemplate kind{.name = "floor", .object = "sheet", .form = BodyForm::surface};

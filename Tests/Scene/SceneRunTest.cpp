@@ -1,4 +1,4 @@
-// Performances: songs as falling dice, slots, chance.
+// Tests simulations of scenes: songs as falling dice, slots and random numbers.
 #include "Scene/SceneRun.h"
 #include "Scene/FactoryScenes.h"
 #include "Scene/SceneText.h"
@@ -44,7 +44,7 @@ double impulse(const SceneBlow& blow) {
 } // namespace
 
 TEST_CASE("Every note's die hits its bar within 2 ms of the score") {
-    // A scale, repeated notes, a chord, and the first note at once.
+    // A scale, repeated notes, a chord, and a note at time 0.
     std::vector<SceneNote> notes;
     for (int k = 0; k < 25; ++k)
         notes.push_back({0.11 * k, 65 + k, 20 + 4 * k});
@@ -72,7 +72,7 @@ TEST_CASE("Every note's die hits its bar within 2 ms of the score") {
     CHECK(motion.finished());
 }
 
-TEST_CASE("What turns is heard from the side that it turns to the listener") {
+TEST_CASE("A rotating body is heard from the side that faces the listener") {
     const auto cast = factoryCast("Cylinder off a table");
     const auto listener = cast->scene().listener.positionMetres;
     SceneRun motion(cast);
@@ -102,7 +102,7 @@ TEST_CASE("What turns is heard from the side that it turns to the listener") {
     CHECK(sides.size() >= 4);
 }
 
-TEST_CASE("A die falls from so high that its blow grows with the velocity") {
+TEST_CASE("A higher velocity makes a die hit its bar harder") {
     const auto cast = factoryCast("Dice on a xylophone");
     double before = 0;
     for (const int velocity : {1, 32, 64, 96, 127}) {
@@ -115,7 +115,7 @@ TEST_CASE("A die falls from so high that its blow grows with the velocity") {
     }
 }
 
-TEST_CASE("Kinds of one object share what is known of its surface") {
+TEST_CASE("Kinds of one object share its surface") {
     auto scene = *findFactoryScene("Dice on a xylophone");
     scene.kinds.push_back(scene.kinds.front());
     const auto cast = SceneCast::make(scene, ObjectLibrary::shared());
@@ -123,16 +123,16 @@ TEST_CASE("Kinds of one object share what is known of its surface") {
     const auto& roles = (*cast)->roles();
     CHECK(roles[0].surface != nullptr);
     CHECK(roles[0].surface == roles[scene.kinds.size() - 1].surface);
-    CHECK(roles[0].surface != roles.back().surface); // a bar's
+    CHECK(roles[0].surface != roles.back().surface); // of a bar
 }
 
-TEST_CASE("Notes beyond the keyboard are left out and counted") {
+TEST_CASE("Notes outside the keyboard are ignored and counted") {
     SceneRun motion(factoryCast("Dice on a xylophone"),
                     {.notes = {{1, 20, 100}, {1, 72, 100}, {2, 126, 9}}});
     CHECK(motion.figures().notesLeftOut == 2);
 }
 
-TEST_CASE("Dice of a long song share the slots of those that were taken away") {
+TEST_CASE("Dice of a long song reuse the slots of removed dice") {
     const auto cast = factoryCast("Dice on a xylophone");
     const auto standing = SceneRun(cast).slots().size();
     const double apart = cast->scene().noteDrop->lifeSeconds + 5;
@@ -141,13 +141,13 @@ TEST_CASE("Dice of a long song share the slots of those that were taken away") {
         for (int k = 0; k < 400; ++k)
             notes.push_back({apart * chord, 65 + k % 40, 1 + k % 127});
     CHECK(SceneRun(cast, {.notes = notes}).slots().size() == standing + 400);
-    // In time by their number, and not by its square.
+    // Takes time in proportion to the notes, not to their square.
     for (auto& note : notes)
         note.seconds = 1;
     CHECK(SceneRun(cast, {.notes = notes}).slots().size() == standing + notes.size());
 }
 
-TEST_CASE("Blows come in order of time, whatever the steps in which they are asked for") {
+TEST_CASE("Impacts are in order of time, whatever the intervals of the queries") {
     const auto cast = factoryCast("Shells in a room");
     SceneRun whole(cast), bits(cast);
     const auto expected = blowsUntil(whole, 2);
@@ -169,7 +169,7 @@ TEST_CASE("Blows come in order of time, whatever the steps in which they are ask
     }
 }
 
-TEST_CASE("Another seed is another performance") {
+TEST_CASE("Another seed gives another performance") {
     auto scene = *findFactoryScene("Shells in a room");
     SceneRun one(castOf(scene));
     scene.seed += 1;
@@ -180,7 +180,7 @@ TEST_CASE("Another seed is another performance") {
     CHECK(first.front().seconds != second.front().seconds);
 }
 
-TEST_CASE("Bodies that are thrown again move again") {
+TEST_CASE("Thrown bodies move again") {
     const auto cast = factoryCast("Shells in a room");
     const double kick = cast->scene().kicks.front().seconds;
     SceneRun motion(cast);
@@ -189,7 +189,7 @@ TEST_CASE("Bodies that are thrown again move again") {
     CHECK(blowsUntil(motion, kick + 1).size() > 100);
 }
 
-TEST_CASE("A scene that names what is not there says so") {
+TEST_CASE("A missing object or preset of a scene is named in the error") {
     const auto faultOf = [](auto change) {
         auto scene = *findFactoryScene("Dice on a xylophone");
         change(scene);
@@ -205,8 +205,7 @@ TEST_CASE("A scene that names what is not there says so") {
           "the keyboard's preset 'Steel Plate' has no bars");
 }
 
-TEST_CASE(
-    "A hand taps at its times with 1 + e of its tool's momentum, and rubs as fast as it moves") {
+TEST_CASE("A hand taps with (1 + e) times its tool's momentum and rubs at its own speed") {
     auto scene = *findFactoryScene("Bell under a hand");
     const double tool =
         4.0 / 3 * std::numbers::pi * std::pow(0.006, 3) * findMaterial("Steel")->densityKgPerM3;
@@ -222,7 +221,7 @@ TEST_CASE(
     CHECK(std::abs(blows[1].seconds - 0.25) < 1e-9);
     const auto& impulse = blows[1].strike.impulseNewtonSeconds;
     CHECK(std::abs(std::hypot(impulse[0], impulse[1], impulse[2]) - 1.5 * tool * 2) < 1e-5);
-    CHECK(impulse[1] > 0); // into the wall that looks along -y
+    CHECK(impulse[1] > 0); // into the wall that faces -y
     const auto touching = std::ranges::find_if(
         motion.touches(), [](const TouchState& state) { return state.forceNewtons > 0.1; });
     REQUIRE(touching != motion.touches().end());
@@ -233,8 +232,8 @@ TEST_CASE(
                               [](const TouchState& state) { return state.forceNewtons < 1e-6; }));
 }
 
-TEST_CASE("A run of a crowd is over, be it of bodies or of their parts") {
-    // Of a ring's sixteen parts each is near several of another ring in the same place.
+TEST_CASE("A run ends when bodies, or their parts, are crowded") {
+    // Each of a ring's sixteen parts is near several parts of another ring in the same place.
     const auto [object, form, count] = GENERATE(table<const char*, BodyForm, int>(
         {{"die", BodyForm::hull, 10000}, {"small-ring", BodyForm::ring, 60}}));
     auto scene = parseScene(R"({"format": "idiophone-scene", "version": 1, "name": "Crowd",
@@ -255,7 +254,7 @@ TEST_CASE("A run of a crowd is over, be it of bodies or of their parts") {
     CHECK(crowdedFault(cast->scene()).message.find("'Crowd'") != std::string::npos);
 }
 
-TEST_CASE("A run goes no further than its call has work for, or than it is let") {
+TEST_CASE("A run stops at its work limit or when another thread stops it") {
     const auto cast = factoryCast("Cylinder off a table");
     SceneRun little(cast, {.mostWork = 100});
     little.advanceTo(1);

@@ -1,4 +1,4 @@
-// What is heard of a scene.
+// Tests the sound of scenes.
 #include "Scene/SceneSound.h"
 #include "Scene/FactoryScenes.h"
 
@@ -15,12 +15,12 @@ namespace {
 
 constexpr double rateHz = 48000;
 
-/// A scene's sound at the left ear, and how many blows found no room.
+/// A scene's sound at the left ear, and the count of refused impacts.
 struct Performance {
     std::vector<float> samples;
-    std::vector<float> withoutBlows; ///< only what slid or rolled of it
+    std::vector<float> withoutBlows; ///< with sliding and rolling only
     int leftOut = 0;
-    double touched = 0; ///< the most newtons of anything that slid or rolled
+    double touched = 0; ///< maximum contact force in newtons
 };
 
 Performance perform(const Scene& scene, double seconds) {
@@ -53,7 +53,7 @@ Performance perform(const char* name, double seconds) {
     return perform(*findFactoryScene(name), seconds);
 }
 
-/// A ball that rolls for a second over a plate, evenly.
+/// Returns a scene in which a ball rolls evenly over a plate for a second.
 Scene rollingBall(double radiusMetres, double metresPerSecond) {
     Scene scene;
     scene.kinds = {{.name = "plate",
@@ -90,7 +90,7 @@ double rms(const std::vector<float>& samples, double fromSeconds, double toSecon
 
 } // namespace
 
-TEST_CASE("A scene sounds from its first blow on, at its sample, and the same each time") {
+TEST_CASE("A scene sounds from the sample of its first impact, the same each time") {
     const auto cast =
         SceneCast::make(*findFactoryScene("Pebble in a wok"), ObjectLibrary::shared()).value();
     SceneRun motion(cast);
@@ -103,13 +103,13 @@ TEST_CASE("A scene sounds from its first blow on, at its sample, and the same ea
     CHECK(once.leftOut == 0);
     const auto heard = std::ranges::find_if(once.samples, [](float x) { return x != 0; });
     const double samples = static_cast<double>(heard - once.samples.begin());
-    const double late = samples - first->seconds * rateHz; // by the way around the head
+    const double late = samples - first->seconds * rateHz; // by the path around the head
     CHECK(late > -1);
     CHECK(late < HeadModel::longestDelaySeconds * rateHz + 3);
     CHECK(perform("Pebble in a wok", 1).samples == once.samples);
 }
 
-TEST_CASE("However many blows fall on one body at a time, none is lost") {
+TEST_CASE("Any number of simultaneous impacts on one body sounds") {
     const auto cast =
         SceneCast::make(*findFactoryScene("Pebble in a wok"), ObjectLibrary::shared()).value();
     SceneRun motion(cast);
@@ -132,11 +132,11 @@ TEST_CASE("However many blows fall on one body at a time, none is lost") {
     };
     const double one = playedAtOnce(1), many = playedAtOnce(200);
     CHECK(many > 0.95 * 200 * one);
-    CHECK(many < 1.3 * 200 * one); // as impulses, whose spectrum falls later
+    CHECK(many < 1.3 * 200 * one); // as impulses, whose spectrum extends further
 }
 
-TEST_CASE("A ball that rolls over ribs is heard while it rolls, 34 to 46 dB below its bumps") {
-    // Whether it rolls or hops at a time is chance, so it begins at places 2 mm apart.
+TEST_CASE("A ball that rolls over ribs is 34 to 46 dB quieter than its bumps") {
+    // Whether the ball rolls or hops at a time is chance. Average over starts 2 mm apart.
     double touched = 0, wholePower = 0, rolledPower = 0;
     for (int place = -4; place <= 4; ++place) {
         auto scene = *findFactoryScene("Ball on a washboard");
@@ -154,7 +154,7 @@ TEST_CASE("A ball that rolls over ribs is heard while it rolls, 34 to 46 dB belo
     CHECK(rolledDb < -34);
 }
 
-TEST_CASE("The sound of what rolls grows as the root of its weight") {
+TEST_CASE("Rolling sound grows with the square root of the weight") {
     const auto light = perform(rollingBall(0.01, 0.3), 1),
                heavy = perform(rollingBall(0.02, 0.3), 1);
     CHECK_THAT(heavy.touched / light.touched, WithinRel(8.0, 0.001));

@@ -1,4 +1,4 @@
-// Scenes as instruments: notes that set bodies in motion.
+// Tests scenes as instruments, whose notes set bodies in motion.
 #include "Scene/SceneStage.h"
 
 #include "Instrument/Player.h"
@@ -29,7 +29,7 @@ struct Note {
     int velocity = 100;
 };
 
-/// Left and right one after the other.
+/// Returns the left channel followed by the right one.
 std::vector<float> play(Player& player, const std::vector<Note>& notes, double seconds, int block) {
     const auto total = static_cast<std::size_t>(seconds * rate);
     std::vector<float> left(total), right(total);
@@ -52,7 +52,7 @@ std::vector<float> play(Player& player, const std::vector<Note>& notes, double s
     return left;
 }
 
-/// Of what first exceeds a hundredth of the peak.
+/// Returns the time at which a sound first exceeds a hundredth of its peak.
 double onsetSeconds(const std::vector<float>& sound) {
     float peak = 0;
     for (const float x : sound)
@@ -62,8 +62,8 @@ double onsetSeconds(const std::vector<float>& sound) {
     return static_cast<double>(first - sound.begin()) / rate;
 }
 
-/// The largest third difference in the left channel within 300 samples: what is cut off has a large
-/// one, what rings or fades has not.
+/// Returns the maximum third difference in the left channel within 300 samples. It is large at a
+/// cut, and small while the sound rings or fades.
 double kinkFrom(const std::vector<float>& sound, std::size_t first) {
     double largest = 0;
     for (std::size_t i = first; i < first + 300; ++i)
@@ -72,7 +72,7 @@ double kinkFrom(const std::vector<float>& sound, std::size_t first) {
     return largest;
 }
 
-/// The most from a time on, of the left channel.
+/// Returns the left channel's maximum from a time on.
 float tailLevel(const std::vector<float>& sound, double seconds) {
     float level = 0;
     for (auto i = static_cast<std::size_t>(seconds * rate); i < sound.size() / 2; ++i)
@@ -82,10 +82,10 @@ float tailLevel(const std::vector<float>& sound, double seconds) {
 
 } // namespace
 
-TEST_CASE("A die hits its bar when the stage's delay has gone by, however high it falls from") {
+TEST_CASE("A die hits its bar after the scene's delay, from any height") {
     const auto instrument = sceneInstrument("Dice on a xylophone");
     const double delay = instrument->stage()->delaySeconds();
-    CHECK_THAT(delay, WithinAbs(std::sqrt(2 / 9.81), 1e-9)); // a metre
+    CHECK_THAT(delay, WithinAbs(std::sqrt(2 / 9.81), 1e-9)); // one metre
     for (const int velocity : {1, 64, 127}) {
         Player player(instrument, rate);
         player.setOffline(true);
@@ -95,7 +95,7 @@ TEST_CASE("A die hits its bar when the stage's delay has gone by, however high i
     }
 }
 
-TEST_CASE("A stage's sound is the same for all block sizes, and again after a reset") {
+TEST_CASE("A scene instrument sounds the same for all block sizes and after a reset") {
     const auto instrument = sceneInstrument("Dice on a xylophone");
     const std::vector<Note> notes{{0.05, 72, 90}, {0.06, 79, 120}, {0.4, 84, 30}, {0.41, 72, 127}};
     Player player(instrument, rate);
@@ -109,7 +109,7 @@ TEST_CASE("A stage's sound is the same for all block sizes, and again after a re
     CHECK(play(other, notes, 1.5, 37) == first);
 }
 
-TEST_CASE("What is not waited for is heard late, and counted") {
+TEST_CASE("An impact that is not waited for is late and is counted") {
     const auto instrument = sceneInstrument("Dice on a xylophone");
     Player player(instrument, rate);
     bool isHeard = false;
@@ -117,8 +117,8 @@ TEST_CASE("What is not waited for is heard late, and counted") {
         const auto sound = play(player, notes, seconds, 64);
         return std::ranges::any_of(sound, [](float x) { return x != 0; });
     };
-    // A second passes far faster than the bodies fall for the worker, unless the system holds this
-    // thread up meanwhile: then it passes once more.
+    // This thread renders a second much faster than the worker simulates it. If the system suspends
+    // this thread meanwhile, it tries again.
     for (int attempt = 0; attempt < 100 && player.lateBlows() == 0; ++attempt) {
         player.reset();
         isHeard = isHeardIn({{0, 72, 100}}, 1);
@@ -131,7 +131,7 @@ TEST_CASE("What is not waited for is heard late, and counted") {
     CHECK(player.lateBlows() > 0);
 }
 
-TEST_CASE("Keys of a scene without notes begin it anew") {
+TEST_CASE("Keys of a scene without notes restart it") {
     const auto instrument = sceneInstrument("Cylinder off a table");
     const double delay = instrument->stage()->delaySeconds();
     CHECK(delay > 0);
@@ -145,7 +145,7 @@ TEST_CASE("Keys of a scene without notes begin it anew") {
     CHECK_FALSE(player.silent());
 }
 
-TEST_CASE("More notes than acts take the oldest act over, and all sound off ends them all") {
+TEST_CASE("A note beyond the maximum replaces the oldest simulation, and All Sound Off ends all") {
     const auto instrument = sceneInstrument("Dice on a xylophone");
     Player player(instrument, rate);
     player.setOffline(true);
@@ -159,12 +159,12 @@ TEST_CASE("More notes than acts take the oldest act over, and all sound off ends
     const auto after = play(player, {}, 2, 128);
     CHECK(player.silent());
     CHECK(after.back() == 0);
-    // What was silenced rings again where a body strikes it.
+    // A silenced body rings again when it is struck.
     const auto again = play(player, {{0, 72, 100}}, 0.7, 128);
     CHECK(tailLevel(again, 0.5) > 0.001f);
 }
 
-TEST_CASE("After all sound off a table rings again under the next cylinder") {
+TEST_CASE("After All Sound Off, the next cylinder makes the table ring again") {
     const auto instrument = sceneInstrument("Cylinder off a table");
     Player first(instrument, rate), second(instrument, rate);
     for (auto* player : {&first, &second})
@@ -176,24 +176,25 @@ TEST_CASE("After all sound off a table rings again under the next cylinder") {
     CHECK(play(second, {{0, 60, 64}}, 0.5, 128) == expected);
 }
 
-TEST_CASE("What rolled before all sound off does not ring on under the next note") {
+TEST_CASE("Rolling before All Sound Off does not ring on under the next note") {
     Player player(sceneInstrument("Cylinder off a table"), rate);
     player.setOffline(true);
     const auto before = play(player, {{0, 60, 100}}, 0.6, 128);
     std::vector<float> left(64), right(64);
     const std::vector<MidiEvent> next{{0, {0xb0, 120, 0}}, {0, {0x90, 60, 1}}};
     player.process({left, right}, next, {});
-    // Before the next cylinder lands, and behind the way to the ears.
+    // Before the next cylinder lands, and after the delay to the ears.
     const auto after = play(player, {}, 0.06, 128);
     CHECK(tailLevel(after, 0.025) < 1e-4f * tailLevel(before, 0.5));
 }
 
-TEST_CASE("What rolls does not click where it is paused, goes on, is stopped or gives way") {
+TEST_CASE("Rolling does not click when it is paused, resumed, stopped or replaced") {
     const auto instrument = sceneInstrument("Cylinder off a table");
     constexpr std::size_t restCells = 100;
     enum class End { none, pause, stop, note };
     const auto rolled = [&](std::size_t cells, End end) {
-        // Seven more are in the air, so that the next note takes the first one's act.
+        // Seven more cylinders are in the air, so that the next note replaces the first one's
+        // simulation.
         std::vector<Note> notes{{0, 60, 64}};
         if (end == End::note)
             for (int k = 0; k < 7; ++k)
@@ -232,7 +233,7 @@ TEST_CASE("What rolls does not click where it is paused, goes on, is stopped or 
     }
 }
 
-TEST_CASE("The soft pedal slows what a note throws") {
+TEST_CASE("The soft pedal slows the bodies that a note throws") {
     const auto thrown = [](int pedal, int velocity) {
         Player player(sceneInstrument("Dice on a xylophone"), rate);
         player.setOffline(true);
@@ -246,7 +247,7 @@ TEST_CASE("The soft pedal slows what a note throws") {
     CHECK(softly != thrown(0, 100));
 }
 
-TEST_CASE("Bars that nothing is dropped on can be rolled over") {
+TEST_CASE("Bars without a note drop can be rolled over") {
     auto scene = *findFactoryScene("Dice on a xylophone");
     scene.noteDrop.reset();
     scene.kinds = {{.name = "ball", .object = "", .ball = SilentBall{0.01, "Steel"}}};
@@ -269,7 +270,7 @@ TEST_CASE("Every factory scene is an instrument") {
     }
 }
 
-TEST_CASE("Scenes that no machine can begin are refused with a sentence, and soon") {
+TEST_CASE("A scene that takes too long to begin is refused with a sentence, and soon") {
     const auto refusal = [](const Scene& scene) {
         const auto made = SceneStage::make(SceneCast::make(scene, ObjectLibrary::shared()).value());
         REQUIRE_FALSE(made);
@@ -285,7 +286,7 @@ TEST_CASE("Scenes that no machine can begin are refused with a sentence, and soo
     scene.releases[0].count = 400;
     CHECK(refusal(scene).find("too many bodies in one place") != std::string::npos);
 
-    // For minutes, as gravity is hardly any.
+    // Bodies fall for minutes, because gravity is almost 0.
     scene.releases[0].count = 100;
     scene.releases[0].positionMetres.reach = {500, 500, 500};
     scene.noteDrop = NoteDrop();
@@ -295,7 +296,7 @@ TEST_CASE("Scenes that no machine can begin are refused with a sentence, and soo
     CHECK(refusal(scene).find("fall for too long") != std::string::npos);
 }
 
-TEST_CASE("What is struck only after much work has no delay to show") {
+TEST_CASE("A scene whose first impact needs much work shows no delay") {
     auto scene = parseScene(R"({"format": "idiophone-scene", "version": 1, "name": "Late",
                                 "kinds": [{"name": "floor", "object": "floor", "form": "ground",
                                            "fixed": true},
@@ -314,13 +315,13 @@ TEST_CASE("What is struck only after much work has no delay to show") {
     CHECK(delay() == 0);
 }
 
-TEST_CASE("A stage tells the objects of its slots as its scene names them") {
+TEST_CASE("A scene instrument returns its objects by the names in its scene") {
     const auto stage = sceneInstrument("Dice on a xylophone")->stage();
     CHECK(stage->objectOf(0) == "xylophone-65");
     CHECK(stage->objectOf(44) == "die");
 }
 
-TEST_CASE("A scene that is not there is said so") {
+TEST_CASE("A missing scene is named in the error") {
     const auto built = buildInstrument({.kind = KeyMapKind::scene, .object = "nowhere.json"},
                                        ObjectLibrary::shared());
     REQUIRE_FALSE(built);

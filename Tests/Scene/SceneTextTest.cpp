@@ -1,4 +1,4 @@
-// Scene files: what they may say, and what is said of bad ones.
+// Tests the scene file parser and its errors.
 #include "Scene/SceneText.h"
 
 #include <catch2/catch_test_macros.hpp>
@@ -8,7 +8,7 @@ using namespace idiophone;
 
 namespace {
 
-/// A scene of a ball on a table with a member replaced or added.
+/// Returns a scene of a ball on a table, with a member replaced or added.
 std::string sceneWith(const std::string& members,
                       const std::string& bodies = R"([{"kind": "ball", "at": [0, 0, 1]}])") {
     return R"({"format": "idiophone-scene", "version": 1, "name": "Test", "kinds": [
@@ -25,7 +25,7 @@ std::string faultOf(const std::string& text) {
 
 } // namespace
 
-TEST_CASE("A hand is read, and what is wrong with it named with its place") {
+TEST_CASE("A hand is parsed, and its errors name the place") {
     const auto sceneWith = [](const std::string& hand) {
         return parseScene(R"({"format": "idiophone-scene", "version": 1, "name": "x",
             "kinds": [{"name": "bell", "object": "handbell", "fixed": true},
@@ -57,7 +57,7 @@ TEST_CASE("A hand is read, and what is wrong with it named with its place") {
     }
 }
 
-TEST_CASE("A scene says what there is and what happens") {
+TEST_CASE("A scene's members are parsed") {
     const auto scene =
         parseScene(sceneWith(R"(, "seconds": 3, "seed": 7, "steps_per_second": 4000, "gravity": 1.6,
                      "kicks": [{"kind": "ball", "time": 2, "velocity": [0, 0, 3],
@@ -116,7 +116,7 @@ TEST_CASE("A bad scene gets one sentence with the place in the file") {
           "test.json: listener is at the place it looks towards");
 }
 
-TEST_CASE("Kinds are checked one by one") {
+TEST_CASE("The members of a kind are checked") {
     const auto faultOfKind = [](const std::string& kind) {
         return faultOf(R"({"format": "idiophone-scene", "version": 1, "name": "x", "kinds": [)" +
                        kind + R"(], "bodies": [{"kind": "a"}]})");
@@ -138,7 +138,7 @@ TEST_CASE("Kinds are checked one by one") {
           "test.json: kinds[0].surface: it is not an Idiophone surface");
 }
 
-TEST_CASE("A scene that is too large is refused before it is parsed") {
+TEST_CASE("A scene file that is too large is refused before it is parsed") {
     const std::string blanks(largestSceneBytes, ' ');
     CHECK(faultOf(blanks + sceneWith("")) == "test.json: it is too large for a scene");
     CHECK(faultOf(sceneWith("")).empty());

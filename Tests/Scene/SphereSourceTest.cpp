@@ -1,4 +1,4 @@
-// Distance, direction and air between a body and two ears.
+// Tests distance, direction and air between a body and the ears of a spherical head.
 #include "Scene/SphereSource.h"
 
 #include <algorithm>
@@ -18,7 +18,7 @@ constexpr double rateHz = 48000;
 const Listener listener{.positionMetres = {0, 0, 1.5}, .towardsMetres = {0, 1, 1.5}};
 const Eigen::Vector3d ahead(0, 2, 1.5), left(-2, 0, 1.5), behind(0, -2, 1.5);
 
-/// What both ears hear of a tone from one place, once it has settled: amplitudes and phases.
+/// Returns the amplitude and phase of a tone at both ears once it has settled.
 std::array<std::complex<double>, 2> heard(const Eigen::Vector3d& place, double frequencyHz) {
     const HeadModel head(listener);
     SphereSource source(rateHz);
@@ -48,23 +48,23 @@ double decibels(double ratio) {
 
 } // namespace
 
-TEST_CASE("Low tones fall with distance and are as loud in both ears") {
+TEST_CASE("Low tones fall with distance and are equally loud in both ears") {
     const auto near = heard({0, 1, 1.5}, 150), far = heard({0, 4, 1.5}, 150);
     CHECK_THAT(decibels(std::abs(near[0])), WithinAbs(0, 0.5));
     CHECK_THAT(decibels(std::abs(near[0]) / std::abs(far[0])), WithinAbs(12.04, 0.1));
     CHECK_THAT(decibels(std::abs(near[0]) / std::abs(near[1])), WithinAbs(0, 1e-3));
 }
 
-TEST_CASE("What is on the left comes to the left ear earlier and brighter") {
+TEST_CASE("A source on the left is earlier and brighter in the left ear") {
     const auto low = heard(left, 300), high = heard(left, 6000);
-    // Around a sphere low tones are late by 3 a/c sin θ (Kuhn 1977): 0.77 ms.
+    // Around a sphere, low tones are late by 3 a/c sin θ (Kuhn 1977): 0.77 ms.
     const double lateSeconds = std::arg(low[0] / low[1]) / (2 * std::numbers::pi * 300);
     CHECK_THAT(lateSeconds, WithinRel(0.77e-3, 0.1));
     CHECK(decibels(std::abs(high[0]) / std::abs(high[1])) > 10);
     CHECK(std::abs(decibels(std::abs(low[0]) / std::abs(low[1]))) < 4);
 }
 
-TEST_CASE("Of what is straight ahead or behind both ears hear the same") {
+TEST_CASE("A source straight ahead or behind sounds the same in both ears") {
     for (const auto& place : {ahead, behind}) {
         const auto ears = heard(place, 8000);
         CHECK(std::abs(ears[0]) > 0.1);
@@ -72,12 +72,12 @@ TEST_CASE("Of what is straight ahead or behind both ears hear the same") {
     }
 }
 
-TEST_CASE("Air takes 0.16 dB a metre of 10 kHz") {
+TEST_CASE("Air absorbs 0.16 dB a metre at 10 kHz") {
     const auto near = heard({0, 1, 1.5}, 10000), far = heard({0, 51, 1.5}, 10000);
     CHECK_THAT(decibels(std::abs(near[0]) / std::abs(far[0])) - decibels(51), WithinAbs(8, 0.2));
 }
 
-TEST_CASE("A source that flies by bends no tone audibly and makes no click") {
+TEST_CASE("A source that flies past does not bend a tone audibly or click") {
     const HeadModel head(listener);
     SphereSource source(rateHz);
     const double omega = 2 * std::numbers::pi * 500 / rateHz;
@@ -98,7 +98,7 @@ TEST_CASE("A source that flies by bends no tone audibly and makes no click") {
             }
         }
     }
-    // A tone of amplitude 2.4, at 0.5 m and before an ear, bends by ω² of that.
+    // The curvature of a tone is ω² times its amplitude: 2.4 at 0.5 m in front of an ear.
     CHECK(sharpest < 1.5 * 2.4 * omega * omega);
 }
 

@@ -32,8 +32,8 @@ Box boxOf(const Mesh& mesh, Eigen::Index face) {
 
 } // namespace
 
-TEST_CASE("Bullet finds in a surface's tree the faces whose boxes are met, and no others") {
-    for (const double radiusMetres : {1.0, 1e-4}) { // also far smaller than Bullet's least boxes
+TEST_CASE("Bullet finds exactly the faces whose boxes meet the query in a surface's tree") {
+    for (const double radiusMetres : {1.0, 1e-4}) { // also far below Bullet's minimum box size
         const auto ball = icosphereMesh(radiusMetres, 3);
         const SurfaceTree tree(ball);
         std::mt19937 random(1);

@@ -1,4 +1,4 @@
-// Bodies of known mass and form.
+// Bodies of known mass and form for tests.
 #pragma once
 
 #include "Geometry/ObjectMesh.h"
@@ -36,7 +36,6 @@ kindOf(const std::shared_ptr<ModalObject>& object, BodyForm form, bool isFixed, 
     return {.model = makeRigidBodyModel(kind, object).value()};
 }
 
-/// A steel ball.
 inline RigidWorld::Kind ballKind(double radiusMetres, Contactful with = {}) {
     auto object = objectOf(icosphereMesh(radiusMetres, 3), "Steel");
     const double mass = 4.0 / 3 * std::numbers::pi * std::pow(radiusMetres, 3) * 7850;
@@ -45,7 +44,6 @@ inline RigidWorld::Kind ballKind(double radiusMetres, Contactful with = {}) {
     return kindOf(object, BodyForm::sphere, false, with);
 }
 
-/// A steel cube.
 inline RigidWorld::Kind cubeKind(double sideMetres, Contactful with = {}) {
     auto object = objectOf(
         boxMesh(Eigen::Vector3d::Constant(sideMetres), Eigen::Vector3i::Constant(2)), "Steel");
@@ -55,7 +53,7 @@ inline RigidWorld::Kind cubeKind(double sideMetres, Contactful with = {}) {
     return kindOf(object, BodyForm::hull, false, with);
 }
 
-/// Steel below z = 0.
+/// Returns steel ground below z = 0.
 inline RigidWorld::Kind groundKind(Contactful with = {}) {
     return kindOf(objectOf(sheetMesh(1, 1, 50), "Steel"), BodyForm::ground, true, with);
 }

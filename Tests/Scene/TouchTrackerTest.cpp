@@ -1,4 +1,4 @@
-// Which voice follows which pair of bodies, and what it tells of it.
+// Tests how contact voices follow pairs of bodies.
 #include "Scene/TouchTracker.h"
 
 #include <algorithm>
@@ -15,7 +15,7 @@ constexpr double stepSeconds = 0.001;
 constexpr std::size_t plate = 0, doubled = 1, ball = 2; // roles
 constexpr std::size_t bodyCount = 100;
 
-/// Two plates, the second twice as large and rougher, and a ball that is not heard.
+/// Loads two plates, the second twice as large and rougher, and a ball that is not heard.
 std::shared_ptr<const SceneCast> castOfThree() {
     Scene scene;
     scene.kinds = {{.name = "plate", .object = "plate", .surface = Surface{.roughness = 0.2}},
@@ -29,7 +29,7 @@ std::shared_ptr<const SceneCast> castOfThree() {
     return SceneCast::make(scene, ObjectLibrary::shared()).value();
 }
 
-/// Of bodies that take turns in the three roles, each in the slot 1000 above its number.
+/// Bodies that have the three roles in turn. Body k has slot 1000 + k.
 class Rig {
 public:
     Rig() {
@@ -44,7 +44,7 @@ public:
             tracker.follow(touches, roles, slots);
     }
 
-    /// The state of the voice that has this pair and is heard, or nullptr.
+    /// Returns the state of the voice of this pair, or nullptr.
     const TouchState* of(const Touch& touch) const {
         const std::array wanted{1000 + touch.bodies[0], 1000 + touch.bodies[1]};
         const auto found = std::ranges::find_if(tracker.states(), [&](const TouchState& state) {
@@ -71,7 +71,7 @@ Touch sliding(std::size_t first, std::size_t second, double newtons = 2) {
 
 } // namespace
 
-TEST_CASE("Force and speeds are followed with a time constant of 4 ms, and the force fades so") {
+TEST_CASE("Force and speeds follow with a time constant of 4 ms, and the force fades likewise") {
     Rig rig;
     const auto touch = sliding(0, 1);
     rig.follow({touch}, 8);
@@ -87,7 +87,7 @@ TEST_CASE("Force and speeds are followed with a time constant of 4 ms, and the f
 }
 
 TEST_CASE(
-    "A pair keeps its voice over a hop of less than 30 ms, and begins anew after a longer one") {
+    "A pair keeps its voice over a hop of less than 30 ms and starts anew after a longer one") {
     Rig rig;
     const auto touch = sliding(0, 1), other = sliding(3, 4);
     rig.follow({touch});
@@ -101,10 +101,10 @@ TEST_CASE(
     CHECK(rig.of(touch)->pair != pair);
     CHECK(rig.of(touch)->pair != rig.of(other)->pair);
     CHECK_THAT(rig.of(touch)->forceNewtons,
-               WithinAbs(2 * (1 - std::exp(-stepSeconds / 0.004)), 1e-12)); // not where it was
+               WithinAbs(2 * (1 - std::exp(-stepSeconds / 0.004)), 1e-12)); // not its former force
 }
 
-TEST_CASE("What hardly moves has no voice") {
+TEST_CASE("A contact that hardly moves has no voice") {
     Rig rig;
     auto touch = sliding(0, 1);
     touch.slideMetresPerSecond = touch.rollMetresPerSecond = 0.0009;
@@ -115,7 +115,7 @@ TEST_CASE("What hardly moves has no voice") {
     CHECK(rig.of(touch) != nullptr);
 }
 
-TEST_CASE("Of more pairs than there are voices the loudest are followed, and keep their voices") {
+TEST_CASE("If there are more pairs than voices, the loudest get voices and keep them") {
     Rig rig;
     std::vector<Touch> touches; // from soft to loud
     for (std::size_t k = 0; k < 40; ++k)
@@ -123,17 +123,17 @@ TEST_CASE("Of more pairs than there are voices the loudest are followed, and kee
     rig.follow(touches);
     for (std::size_t k = 0; k < touches.size(); ++k)
         CHECK((rig.of(touches[k]) != nullptr) == (k >= touches.size() - TouchTracker::voiceCount));
-    // A louder one has to wait until a voice is free.
+    // A louder pair waits until a voice is free.
     const auto loudest = sliding(90, 91, 1000);
     touches.push_back(loudest);
     rig.follow(touches, 10);
     CHECK(rig.of(loudest) == nullptr);
-    touches.erase(touches.end() - 2); // the loudest before it goes
+    touches.erase(touches.end() - 2); // removes the loudest before it
     rig.follow(touches, 40);
     CHECK(rig.of(loudest) != nullptr);
 }
 
-TEST_CASE("A voice tells slots by the bodies, and the rougher one's role is heard") {
+TEST_CASE("A voice returns the slots of its bodies and the role of the rougher one") {
     Rig rig;
     for (const auto& [bodies, role] : {std::pair{std::array<std::size_t, 2>{0, 1}, doubled},
                                        {std::array<std::size_t, 2>{4, 6}, doubled}}) {
@@ -144,7 +144,7 @@ TEST_CASE("A voice tells slots by the bodies, and the rougher one's role is hear
     }
 }
 
-TEST_CASE("Places are found on each body as large as it is, anew where they moved by 2 mm") {
+TEST_CASE("Contact points follow the size of each body and are updated after 2 mm") {
     Rig rig;
     auto touch = sliding(0, 1);
     touch.pointMetres = {Eigen::Vector3d(0.02, 0.01, 0), Eigen::Vector3d(0.06, -0.02, 0)};
@@ -169,7 +169,7 @@ TEST_CASE("Places are found on each body as large as it is, anew where they move
     CHECK(state->points[0].point == onPlate(0.0221, 0.01));
 }
 
-TEST_CASE("A ball that is not heard is pressed nowhere") {
+TEST_CASE("A ball that is not heard has no contact point") {
     Rig rig;
     const auto touch = sliding(0, 2);
     rig.follow({touch});

@@ -1,4 +1,4 @@
-// What slides and rolls, as forces on the slots of both bodies.
+// Tests sliding and rolling as forces on the slots of both bodies.
 #include "Scene/TouchVoices.h"
 
 #include "Scene/FactoryScenes.h"
@@ -20,7 +20,7 @@ public:
         : synthesiser({cast->slotOf(0), cast->slotOf(0)}, rateHz), cells(cellsOfSlotsIn(samples)),
           voices(*cast, rateHz, 1) {}
 
-    /// The next cell under this state; whether each slot sounds in it.
+    /// Renders the next cell under a state. Returns whether each slot sounds in it.
     std::array<bool, 2> press(const TouchState& state) {
         synthesiser.beginCell(cells);
         voices.press(0, state, synthesiser, cells);
@@ -49,14 +49,14 @@ TouchState sliding() {
 
 } // namespace
 
-TEST_CASE("What slides is heard from both bodies, and from one where the other has no slot") {
+TEST_CASE("Both bodies of a sliding pair sound; one alone if the other has no slot") {
     CHECK(Rig().press(sliding()) == std::array{true, true});
     auto onHand = sliding();
     onHand.slots[1] = noSlot;
     CHECK(Rig().press(onHand) == std::array{true, false});
 }
 
-TEST_CASE("A voice without a pair, without force or at rest presses nothing") {
+TEST_CASE("A voice without a pair, without force or at rest applies no force") {
     Rig rig;
     auto state = sliding();
     state.pair = 0;
@@ -69,7 +69,7 @@ TEST_CASE("A voice without a pair, without force or at rest presses nothing") {
     CHECK(rig.press(state) == std::array{false, false});
 }
 
-TEST_CASE("After a reset voices sound as at first") {
+TEST_CASE("After a reset, voices sound as they did at first") {
     Rig rig;
     const auto cell = [&] {
         rig.press(sliding());
