@@ -1,4 +1,4 @@
-// Colours as the lists of mallets and materials write them: "#6b3324". Internal to Object.
+// Parses the colours in the lists of mallets and materials: "#6b3324". Internal to Object.
 #pragma once
 
 #include <charconv>
@@ -8,7 +8,7 @@
 
 namespace idiophone {
 
-/// 0xRRGGBB; nothing where the text is no '#' and six hexadecimal digits.
+/// Returns 0xRRGGBB, or nothing if the text is not '#' and six hexadecimal digits.
 inline std::optional<std::uint32_t> parseColour(std::string_view text) {
     std::uint32_t colour = 0;
     if (text.size() != 7 || text.front() != '#')

@@ -1,5 +1,5 @@
-// The lists of Resources inside the program. The build makes the source files of them
-// (cmake/EmbeddedLists.cmake); reading them is MaterialLibrary's and Mallet's.
+// The lists of Resources inside the program. The build generates their source files
+// (cmake/EmbeddedLists.cmake). MaterialLibrary and Mallet parse them.
 #pragma once
 
 #include <string_view>

@@ -9,7 +9,7 @@ namespace {
 
 constexpr int mostNames = 1000;
 
-/// Not where there is a file: it may be somebody's, such as what a browser has not got all of.
+/// Fails if the file exists: it may belong to another program, for example an unfinished download.
 bool makeNewFile(const std::filesystem::path& file) {
 #ifdef _WIN32
     auto* const stream = _wfopen(file.c_str(), L"wbx");
@@ -19,7 +19,7 @@ bool makeNewFile(const std::filesystem::path& file) {
     return stream != nullptr && std::fclose(stream) == 0;
 }
 
-/// Or a link to itself.
+/// Returns whether the file is write-protected or a link to itself.
 bool isProtected(const std::filesystem::path& file) {
     using std::filesystem::perms;
     std::error_code fault;
@@ -38,12 +38,12 @@ bool fill(const std::filesystem::path& file, const std::function<void(std::ostre
     return !stream.fail();
 }
 
-/// Whether it goes on with a character of UTF-8 or, on Windows, UTF-16.
+/// Returns whether the unit continues a character of UTF-8 or, on Windows, UTF-16.
 constexpr bool continues(std::filesystem::path::value_type unit) {
     return sizeof unit == 1 ? (unit & 0xc0) == 0x80 : (unit & 0xfc00) == 0xdc00;
 }
 
-/// The name of the file with an ending; cut where disks take none so long.
+/// Returns the file's name with an ending, cut to the maximum length of file systems.
 std::filesystem::path withEnding(const std::filesystem::path& file, const std::string& ending) {
     constexpr std::size_t longestName = 255;
     auto name = file.filename().native();
@@ -87,7 +87,7 @@ std::filesystem::path behindLinks(const std::filesystem::path& file) {
 }
 
 bool putInPlace(const std::filesystem::path& beside, const std::filesystem::path& file) {
-    std::error_code fault; // there are disks without permissions
+    std::error_code fault; // some file systems have no permissions
     if (const auto there = std::filesystem::status(file, fault);
         std::filesystem::is_regular_file(there))
         std::filesystem::permissions(beside, there.permissions(), fault);

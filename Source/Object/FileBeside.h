@@ -1,4 +1,4 @@
-// A file to write to before what is there is replaced.
+// Writes a file completely before it replaces an existing one.
 #pragma once
 
 #include <filesystem>
@@ -8,20 +8,19 @@
 
 namespace idiophone {
 
-/// Makes an empty file beside `file`, of a name that no file had: the caller's to fill, and to
-/// rename or remove. Nothing where none can be made, or `file` is protected from being written.
+/// Creates an empty file with a new name beside `file`, for the caller to fill and to rename or
+/// remove. Returns nothing if that fails or `file` is write-protected.
 std::optional<std::filesystem::path> makeFileBeside(const std::filesystem::path& file);
 
-/// The file that it leads to, where it is a link, even where there is none yet; else itself.
+/// Returns the target of a link, even if it does not exist yet. Returns any other path unchanged.
 std::filesystem::path behindLinks(const std::filesystem::path& file);
 
-/// Lets a complete file beside it take the place of `file`, which is no link, with the permissions
-/// of what was there. False where that fails: both stay.
+/// Replaces `file`, which must not be a link, by a complete file beside it. Keeps the permissions
+/// of `file`. Returns false and keeps both files if that fails.
 bool putInPlace(const std::filesystem::path& beside, const std::filesystem::path& file);
 
-/// Makes `file` what `write` writes, through a file beside it that takes its place once it is
-/// complete, as `putInPlace` has it. False where that fails: what was there stays.
-/// A device or a pipe is written as it is, and a link goes on leading to the file.
+/// Writes `file` by `write`, through a file beside it and `putInPlace`. Returns false and keeps the
+/// existing file if that fails. Writes devices and pipes directly. A link keeps its target's path.
 bool replaceFile(const std::filesystem::path& file,
                  const std::function<void(std::ostream&)>& write);
 

@@ -9,7 +9,7 @@
 namespace idiophone {
 namespace {
 
-/// In the largest unit that the size is a multiple of.
+/// Returns the size in the largest unit that divides it.
 std::string sizeText(std::uintmax_t bytes) {
     for (const auto& [shift, unit] : {std::pair{30, " GiB"}, {20, " MiB"}, {10, " KiB"}})
         if (bytes != 0 && bytes % (std::uintmax_t{1} << shift) == 0)
@@ -25,7 +25,7 @@ Result<std::string> readBytes(const std::filesystem::path& file, std::uintmax_t 
         return failure("it is a directory");
     const auto size = std::filesystem::file_size(file, fault);
     std::ifstream stream;
-    if (!fault) // a pipe, which has no size, would be waited for
+    if (!fault) // do not open a pipe (it has no size): opening it would block
         stream.open(file, std::ios::binary);
     if (!stream.is_open())
         return failure("the file cannot be opened");
@@ -55,7 +55,7 @@ std::string shownNameOf(const std::filesystem::path& file) {
 }
 
 std::string shownName(std::string_view name) {
-    constexpr std::size_t mostBytes = 500; // paths are long, and to be found again
+    constexpr std::size_t mostBytes = 500; // keeps paths long enough to recognise
     return oneLine(name, mostBytes);
 }
 

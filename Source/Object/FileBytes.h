@@ -1,4 +1,4 @@
-// Files whole, and their names in sentences.
+// Reads whole files, and converts file names to and from text.
 #pragma once
 
 #include "Object/Result.h"
@@ -10,35 +10,36 @@
 
 namespace idiophone {
 
-/// The file's bytes. The error is what is wrong, to be put after the file's name: "it is a
-/// directory", that it cannot be opened or read, or is larger than the limit or than the memory.
+/// Returns the file's bytes. The error is the end of a sentence that begins with the file's name,
+/// for example "it is a directory". Fails if the file cannot be opened or read, or exceeds the
+/// limit or the memory.
 Result<std::string> readBytes(const std::filesystem::path& file, std::uintmax_t limitBytes);
 
-/// The path in UTF-8, as all our texts are, on every system.
+/// Returns the path in UTF-8 on every system.
 std::string nameOf(const std::filesystem::path& file);
 
-/// The same as part of a sentence: what can be shown of it, and of a long one the beginning. It may
-/// come from a file that says where another one lies.
+/// Returns the path as part of a sentence: printable characters only, and the beginning of a long
+/// path. The path may come from a file by a stranger.
 std::string shownNameOf(const std::filesystem::path& file);
-/// Of a name in UTF-8.
+/// Does the same for a name in UTF-8.
 std::string shownName(std::string_view name);
 
-/// The path in UTF-8 with forward slashes, as files of ours keep it: every system reads these.
+/// Returns the path in UTF-8 with forward slashes, to be stored in files: every system reads these.
 std::string storedNameOf(const std::filesystem::path& file);
 
-/// The path that a name in UTF-8 tells; empty where it can be none on this system.
+/// Returns the path of a name in UTF-8. Empty if this system cannot represent it.
 std::filesystem::path pathNamed(std::string_view name);
 
-/// Whether Windows takes the name for a share's or a device's: it begins with two separators, of
-/// either kind, or with "\??\".
+/// Returns whether Windows treats the name as a network share or device: it begins with two
+/// separators of either kind, or with "\??\".
 bool isNetworkName(std::string_view name);
 
-/// The same where this is Windows, which asks the machine that the name tells and shows it who the
-/// user is: not to be done because a file says so.
+/// Returns isNetworkName(name) on Windows, else false. Windows would contact the named machine and
+/// identify the user to it, so a path from a file must not do this.
 bool leadsIntoNetwork(std::string_view name);
 
-/// A name that stands in a file from anybody: where it leads into the network, without what leads
-/// there, so that there is nothing of that name.
+/// Returns a name from an untrusted file without its network prefix, so that the path does not
+/// exist.
 std::string localName(std::string_view name);
 
 } // namespace idiophone

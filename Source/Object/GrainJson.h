@@ -1,4 +1,5 @@
-// A wood's ratios as JSON, alike in material files and modal objects. Internal to Object.
+// Reads and writes a wood's ratios as JSON, for material files and modal objects. Internal to
+// Object.
 #pragma once
 
 #include "Object/OrthotropicElasticity.h"
@@ -33,7 +34,7 @@ Json grainJson(const GrainRatios& grain) {
     return result;
 }
 
-/// Fails, as the end of a sentence, where a figure is missing, no number or unknown.
+/// Fails if a ratio is missing, unknown or not a number. The error is the end of a sentence.
 template <class Json>
 Result<GrainRatios> grainFrom(const Json& object) {
     if (!object.is_object())

@@ -1,4 +1,4 @@
-// IEEE 754 half precision <-> single, for storing mode shapes in half the space.
+// Converts between IEEE 754 half and single precision, to store mode shapes in half the space.
 #pragma once
 
 #include <bit>
@@ -18,7 +18,7 @@ inline float halfToFloat(std::uint16_t half) {
     return std::bit_cast<float>(sign | ((magnitude << 13) + (112u << 23)));
 }
 
-/// Rounds to nearest, ties to even; too large becomes infinity.
+/// Rounds to nearest, ties to even. Values that are too large become infinity.
 inline std::uint16_t floatToHalf(float value) {
     const std::uint32_t bits = std::bit_cast<std::uint32_t>(value);
     const auto sign = static_cast<std::uint16_t>(bits >> 16 & 0x8000u);
@@ -28,7 +28,7 @@ inline std::uint16_t floatToHalf(float value) {
     if (magnitude >= 0x477ff000u)
         return sign | 0x7c00u;
     if (magnitude < 0x38800000u) {
-        // Adding 0.5 leaves the subnormal's bits, rounded by the hardware, at the bottom.
+        // Adding 0.5 rounds in hardware and leaves the subnormal's bits at the bottom.
         const float shifted = std::bit_cast<float>(magnitude) + 0.5f;
         return static_cast<std::uint16_t>(sign |
                                           (std::bit_cast<std::uint32_t>(shifted) - 0x3f000000u));

@@ -11,10 +11,10 @@ namespace idiophone {
 namespace {
 
 struct Rack {
-    nlohmann::json file = nlohmann::json::parse(embeddedMallets()); ///< has the texts
+    nlohmann::json file = nlohmann::json::parse(embeddedMallets()); ///< owns the texts
     std::vector<Mallet> mallets;
 
-    // A part of the program, and the tests read all of it: what is wrong in it ends the program.
+    // The list is part of the program and is tested. An error in it ends the program.
     Rack() noexcept {
         const auto text = [](const nlohmann::json& value) -> std::string_view {
             return value.get_ref<const std::string&>();
@@ -35,7 +35,7 @@ const Rack& rack() {
     return onlyOne;
 }
 
-// Read before anything runs: the audio thread must not be the first to ask.
+// Parse the list at startup, so that the audio thread is never the first to use it.
 [[maybe_unused]] const auto& readAtStart = rack();
 
 } // namespace

@@ -9,7 +9,7 @@
 namespace idiophone {
 namespace {
 
-// Texts go into the header of an object's file, of which there is not more than 1 MiB.
+// The texts go into the header of an object's file, which is limited to 1 MiB.
 constexpr std::size_t longestNameBytes = 1000, longestSourceBytes = 32 * 1024;
 
 } // namespace
@@ -21,7 +21,7 @@ Result<Material> validated(Material material) {
         double lowest;
         double highest;
     };
-    // Far wider than nature, so that invented materials pass and nonsense does not.
+    // Far wider than in nature, so that invented materials pass and nonsense fails.
     const Rule rules[] = {
         {"Young's modulus (Pa)", material.youngsModulusPa, 1, 1e14},
         {"density (kg/m³)", material.densityKgPerM3, 1e-3, 1e6},
@@ -34,7 +34,7 @@ Result<Material> validated(Material material) {
         {"roughness", material.roughness, 0, 1},
     };
     for (const auto& rule : rules)
-        if (!(rule.value >= rule.lowest && rule.value <= rule.highest)) // also catches NaN
+        if (!(rule.value >= rule.lowest && rule.value <= rule.highest)) // also rejects NaN
             return failure("material " + inQuotes(material.name) + ": the " + rule.what +
                            " is out of range: " + numberText(rule.value));
     if (material.name.size() > longestNameBytes)

@@ -14,15 +14,15 @@
 namespace idiophone {
 namespace {
 
-// Sorted for reading, whose look-ups stay fast however many keys a hostile file has; in order for
-// writing, for the people who read it.
+// json is sorted, so that reading stays fast for a hostile file with many keys. ordered_json writes
+// keys in an order for readers.
 using nlohmann::json;
 using nlohmann::ordered_json;
 
 constexpr std::size_t largestFileBytes = std::size_t{1} << 20;
 constexpr std::size_t longestNameBytes = 100;
 
-// Inside this file a fault travels as an exception and becomes a Result at its edge.
+// Inside this file errors are exceptions. The public functions turn them into a Result.
 struct Fault {
     std::string sentence;
 };
@@ -48,7 +48,7 @@ std::string parseName(const json& value) {
     return name;
 }
 
-/// A text, or texts by what they are the source of, which become one.
+/// Joins a text, or texts by topic, to one text.
 std::string parseSource(const json& value) {
     if (value.is_string())
         return value;
@@ -98,10 +98,10 @@ Material parseObject(const json& object, const std::string& defaultName) {
             if (!grain)
                 throw Fault{grain.error().message};
             material.grain = *grain;
-        } else if (key == "colour") { // which MaterialLibrary reads of its own
+        } else if (key == "colour") { // MaterialLibrary reads it itself
             if (!value.is_string() || !parseColour(value.get<std::string>()))
                 throw Fault{"'colour' is not of the form '#6b3324'"};
-        } else if (key != "t60_s") { // what `idiophone materials --json` adds for people
+        } else if (key != "t60_s") { // `idiophone materials --json` adds it for readers
             throw Fault{"a material has no " + inQuotes(key)};
         }
     }
@@ -132,7 +132,7 @@ std::vector<Material> parseList(const json& root) {
     return materials;
 }
 
-/// What `parse` makes of the text, with all that goes wrong as a sentence about the file.
+/// Applies `parse` to the text and turns all errors into a sentence about the file.
 template <class Parse>
 auto parsed(std::string_view text, const std::filesystem::path& file, const Parse& parse)
     -> Result<decltype(parse(json()))> {
@@ -172,7 +172,7 @@ Result<std::vector<Material>> parseMaterialList(std::string_view text,
 }
 
 std::string encodeMaterial(const Material& material) {
-    // Names come from people and files: replace what is not UTF-8 rather than throw.
+    // Names come from people and files: replace invalid UTF-8 instead of throwing.
     return materialJson<ordered_json>(material).dump(4, ' ', false,
                                                      ordered_json::error_handler_t::replace);
 }

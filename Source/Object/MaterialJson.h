@@ -1,4 +1,5 @@
-// A material's figures as JSON, alike in material files and modal objects. Internal to Object.
+// Reads and writes a material's figures as JSON, for material files and modal objects. Internal to
+// Object.
 #pragma once
 
 #include "Object/GrainJson.h"
@@ -32,7 +33,7 @@ inline constexpr MaterialFigure contactFigures[] = {
 inline constexpr std::span<const MaterialFigure> materialFigureGroups[] = {
     elasticityFigures, dampingFigures, contactFigures};
 
-/// Name, figures, grain where there is one, source.
+/// Writes the name, the figures, the grain if there is one, and the source.
 template <class Json>
 Json materialJson(Material material) {
     Json result{{"name", material.name}};

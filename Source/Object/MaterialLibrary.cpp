@@ -21,9 +21,9 @@ std::vector<Material> parseLibrary() {
 
 struct Library {
     std::vector<Material> materials;
-    std::vector<std::uint32_t> colours; ///< of each
+    std::vector<std::uint32_t> colours; ///< one a material
 
-    // A part of the program, and the tests read all of it: what is wrong in it ends the program.
+    // The list is part of the program and is tested. An error in it ends the program.
     Library() noexcept : materials(parseLibrary()) {
         const auto list = nlohmann::json::parse(embeddedMaterials());
         for (const auto& entry : list.at("materials"))
@@ -36,7 +36,7 @@ const Library& library() {
     return onlyOne;
 }
 
-// Read before anything runs: the audio thread must not be the first to ask.
+// Parse the list at startup, so that the audio thread is never the first to use it.
 [[maybe_unused]] const auto& readAtStart = library();
 
 } // namespace

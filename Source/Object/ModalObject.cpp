@@ -12,13 +12,13 @@ bool allFinite(const Values& values) {
     return std::ranges::all_of(values, [](auto value) { return std::isfinite(value); });
 }
 
-/// No value is beyond the limit, nor not a number.
+/// Returns false if a value exceeds the limit or is NaN.
 template <class Values, class Limit>
 bool allWithin(const Values& values, Limit limit) {
     return std::ranges::all_of(values, [limit](auto value) { return std::abs(value) <= limit; });
 }
 
-// Of a mesh file's vertices too.
+// Also the limit of vertices in a mesh file.
 constexpr double farthestMetres = 1e6;
 
 std::string sizesFault(const ModalObject& object) {
@@ -30,7 +30,7 @@ std::string sizesFault(const ModalObject& object) {
         return "no vertex carries mode shapes";
     if (object.vertices.size() % 3 != 0 || object.faces.size() % 3 != 0)
         return "vertices and faces must come in threes";
-    // Divisions, not products: a hostile size must not wrap around.
+    // Divide instead of multiplying, so that a hostile size cannot wrap around.
     if (object.shapes.size() % 3 != 0 || object.shapes.size() / 3 % object.modeCount() != 0 ||
         object.shapes.size() / 3 / object.modeCount() != object.shapeVertexCount())
         return "the size of the mode shapes is not vertices x modes x 3";
@@ -53,8 +53,8 @@ std::string eigenvaluesFault(const ModalObject& object) {
         return "an eigenvalue is not positive";
     if (!std::ranges::is_sorted(object.eigenvalues))
         return "the eigenvalues are not in ascending order";
-    // Beyond 1 GHz nothing vibrates as this model says, and later squares could overflow; so could
-    // the size of a key that is tuned by less than 1 mHz.
+    // The model does not hold beyond 1 GHz, and later squares could overflow. Below 1 mHz, the size
+    // of a tuned key could overflow.
     if (object.eigenvalues.back() > 4e19)
         return "an eigenvalue lies beyond 1 GHz";
     if (object.eigenvalues.front() < 3.9e-5)
@@ -66,9 +66,9 @@ std::string eigenvaluesFault(const ModalObject& object) {
 }
 
 std::string decaysFault(const ModalObject& object) {
-    // Nothing vibrates that dies away faster than a nanosecond.
+    // No object decays faster than in a nanosecond.
     constexpr double fastestPerSecond = 1e9;
-    // Another material's damping is multiplied by it.
+    // The damping of other materials is multiplied by this ratio.
     constexpr double largestScale = 1e12;
     for (std::size_t mode = 0; mode < object.decaysPerSecond.size(); ++mode) {
         const double decay = object.decaysPerSecond[mode];
@@ -105,7 +105,7 @@ std::string geometryFault(const ModalObject& object) {
 std::string radiationFault(const ModalObject& object) {
     if (auto fault = faultOf(object.radiation, object.modeCount()); !fault.empty())
         return fault;
-    // A mountain that moves at 1 m/s radiates less, and in single precision all stays finite.
+    // A mountain that moves at 1 m/s radiates less. All results stay finite in single precision.
     if (!allWithin(object.radiation.weights, 1e8f))
         return "a weight of the radiation is beyond 1e8 Pa·m";
     if (!allWithin(object.gains, 1e3f))
@@ -121,7 +121,7 @@ std::string scalarsFault(const ModalObject& object) {
         return "the thickness of the shell is less than a nanometre";
     if (!std::isfinite(object.bandHz) || object.bandHz <= 0)
         return "the analysed band is not a positive number";
-    // From what has shapes that are far too large to what weighs as much as the moon.
+    // From objects whose shapes would be far too large up to the mass of the moon.
     const double massKg = object.mass.massKg;
     if (!(massKg >= 1e-18 && massKg <= 1e23))
         return "the mass is not between 1e-18 and 1e23 kg";
@@ -136,7 +136,7 @@ std::string scalarsFault(const ModalObject& object) {
 }
 
 std::string textsFault(const ModalObject& object) {
-    // JSON inside JSON writes a byte as seven at worst, and a file's header is at most 1 MiB.
+    // JSON inside JSON writes a byte as up to seven, and a file's header is limited to 1 MiB.
     constexpr std::size_t longestBytes = 128 * 1024;
     const auto bytes = object.name.size() + object.method.size() + object.material.name.size() +
                        object.material.source.size() + object.provenance.source.size() +
@@ -168,7 +168,7 @@ std::vector<float> vertexNormals(const ModalObject& object) {
             u[axis] = coordinate(corner[1], axis) - coordinate(corner[0], axis);
             v[axis] = coordinate(corner[2], axis) - coordinate(corner[0], axis);
         }
-        // The cross product's length is twice the area: the weighting comes by itself.
+        // The cross product is twice the area long, which weights the sum by area.
         const std::array<double, 3> cross{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
                                           u[0] * v[1] - u[1] * v[0]};
         for (int c = 0; c < 3; ++c)

@@ -1,5 +1,5 @@
-// A modal object: what analysis computes from a mesh and synthesis plays. It holds only what does
-// not depend on live material changes; λ ∝ Y/ρ and gains ∝ 1/√m are applied where it is played.
+// A modal object: the result of analysis and the input of synthesis. It holds only data independent
+// of live material changes. Players apply λ ∝ Y/ρ and gains ∝ 1/√m.
 #pragma once
 
 #include "Object/Material.h"
@@ -16,13 +16,13 @@
 
 namespace idiophone {
 
-/// 1/√kg. A shape is nowhere larger than 1/√(the mass at that
-/// vertex), and is hardly beyond 10/√(the whole mass): this is that of a hundredth of a nanogram.
-/// In single precision all that a mallet can do to such shapes stays finite.
+/// The maximum value of a shape, in 1/√kg. A shape is at most 1/√(mass at the vertex), and rarely
+/// above 10/√(total mass). The limit corresponds to a hundredth of a nanogram. In single precision,
+/// every strike on such shapes stays finite.
 inline constexpr float largestShape = 1e8f;
 
-/// A large bell has some thousands of modes up to 20 kHz. Whoever plays an object needs half a
-/// kilobyte for each, however few bytes a file has for it.
+/// The maximum modes of an object. A large bell has some thousands up to 20 kHz. A player needs
+/// half a kilobyte for each mode, however small the file is.
 inline constexpr std::size_t mostObjectModes = 65536;
 
 enum class BodyKind { solid, shell };
@@ -33,21 +33,21 @@ struct MassProperties {
     std::array<double, 9> inertiaKgM2{}; ///< about the centre, row-major
 };
 
-/// Where an object comes from, for people and for `idiophone info`.
+/// The origin of an object, for people and for `idiophone info`.
 struct Provenance {
     std::string source;   ///< mesh file or generator
     std::string software; ///< "Idiophone 0.1.0"
-    std::string notes;    ///< what repair and analysis found worth saying
+    std::string notes;    ///< remarks of repair and analysis
     double analysisSeconds = 0;
-    std::int64_t analysedVertices = 0; ///< vertices of the mesh that was analysed
-    std::int64_t zeroModes = 0;        ///< rigid and spurious modes found and left out
+    std::int64_t analysedVertices = 0; ///< vertices of the analysed mesh
+    std::int64_t zeroModes = 0;        ///< rigid and spurious modes, which were left out
 };
 
-/// V vertices carry shapes, M modes, N mesh vertices, F faces. A value that passed `validated` (as
-/// everything read from a file has) may be shared, read-only, by any number of threads.
+/// Dimensions: V vertices with shapes, M modes, N mesh vertices, F faces. Any number of threads may
+/// read a value that passed `validated`. Everything read from a file has passed it.
 struct ModalObject {
     std::string name;
-    Material material; ///< reference material: `eigenvalues` belong to it
+    Material material; ///< reference material of `eigenvalues`
     BodyKind body = BodyKind::solid;
     double thicknessMetres = 0; ///< reference thickness of a shell; 0 for a solid
     std::string method;         ///< "spring-mass", "van-gelder", "two-layer", "fem", "measured"
@@ -55,19 +55,19 @@ struct ModalObject {
 
     std::vector<double> eigenvalues; ///< [M] λ = ω² in rad²/s², ascending, 0.001 Hz to 1 GHz
     std::vector<float> shapes;       ///< [V,M,3] mass-normalised (GᵀMG = I), in 1/√kg
-    std::vector<std::int32_t> shapeVertices; ///< [V] which mesh vertices carry shapes, ascending
+    std::vector<std::int32_t> shapeVertices; ///< [V] mesh vertices that carry shapes, ascending
     std::vector<float> vertices;             ///< [N,3] in metres
     std::vector<std::int32_t> faces;         ///< [F,3] counter-clockwise seen from outside
     /// Empty, or [M] the part of λ that grows with the square of a shell's thickness (0 ≤ b ≤ λ).
     std::vector<double> bending;
-    /// Empty: modes decay by the material's law. Or [M] the α > 0 of each at the reference
-    /// material, as measured; another material changes it as the law says.
+    /// Empty if modes decay by the material's law. Else [M] measured decay rates α > 0 at the
+    /// reference material. Another material scales them by its law.
     std::vector<double> decaysPerSecond;
-    /// Empty, or [M] the α ≥ 0 that comes on top and does not follow the material: what cords and a
-    /// tube take.
+    /// Empty, or [M] additional decay rates α ≥ 0, the losses in cords and a tube. Independent of
+    /// the material.
     std::vector<double> extraDecaysPerSecond;
-    /// Empty: all 1. Or [M] what the velocity of the struck point is multiplied by: complex where a
-    /// bar and its tube share a mode. The radiation has its own.
+    /// Empty if all are 1. Else [M] factors of the velocity at the struck point. They are complex
+    /// where a bar and its tube share a mode. The radiation has factors of its own.
     std::vector<std::complex<float>> gains;
     RadiationTable radiation; ///< of the whole surface, or empty
 
@@ -79,11 +79,12 @@ struct ModalObject {
     std::size_t vertexCount() const { return vertices.size() / 3; }
     std::size_t faceCount() const { return faces.size() / 3; }
 
-    /// Whether the thickness may change while the object is played; otherwise it is analysed anew.
+    /// Returns whether the thickness may change during play. Otherwise a new thickness needs an
+    /// analysis.
     bool hasLiveThickness() const noexcept { return !bending.empty(); }
 
-    /// λ of a mode of the shell `thicknessRatio` > 0 times as thick, by Rayleigh's quotient with
-    /// the shape as it was: exact for flat sheets, and within what docs/validation.md says for
+    /// Returns λ of a mode if the shell is `thicknessRatio` > 0 times as thick, by Rayleigh's
+    /// quotient with unchanged shapes. Exact for flat sheets; docs/validation.md has the error for
     /// others.
     double eigenvalueAt(std::size_t mode, double thicknessRatio) const noexcept {
         return hasLiveThickness()
@@ -91,19 +92,19 @@ struct ModalObject {
                    : eigenvalues[mode];
     }
 
-    /// α [1/s] of a mode at the reference material. Any thread.
+    /// Returns the decay rate α [1/s] of a mode at the reference material. Any thread.
     double decayPerSecond(std::size_t mode) const noexcept {
         return (decaysPerSecond.empty() ? material.damping.perSecond(eigenvalues[mode]) / 2
                                         : decaysPerSecond[mode]) +
                damping(mode).extraPerSecond;
     }
 
-    /// The frequency in Hz at which a mode sounds at the reference material. Any thread.
+    /// Returns the damped frequency in Hz of a mode at the reference material. Any thread.
     double dampedFrequencyHz(std::size_t mode) const noexcept {
         return idiophone::dampedFrequencyHz(eigenvalues[mode], decayPerSecond(mode));
     }
 
-    /// How a mode's damping differs from the material's law, whatever the material. Any thread.
+    /// Returns the deviation of a mode's damping from the law of any material. Any thread.
     ModeDamping damping(std::size_t mode) const noexcept {
         return {.scale =
                     decaysPerSecond.empty()
@@ -112,7 +113,8 @@ struct ModalObject {
                 .extraPerSecond = extraDecaysPerSecond.empty() ? 0 : extraDecaysPerSecond[mode]};
     }
 
-    /// [M], or empty where all modes keep to the law. Any thread; allocates.
+    /// Returns the deviations of [M] modes, or nothing if all modes follow the law. Any thread;
+    /// allocates.
     std::vector<ModeDamping> dampings() const {
         std::vector<ModeDamping> result;
         if (!decaysPerSecond.empty() || !extraDecaysPerSecond.empty())
@@ -121,33 +123,33 @@ struct ModalObject {
         return result;
     }
 
-    /// Whether a bar and its tube share a mode. Any thread.
+    /// Returns whether a bar and its tube share the mode. Any thread.
     bool isShared(std::size_t mode) const noexcept { return !gains.empty() && gains[mode] != 1.0f; }
 
-    /// [M,3] shapes of all modes at row `shapeRow` of `shapeVertices`.
+    /// Returns the shapes [M,3] of all modes at row `shapeRow` of `shapeVertices`.
     std::span<const float> shapesAt(std::size_t shapeRow) const {
         return {shapes.data() + shapeRow * modeCount() * 3, modeCount() * 3};
     }
 };
 
-/// The object unchanged, or the first thing wrong with it: sizes that disagree, an index out of
-/// range, a value that is not in order or that no object has, texts too long for a file.
+/// Returns the object unchanged, or the first error: inconsistent sizes, an index or value out of
+/// range, or texts too long for a file.
 Result<ModalObject> validated(ModalObject object);
 
-/// Unit outward normals [N,3], the area-weighted mean over the faces at each mesh vertex
-/// ((0,0,1) at a vertex of no face).
+/// Returns unit outward normals [N,3]: the area-weighted mean over the faces at each mesh vertex,
+/// (0,0,1) at a vertex without faces.
 std::vector<float> vertexNormals(const ModalObject& object);
 
-/// [M] Σ |φ|² over the vertices that carry shapes, in 1/kg: how far a mode moves the object as a
-/// whole.
+/// Returns [M] Σ |φ|² over the vertices with shapes, in 1/kg: the motion of the whole object in
+/// each mode.
 std::vector<double> summedSquareShapes(const ModalObject& object);
 
-/// Returns the other one of the two modes that a bar's mode makes with its tube: it has the same
-/// shape, and the two gains add up to 1. Returns nothing for a mode of the bar alone.
+/// Returns the partner of a mode if a bar's mode and its tube form a pair of modes. Both have the
+/// same shape, and their gains add up to 1. Returns nothing for a mode of the bar alone.
 std::optional<std::size_t> sharingPartner(const ModalObject& object, std::size_t mode) noexcept;
 
-/// The row of `shapeVertices` whose vertex is nearest to a point in metres, of those that there
-/// are. Takes time with their number; any thread.
+/// Returns the row of `shapeVertices` that is nearest to a point in metres. Takes time proportional
+/// to the rows. Any thread.
 std::size_t nearestShapeRow(const ModalObject& object, const std::array<double, 3>& pointMetres);
 
 } // namespace idiophone

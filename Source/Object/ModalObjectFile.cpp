@@ -182,7 +182,7 @@ private:
 
     std::vector<float> shapes() const {
         const auto& found = vectors("shapes", 3);
-        // The counts of the other tensors are compared with the product only.
+        // The other tensors' counts are only compared with the product.
         if (found.shape[0] != tensor("shape_vertices", 1).shape[0] ||
             found.shape[1] != tensor("eigenvalues", 1).shape[0])
             throw Fault{"the size of the mode shapes is not vertices x modes x 3"};
@@ -196,7 +196,7 @@ private:
         return result;
     }
 
-    /// Of a tensor of that many dimensions, the last of which is real and imaginary part.
+    /// Reads a tensor of that rank whose last dimension is the real and the imaginary part.
     std::vector<std::complex<float>> complexValues(const char* name, std::size_t rank) const {
         const auto& found = tensor(name, rank);
         if (found.type != "F32" || found.shape.back() != 2)
@@ -242,8 +242,8 @@ json describeMetadata(const ModalObject& object) {
         {"analysis_s", object.provenance.analysisSeconds},
         {"analysed_vertices", static_cast<std::uint64_t>(object.provenance.analysedVertices)},
         {"zero_modes", static_cast<std::uint64_t>(object.provenance.zeroModes)}};
-    // safetensors allows metadata from text to text only, hence JSON inside JSON; names come from
-    // people and files, so what is not UTF-8 is replaced.
+    // Metadata of safetensors maps texts to texts, therefore JSON inside JSON. Names come from
+    // people and files: replace invalid UTF-8.
     const auto inner = [](const json& section) {
         return section.dump(-1, ' ', false, json::error_handler_t::replace);
     };
@@ -290,7 +290,7 @@ std::vector<std::byte> encodeModalObject(const ModalObject& object, ShapePrecisi
     safetensors::Writer writer(describeMetadata(object));
     const auto modes = object.modeCount();
     const auto shapeVertices = object.shapeVertexCount();
-    // Wide numbers first, so that every tensor stays aligned to its own size.
+    // Wide numbers come first, so that every tensor is aligned to its own size.
     writer.add("eigenvalues", "F64", {modes}, object.eigenvalues);
     if (!object.bending.empty())
         writer.add("bending", "F64", {modes}, object.bending);

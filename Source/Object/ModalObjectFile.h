@@ -1,5 +1,5 @@
-// Modal objects as files: the safetensors container with the extension .modal, specified in
-// docs/modal-format.md. Reading trusts nothing: every length, index and value is checked.
+// Reads and writes modal objects in the safetensors format with the extension .modal, as specified
+// in docs/modal-format.md. The reader checks every length, index and value.
 #pragma once
 
 #include "Object/ModalObject.h"
@@ -12,22 +12,23 @@
 
 namespace idiophone {
 
-/// Half, for shapes below 65 520 /√kg; larger ones are written in single all the same.
+/// Half precision is for shapes below 65 520 /√kg. Larger shapes are always written in single
+/// precision.
 enum class ShapePrecision { half, single };
 
-/// Reads and validates; the error names the file and the fault. Not for the audio thread.
+/// Reads and validates an object. The error names the file and the fault. Not for the audio thread.
 Result<ModalObject> readModalObject(const std::filesystem::path& file);
 
-/// The same from memory; `name` stands for the file in errors.
+/// Reads an object from memory. `name` stands for the file in errors.
 Result<ModalObject> readModalObject(std::span<const std::byte> bytes, std::string_view name);
 
-/// The file's bytes, of an object that passed `validated`: the reader refuses others. The same
-/// object always gives the same bytes.
+/// Returns the file's bytes. The object must have passed `validated`, because the reader refuses
+/// others. The same object always gives the same bytes.
 std::vector<std::byte> encodeModalObject(const ModalObject& object,
                                          ShapePrecision precision = ShapePrecision::single);
 
-/// Writes to a temporary beside `file` and renames, so that a crash never leaves half an object.
-/// Refuses one whose texts are too long to be read again.
+/// Writes to a temporary file beside `file` and renames it, so that a crash leaves no partial file.
+/// Refuses an object whose texts are too long to read back.
 Result<void> writeModalObject(const ModalObject& object,
                               const std::filesystem::path& file,
                               ShapePrecision precision = ShapePrecision::single);

@@ -16,8 +16,8 @@ std::string_view withoutPlus(std::string_view word) {
 }
 
 #ifndef __cpp_lib_to_chars
-/// For libraries without from_chars for floating point: streams know neither "nan" nor "inf", and
-/// would take hexadecimal figures and white space.
+/// Replaces from_chars in libraries that lack it for floating point. Streams do not accept "nan"
+/// and "inf", but accept hexadecimal numbers and white space.
 std::optional<double> numberFromStream(std::string_view word) {
     const bool isNegative = word.starts_with('-');
     const auto name = word.substr(isNegative ? 1 : 0);
@@ -62,7 +62,7 @@ std::optional<std::int64_t> parseInteger(std::string_view word) {
 }
 
 std::string numberText(double value, int digits) {
-    // Not to_chars, which macOS before 13.3 lacks for floating point.
+    // macOS before 13.3 lacks to_chars for floating point.
     std::ostringstream stream;
     stream.imbue(std::locale::classic());
     stream.precision(digits);

@@ -1,4 +1,4 @@
-// Numbers in text files and sentences, the same in every locale.
+// Converts numbers in text files and sentences, identically in every locale.
 #pragma once
 
 #include <cstdint>
@@ -8,11 +8,12 @@
 
 namespace idiophone {
 
-/// A whole word as a number ("nan" and "inf" are numbers, to be refused by what they mean).
+/// Parses a whole word as a number. Accepts "nan" and "inf", which the caller must refuse.
 std::optional<double> parseNumber(std::string_view word);
 std::optional<std::int64_t> parseInteger(std::string_view word);
 
-/// The value to so many significant digits, without trailing zeros: "0.25", "-1e-09", "nan".
+/// Returns the value with `digits` significant digits, without trailing zeros: "0.25", "-1e-09",
+/// "nan".
 std::string numberText(double value, int digits = 6);
 
 } // namespace idiophone

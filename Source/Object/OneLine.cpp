@@ -5,18 +5,18 @@
 namespace idiophone {
 namespace {
 
-/// Those of a character that begins with that byte; 0 where none does.
+/// Returns the length of a character with this first byte, or 0 if the byte is not a first byte.
 std::size_t bytesFromLead(unsigned char lead) {
     if (lead < 0x80)
         return 1;
     return lead < 0xc2 || lead > 0xf4 ? 0 : lead < 0xe0 ? 2 : lead < 0xf0 ? 3 : 4;
 }
 
-/// A control character of Unicode beyond ASCII, or one that ends lines or turns the direction of
-/// writing, with which a name shows as another.
+/// A Unicode control character beyond ASCII, or a character that ends a line or changes the writing
+/// direction, which can disguise a name.
 struct WideControl {
     unsigned code = 0;
-    std::size_t bytes = 0; ///< 0 where the text begins with none
+    std::size_t bytes = 0; ///< 0 if the text does not begin with one
 };
 
 WideControl wideControl(std::string_view text) {
@@ -30,7 +30,7 @@ WideControl wideControl(std::string_view text) {
     return at(2) >= 0x80 && at(2) < 0xc0 && isControl ? WideControl{code, 3} : WideControl{};
 }
 
-/// The bytes of the character at the beginning of the text; 0 where it cannot be shown.
+/// Returns the length of the character at the beginning of the text, or 0 if it is not printable.
 std::size_t shownBytes(std::string_view text) {
     const auto at = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
     const auto lead = at(0);
@@ -42,8 +42,7 @@ std::size_t shownBytes(std::string_view text) {
     if (!std::ranges::all_of(text.substr(1, size - 1),
                              [](unsigned char c) { return c >= 0x80 && c < 0xc0; }))
         return 0;
-    // The second byte tells forms longer than need be, halves of pairs of UTF-16, and what lies
-    // beyond Unicode.
+    // The second byte reveals overlong forms, UTF-16 surrogates and values beyond Unicode.
     const auto second = at(1);
     const bool isWrong = wideControl(text).bytes > 0 || (lead == 0xe0 && second < 0xa0) ||
                          (lead == 0xed && second >= 0xa0) || (lead == 0xf0 && second < 0x90) ||

@@ -1,4 +1,4 @@
-// What a file or a host says, as part of an error.
+// Makes texts from files and hosts safe to show in an error.
 #pragma once
 
 #include <cstddef>
@@ -7,19 +7,20 @@
 
 namespace idiophone {
 
-/// The text fit for one line: at most so many bytes, then "..."; with '?' for bytes that are no
-/// UTF-8 and for those of control characters, among them what turns the direction of writing.
+/// Returns at most `mostBytes` bytes of the text, then "..." if it was cut. Replaces the bytes of
+/// control characters and of invalid UTF-8 by '?'. Characters that change the writing direction
+/// count as control characters.
 std::string oneLine(std::string_view text, std::size_t mostBytes = 100);
 
-/// The same in single quotes.
+/// Does the same and adds single quotes.
 std::string inQuotes(std::string_view text);
 
-/// The text with control characters other than ends of lines and tabs as JSON writes them
-/// ("\u001b"), so that a terminal shows them instead of doing what they say. Bytes that are no
-/// UTF-8 stay, but for those that are control characters by themselves.
+/// Writes control characters as JSON does ("\u001b"), except line ends and tabs, so that a terminal
+/// shows them and does not obey them. Keeps bytes that are not UTF-8, unless they are control
+/// characters by themselves.
 std::string escaped(std::string_view text);
 
-/// Of the text's last bytes, how many begin a character that the text does not end.
+/// Returns the number of bytes at the end that begin an incomplete character.
 std::size_t unfinishedBytes(std::string_view text);
 
 } // namespace idiophone

@@ -8,7 +8,7 @@ namespace idiophone {
 namespace {
 
 bool isUnit(const std::array<float, 3>& direction) {
-    // Written so that what is not a number is no unit vector either.
+    // This form also refuses NaN.
     return std::abs(std::hypot(direction[0], direction[1], direction[2]) - 1) <= 1e-4f;
 }
 
@@ -22,7 +22,7 @@ phasorBetween(std::complex<float> from, std::complex<float> to, float share) noe
         return from + share * (to - from);
     const std::complex<float> between = (1 - share) / fromSize * from + share / toSize * to;
     const float length = std::sqrt(std::norm(between));
-    // Opposite phases have no short way.
+    // Opposite phases have no shorter way.
     return length > 1e-6f ? size / length * between : size / toSize * to;
 }
 
@@ -76,7 +76,7 @@ std::string faultOf(const RadiationTable& table, std::size_t modeCount) {
     const auto directions = table.directions.size(), ratios = table.frequencyRatios.size();
     if (directions == 0 && ratios == 0 && table.weights.empty())
         return {};
-    // Divisions, not products: a hostile size must not wrap around.
+    // Divide instead of multiplying, so that a hostile size cannot wrap around.
     if (directions == 0 || ratios == 0 || modeCount == 0 || table.weights.empty() ||
         table.weights.size() % modeCount != 0 || table.weights.size() / modeCount % ratios != 0 ||
         table.weights.size() / modeCount / ratios != directions)

@@ -1,5 +1,5 @@
-// The pressure that each mode radiates in a few directions, as its frequency moves. Analysis fills
-// the table (Analysis/Radiation.h), the audio thread looks weights up in it.
+// The pressure that each mode radiates in a few directions, over its frequency.
+// Analysis/Radiation.h fills the table; the audio thread looks up weights.
 #pragma once
 
 #include <array>
@@ -12,12 +12,12 @@
 
 namespace idiophone {
 
-/// D directions, K ratios, M modes. Part of an object, and empty where nobody computed it. A mode
-/// whose modal velocity is the real part of s radiates the pressure Re(w s)/R at the distance R
-/// from the centre of mass, as much later as sound takes there.
+/// Dimensions: D directions, K frequency ratios, M modes. Part of an object; empty if it was not
+/// computed. A mode whose modal velocity is the real part of s radiates the pressure Re(w s)/R at
+/// the distance R from the centre of mass, delayed by the travel time of sound.
 ///
-/// A uniformly scaled copy of the same material has the same frequency times size. So the ratio to
-/// look up is (natural frequency now / reference) · (size now / reference), 1 for such copies.
+/// Frequency times size is constant for uniformly scaled copies of a material. The ratio to look up
+/// is therefore (natural frequency now / reference) · (size now / reference), 1 for such copies.
 struct RadiationTable {
     std::vector<std::array<float, 3>>
         directions;                      ///< [D] unit, object to listener; left, right, more
@@ -27,35 +27,36 @@ struct RadiationTable {
 
     bool empty() const noexcept { return weights.empty(); }
 
-    /// Writes the weights of all modes. Between two ratios, size and phase are interpolated each,
-    /// so that no weight vanishes between two that do not. Below the table weights fall as the
-    /// square of the ratio, as those of bodies without net flow do; above it, and for a ratio that
-    /// is no positive number, they are those of its end. The table is not empty, `direction` < D
-    /// and `modeWeights` has M places. Audio thread: neither allocates nor locks.
+    /// Writes the weights of all modes. Interpolates magnitude and phase separately, so that no
+    /// weight vanishes between two ratios. Below the table, weights fall with the square of the
+    /// ratio, as for bodies without net flow. Above it, and for a ratio that is not a positive
+    /// number, the weights at that end apply. Expects a table that is not empty, `direction` < D
+    /// and M elements in `modeWeights`. Audio thread: does not allocate or lock.
     void weightsAt(std::size_t direction,
                    double frequencyRatio,
                    std::span<std::complex<float>> modeWeights) const noexcept;
 
-    /// The same for as many modes, from `firstMode` on, as there are places.
+    /// Writes the weights of the modes from `firstMode` on, as many as `modeWeights` has elements.
     void weightsAt(std::size_t direction,
                    double frequencyRatio,
                    std::size_t firstMode,
                    std::span<std::complex<float>> modeWeights) const noexcept;
 
-    /// The direction nearest to one (of any length) in which a listener is, in the coordinates of
-    /// the mesh; none where the table has but two, left and right of the front. Audio thread.
+    /// Returns the direction nearest to a listener's, given in mesh coordinates with any length.
+    /// Returns nothing if the table only has left and right of the front. Audio thread.
     std::optional<std::size_t>
     directionTowards(const std::array<float, 3>& listener) const noexcept;
 
     bool operator==(const RadiationTable&) const = default;
 };
 
-/// Between two complex numbers: the size is linear in `share` (0 to 1), the phase turns the short
+/// Interpolates two complex numbers: magnitude linear in `share` (0 to 1), phase along the shorter
 /// way.
 std::complex<float>
 phasorBetween(std::complex<float> from, std::complex<float> to, float share) noexcept;
 
-/// The first thing wrong with a table for that many modes, or empty. An empty table is sound.
+/// Returns the first error of a table for that number of modes, or an empty text. An empty table is
+/// valid.
 std::string faultOf(const RadiationTable& table, std::size_t modeCount);
 
 } // namespace idiophone

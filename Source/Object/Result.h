@@ -1,5 +1,5 @@
-// Results that are a value or an error. An error is one sentence for the user, which names the file
-// or the thing at fault; it is shown as it is, in the window and on the console.
+// Results that are a value or an error. An error is one sentence for the user that names the file
+// or thing at fault. The window and the console show it unchanged.
 #pragma once
 
 #include <string>

@@ -37,7 +37,7 @@ Tensor parseTensor(const std::string& name, const json& entry, std::span<const s
         if (!dimension.is_number_unsigned())
             throw fault("has a size that is not a whole positive number");
         const auto count = dimension.get<std::uint64_t>();
-        // Divided, not multiplied: a hostile size must not wrap around.
+        // Divide instead of multiplying, so that a hostile size cannot wrap around.
         if (count != 0 && size > data.size() / count)
             throw fault("claims more data than the file holds");
         tensor.shape.push_back(count);
@@ -73,7 +73,7 @@ void requireContiguous(std::vector<std::span<const std::byte>> parts,
         throw Fault{"it goes on after its last tensor"};
 }
 
-/// Of a file that is long enough to say so.
+/// Expects a file of at least eight bytes.
 std::uint64_t headerLengthOf(std::span<const std::byte> bytes) {
     std::uint64_t length = 0;
     std::memcpy(&length, bytes.data(), sizeof length);
@@ -131,7 +131,7 @@ void Writer::addBytes(const char* name,
 }
 
 std::vector<std::byte> Writer::finish() const {
-    // Names come from people and files: replace what is not UTF-8 rather than throw.
+    // Names come from people and files: replace invalid UTF-8 instead of throwing.
     auto text = header.dump(-1, ' ', false, json::error_handler_t::replace);
     text.resize((text.size() + 7) / 8 * 8, ' '); // aligns the tensors, as safetensors asks
     const std::uint64_t length = text.size();

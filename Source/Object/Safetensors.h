@@ -1,4 +1,4 @@
-// The safetensors container: named tensors behind a JSON header. Knows nothing of modal objects.
+// The safetensors format: named tensors after a JSON header. Independent of modal objects.
 // https://huggingface.co/docs/safetensors: 8-byte little-endian header length, header, raw data.
 #pragma once
 
@@ -16,18 +16,18 @@ namespace idiophone::safetensors {
 
 static_assert(std::endian::native == std::endian::little, "safetensors are little-endian");
 
-/// What is wrong with a file; thrown while parsing and turned into a Result at the room's boundary.
+/// An error in a file. Thrown while parsing; the module's public functions turn it into a Result.
 struct Fault {
     std::string sentence;
 };
 
-/// A view of one tensor in the bytes that were parsed.
+/// A view of one tensor in the parsed bytes.
 struct Tensor {
     std::string type;                 ///< "F64", "I32", ...
     std::vector<std::uint64_t> shape; ///< its product times the type's size is bytes.size()
     std::span<const std::byte> bytes;
 
-    /// The values, which must be of the type that the caller has checked.
+    /// Copies the values. The caller must have checked their type.
     template <class Value>
     std::vector<Value> copy() const {
         std::vector<Value> values(bytes.size() / sizeof(Value));
@@ -42,14 +42,14 @@ struct Container {
     std::map<std::string, Tensor> tensors;
 };
 
-/// Checks every length and offset: tensors lie inside the file and cover it without gap or overlap.
-/// The container's tensors point into `bytes`. Throws Fault.
+/// Parses a file and checks every length and offset: tensors lie inside the file and cover it
+/// without gaps or overlap. The tensors point into `bytes`. Throws Fault.
 Container parse(std::span<const std::byte> bytes);
 
-/// Whether `parse` takes a header of this file's length: it is at most 1 MiB.
+/// Returns whether the header is short enough for `parse`: at most 1 MiB.
 bool hasReadableHeader(std::span<const std::byte> bytes);
 
-/// Builds a file tensor by tensor; the same calls give the same bytes.
+/// Builds a file tensor by tensor. The same calls give the same bytes.
 class Writer {
 public:
     /// `metadata` is an object of texts.

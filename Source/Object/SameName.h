@@ -1,4 +1,4 @@
-// How names that people type are compared.
+// Compares names that people type.
 #pragma once
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 
 namespace idiophone {
 
-/// Whether two names differ at most in the case of their ASCII letters.
+/// Returns whether two names are equal apart from the case of ASCII letters.
 inline bool sameName(std::string_view a, std::string_view b) {
     return std::ranges::equal(
         a, b, [](unsigned char x, unsigned char y) { return std::tolower(x) == std::tolower(y); });

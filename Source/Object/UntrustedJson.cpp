@@ -9,7 +9,7 @@ using nlohmann::json;
 
 namespace {
 
-/// Takes everything down to a depth, and remembers where it went wrong.
+/// Accepts everything down to a depth, and records the position of an error.
 struct FaultFinder : nlohmann::json_sax<json> {
     std::size_t deepest = std::numeric_limits<std::size_t>::max();
     std::size_t depth = 0;
@@ -42,12 +42,12 @@ private:
 } // namespace
 
 json parseUntrusted(std::string_view text) {
-    // In a pass of its own: the parser that asks a callback looks through all of an array at the
-    // end of each object in it, which takes quadratic time.
+    // A pass of its own: the parser with a callback searches the whole array at the end of each
+    // object in it, which takes quadratic time.
     FaultFinder finder;
     finder.deepest = 64;
     if (!json::sax_parse(text, &finder))
-        return json(json::value_t::discarded); // in braces it would be a list of it
+        return json(json::value_t::discarded); // braces would make a list of it
     return json::parse(text, nullptr, false);
 }
 
@@ -65,7 +65,7 @@ std::string placeOfJsonFault(std::string_view text) {
         return {};
     const auto before = text.substr(0, *fault);
     const auto line = 1 + std::ranges::count(before, '\n');
-    const auto lineStart = before.rfind('\n') + 1; // 0 where there is none
+    const auto lineStart = before.rfind('\n') + 1; // 0 if there is none
     return " (line " + std::to_string(line) + ", column " +
            std::to_string(before.size() - lineStart + 1) + ")";
 }

@@ -1,4 +1,4 @@
-// JSON from files and hosts.
+// Parses JSON from files and hosts.
 #pragma once
 
 #include <cstddef>
@@ -9,15 +9,16 @@
 
 namespace idiophone {
 
-/// Discarded where the text is not JSON, or nested deeper than anything of ours. nlohmann-json
-/// copies and writes by recursion, for which a hostile depth would need more than the stack.
+/// Returns a discarded value if the text is not JSON or is nested deeper than any file of
+/// Idiophone. nlohmann-json copies and writes recursively, so a hostile depth would overflow the
+/// stack.
 nlohmann::json parseUntrusted(std::string_view text);
 
-/// The byte with which a text stops being JSON, its size where it ends too early; nothing where it
-/// is JSON, as what is nested too deep may be.
+/// Returns the first byte that is not JSON, or the size if the text ends too early. Returns nothing
+/// for JSON, even if it is nested too deeply.
 std::optional<std::size_t> firstByteNotJson(std::string_view text);
 
-/// The same to end a sentence with: " (line 3, column 7)"; empty where it is JSON.
+/// Returns the same place as the end of a sentence: " (line 3, column 7)". Empty for JSON.
 std::string placeOfJsonFault(std::string_view text);
 
 } // namespace idiophone

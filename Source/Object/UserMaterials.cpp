@@ -13,7 +13,8 @@ namespace fs = std::filesystem;
 #if defined(_WIN32)
 
 fs::path settingsFolder() {
-    const wchar_t* value = _wgetenv(L"APPDATA"); // narrow it has no names beyond the code page
+    const wchar_t* value =
+        _wgetenv(L"APPDATA"); // the narrow version lacks names outside the code page
     return value != nullptr ? fs::path(value) : fs::path();
 }
 
@@ -41,7 +42,7 @@ std::vector<fs::path> filesOf(const fs::path& folder) {
     for (fs::directory_iterator entry(folder, ignored), end; entry != end; entry.increment(ignored))
         if (entry->path().extension() == ".json")
             files.push_back(entry->path());
-    std::ranges::sort(files); // so that materials of one name keep their order
+    std::ranges::sort(files); // keeps the order of materials with equal names
     return files;
 }
 
@@ -71,7 +72,7 @@ Result<Material> findAnyMaterial(std::string_view name) {
     for (auto& material : readMaterialFolder(userMaterialFolder()).materials)
         if (sameName(material.name, name))
             return std::move(material);
-    // One that cannot be read has no name but its file's.
+    // An unreadable material only has the name of its file.
     for (const auto& file : filesOf(userMaterialFolder()))
         if (sameName(nameOf(file.stem()), name))
             if (auto material = readMaterialFile(file); !material)

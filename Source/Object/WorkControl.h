@@ -1,4 +1,4 @@
-// How long work on meshes and modes talks to whoever started it: progress out, a wish to stop in.
+// Progress and cancellation of long work on meshes and modes.
 #pragma once
 
 #include "Object/Result.h"
@@ -10,11 +10,12 @@
 
 namespace idiophone {
 
-/// Both may be left empty. They are used on the thread that works.
+/// Both members may be empty. The working thread uses them.
 struct WorkControl {
-    /// Called now and then with the share done, 0 to 1 and never falling, and what is being done.
+    /// Called from time to time with the fraction done (0 to 1, never decreasing) and the current
+    /// step.
     std::function<void(double fraction, std::string_view step)> progress;
-    /// Set to true from any thread, it stops the work within a fraction of a second.
+    /// Any thread sets this to true to stop the work within a fraction of a second.
     const std::atomic<bool>* cancelled = nullptr;
 
     bool isCancelled() const { return cancelled != nullptr && cancelled->load(); }
@@ -22,11 +23,11 @@ struct WorkControl {
         if (progress)
             progress(fraction, step);
     }
-    /// For a part that tells nothing of its progress, and stops as the whole does.
+    /// Returns a control without progress that is cancelled together with this one.
     WorkControl quiet() const { return {.progress = {}, .cancelled = cancelled}; }
 };
 
-/// The error of work that was stopped, to tell it from work that failed.
+/// The error of cancelled work, to tell it from failed work.
 inline constexpr std::string_view cancelledMessage = "The analysis was cancelled.";
 
 inline tl::unexpected<Error> cancellation() {

@@ -7,7 +7,7 @@
 using namespace idiophone;
 using Catch::Approx;
 
-TEST_CASE("Without a loss factor the law is Rayleigh's to the last bit") {
+TEST_CASE("Without a loss factor the law is Rayleigh damping, to the last bit") {
     const DampingLaw law{.fluidPerSecond = 12.44, .viscoelasticSeconds = 9.16e-8};
     for (double eigenvalue = 1; eigenvalue < 1e11; eigenvalue *= 1.37)
         CHECK(law.perSecond(eigenvalue) == 12.44 + 9.16e-8 * eigenvalue);
@@ -28,7 +28,7 @@ TEST_CASE("The three laws add up") {
     CHECK(all.perSecond(omega * omega) == Approx(5 + 2e-4 * omega + 3e-8 * omega * omega));
 }
 
-TEST_CASE("A damped mode sounds below its undamped frequency, and an over-damped one not at all") {
+TEST_CASE("A damped mode sounds below its undamped frequency, an over-damped one is silent") {
     CHECK(dampedFrequencyHz(25, 3) == 4 / (2 * std::numbers::pi));
     CHECK(dampedFrequencyHz(25, 5) == 0);
     CHECK(dampedFrequencyHz(25, 6) == 0);

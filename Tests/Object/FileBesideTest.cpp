@@ -38,7 +38,7 @@ auto fileCount(const fs::path& folder) {
 
 } // namespace
 
-TEST_CASE("A file is replaced as a whole, or stays as it was") {
+TEST_CASE("A file is replaced completely or stays unchanged") {
     const auto folder = emptyFolder("replaced");
     const auto file = folder / "file";
     REQUIRE_FALSE(replaceFile(file, failing));
@@ -54,7 +54,7 @@ TEST_CASE("A file is replaced as a whole, or stays as it was") {
     CHECK_FALSE(replaceFile(folder, writing("x")));
 }
 
-TEST_CASE("A link to no file yet leads to the file that is made, and one to itself to none") {
+TEST_CASE("A link to a missing file leads to the new file, and a link to itself is refused") {
     const auto folder = emptyFolder("dangling");
     fs::create_directory(folder / "there");
     fs::create_symlink("second", folder / "first");
@@ -69,7 +69,7 @@ TEST_CASE("A link to no file yet leads to the file that is made, and one to itse
     CHECK(fileCount(folder) == 4);
 }
 
-TEST_CASE("A file is replaced whose name is as long as names may be") {
+TEST_CASE("A file with the longest possible name is replaced") {
     const auto folder = emptyFolder("long");
     for (const std::string& letter : {std::string("x"), std::string("\xe9\x9f\xb3")}) {
         std::string name;
@@ -83,7 +83,7 @@ TEST_CASE("A file is replaced whose name is as long as names may be") {
     CHECK(fileCount(folder) == 2);
 }
 
-TEST_CASE("A file that is protected from being written is not replaced") {
+TEST_CASE("A write-protected file is not replaced") {
     const auto folder = emptyFolder("protected");
     const auto file = folder / "file";
     REQUIRE(replaceFile(file, writing("kept")));
@@ -97,7 +97,7 @@ TEST_CASE("A file that is protected from being written is not replaced") {
 
 #ifndef _WIN32
 
-TEST_CASE("What a link leads to is replaced, and the link stays") {
+TEST_CASE("A link's target is replaced, and the link stays") {
     const auto folder = emptyFolder("linked");
     REQUIRE(replaceFile(folder / "file", writing("first")));
     fs::create_symlink("file", folder / "link");
@@ -106,7 +106,7 @@ TEST_CASE("What a link leads to is replaced, and the link stays") {
     CHECK(textOf(folder / "file") == "second");
 }
 
-TEST_CASE("A device is written as it is") {
+TEST_CASE("A device is written directly") {
     CHECK(replaceFile("/dev/null", writing("x")));
     CHECK_FALSE(fs::exists("/dev/null.1.part"));
     CHECK_FALSE(fs::is_regular_file("/dev/null"));

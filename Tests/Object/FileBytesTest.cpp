@@ -13,7 +13,7 @@
 
 using namespace idiophone;
 
-TEST_CASE("A file's bytes come whole, or the sentence says what is wrong") {
+TEST_CASE("A file's bytes are read completely, or the error says what is wrong") {
     const auto file = test::testFolder() / "bytes.bin";
     const std::string bytes("a\0\r\nb", 5);
     std::ofstream(file, std::ios::binary) << bytes;
@@ -27,11 +27,11 @@ TEST_CASE("A file's bytes come whole, or the sentence says what is wrong") {
 }
 
 #if !defined(_WIN32)
-TEST_CASE("A pipe that nobody writes to is not waited for") {
+TEST_CASE("A pipe without a writer does not block the reader") {
     const auto pipe = test::testFolder() / "pipe";
     REQUIRE(mkfifo(pipe.c_str(), 0600) == 0);
     auto reading = std::async(std::launch::async, [&] { return readBytes(pipe, 4); });
-    // The bound only ends a test that fails.
+    // The time limit only ends a failing test.
     const bool ended = reading.wait_for(std::chrono::seconds(60)) == std::future_status::ready;
     if (!ended)
         std::ofstream{pipe};
@@ -40,7 +40,7 @@ TEST_CASE("A pipe that nobody writes to is not waited for") {
 }
 #endif
 
-TEST_CASE("Names that files keep are UTF-8 with forward slashes, and lead back to the file") {
+TEST_CASE("Stored names are UTF-8 with forward slashes and lead back to the file") {
     const auto path = std::filesystem::path(u8"Glöckchen") / u8"γ" / "60.modal";
     CHECK(storedNameOf(path) == "Gl\xc3\xb6"
                                 "ckchen/\xce\xb3/60.modal");
@@ -48,7 +48,7 @@ TEST_CASE("Names that files keep are UTF-8 with forward slashes, and lead back t
     CHECK(pathNamed("").empty());
 }
 
-TEST_CASE("Names that Windows would look for in the network are known, and only there changed") {
+TEST_CASE("Network names of Windows are recognised, and changed only on Windows") {
     for (const auto* name :
          {"\\\\host\\share\\x.modal", "//host/share/x.modal", "/\\host\\x", "\\/host/x",
           "//?/UNC/host/share/x", "\\??\\UNC\\host\\x", "///x", "//"}) {
@@ -72,11 +72,11 @@ TEST_CASE("Names that Windows would look for in the network are known, and only 
 #endif
 }
 
-TEST_CASE("A file's name is told in UTF-8") {
+TEST_CASE("A file's name is returned in UTF-8") {
     CHECK(nameOf(std::filesystem::path(u8"Glöckchen/γ.obj").filename()) == "\xce\xb3.obj");
 }
 
-TEST_CASE("In a sentence a file's name commands no terminal and has an end") {
+TEST_CASE("A file's name in a sentence is printable and limited in length") {
     CHECK(shownNameOf(std::filesystem::path(u8"Glöckchen")) == "Gl\xc3\xb6"
                                                                "ckchen");
     CHECK(shownName("\x1b]0;a\n.modal") == "?]0;a?.modal");

@@ -34,7 +34,7 @@ std::string with(const std::string& before, const std::string& after) {
     return text.replace(place, before.size(), after);
 }
 
-/// A folder of this test's own, empty.
+/// Returns an empty folder for this test.
 std::filesystem::path folder(const char* name) {
     const auto path = test::testFolder() / name;
     std::filesystem::remove_all(path);
@@ -48,7 +48,7 @@ void write(const std::filesystem::path& file, const std::string& text) {
 
 } // namespace
 
-TEST_CASE("A material file gives every figure, and its sources as one text") {
+TEST_CASE("A material file sets every figure, and its sources become one text") {
     const auto jade = parseMaterial(good, "jade.json");
     REQUIRE(jade);
     CHECK(
@@ -73,7 +73,7 @@ TEST_CASE("Every material is read back as it was written, to the last bit") {
 }
 
 TEST_CASE(
-    "A material needs its elasticity, its density and one law of damping; its file names it") {
+    "A material needs elasticity, density and one law of damping, and takes its file's name") {
     const auto plain = parseMaterial(
         R"({"youngs_modulus_pa": 1e10, "density_kg_per_m3": 800, "poisson_ratio": 0.3,
             "loss_factor": 0.01, "t60_s": {"440": 0.5}})",
@@ -83,7 +83,7 @@ TEST_CASE(
     CHECK(plain->damping == DampingLaw{.lossFactor = 0.01});
 }
 
-TEST_CASE("What is no material is refused in one sentence that names the file and the fault") {
+TEST_CASE("An invalid material is refused in one sentence that names the file and the fault") {
     const std::string deep(100000, '[');
     for (const auto& [text, fault] :
          {std::pair<std::string, const char*>{"", "not JSON"},
@@ -116,7 +116,7 @@ TEST_CASE("What is no material is refused in one sentence that names the file an
     }
 }
 
-TEST_CASE("Any damage to a material file ends in a valid material or in one short sentence") {
+TEST_CASE("Any damage to a material file gives a valid material or one short sentence") {
     std::mt19937 random(7);
     const auto below = [&](std::size_t count) { return random() % count; };
     const char* const tokens[] = {
@@ -156,7 +156,7 @@ TEST_CASE("Any damage to a material file ends in a valid material or in one shor
     CHECK(refused > 10000);
 }
 
-TEST_CASE("A list of materials is refused where two have one name, or one has none") {
+TEST_CASE("A list of materials is refused if two names are equal or one is missing") {
     const auto list = [](const std::string& entries) {
         return parseMaterialList(
             R"({"format": "idiophone-materials", "version": 1, "materials": [)" + entries + "]}",
@@ -170,7 +170,7 @@ TEST_CASE("A list of materials is refused where two have one name, or one has no
                ContainsSubstring("not a list of materials"));
 }
 
-TEST_CASE("A folder gives its materials by name, and a sentence for each file that is none") {
+TEST_CASE("A folder returns its materials by name, and a sentence for each invalid file") {
     const auto place = folder("materials");
     write(place / "b.json", with("Jade", "Amber"));
     write(place / "a.json", good);
@@ -190,7 +190,7 @@ TEST_CASE("A folder gives its materials by name, and a sentence for each file th
 }
 
 #if defined(__linux__)
-TEST_CASE("A damaged file of the user's is named when its material is asked for") {
+TEST_CASE("A damaged user file is named when its material is requested") {
     const char* text = std::getenv("XDG_CONFIG_HOME");
     const std::string configured = text != nullptr ? text : "";
     const auto settings = folder("settings");

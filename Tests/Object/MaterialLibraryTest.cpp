@@ -20,7 +20,7 @@ const Material& known(const char* name) {
 
 } // namespace
 
-TEST_CASE("Every library material is valid, has a name of its own and a source") {
+TEST_CASE("Every library material is valid and has a unique name and a source") {
     std::set<std::string> names;
     for (const auto& material : materialLibrary()) {
         INFO(material.name);
@@ -32,7 +32,7 @@ TEST_CASE("Every library material is valid, has a name of its own and a source")
     }
 }
 
-TEST_CASE("Materials are found whatever the case of their name") {
+TEST_CASE("Material names are found in any case") {
     REQUIRE(findMaterial("ROSEWOOD") != nullptr);
     CHECK(findMaterial("ROSEWOOD")->name == "Rosewood");
     CHECK(findMaterial("unobtainium") == nullptr);
@@ -41,11 +41,11 @@ TEST_CASE("Materials are found whatever the case of their name") {
     CHECK_FALSE(materialColour("unobtainium"));
 }
 
-TEST_CASE("The choice parameter has room for the library") {
-    CHECK(materialLibrary().size() <= 62); // 0 to 63, less Own and Custom
+TEST_CASE("The choice parameter has enough values for the library") {
+    CHECK(materialLibrary().size() <= 62); // 0 to 63, without Own and Custom
 }
 
-TEST_CASE("Materials lose what their sources measured") {
+TEST_CASE("The damping of materials equals the published measurements") {
     struct Row {
         const char* name;
         DampingLaw law; ///< γ, η, χ
@@ -53,13 +53,13 @@ TEST_CASE("Materials lose what their sources measured") {
     for (const Row& row :
          {// H. Hill 2012: the mean over a marimba's bars.
           Row{"Rosewood", {0, 0, 0.45e-2}},
-          // Chaigne & Lambourg 2001: a spruce plate of Q 80. KleinPAT Table 4: the fluid term.
+          // Chaigne & Lambourg 2001: a spruce plate with Q = 80. KleinPAT Table 4: the fluid term.
           {"Wood", {60, 0, 1.0 / 80}},
           // Medians of RealImpact's ceramic bowl, glass cup and iron skillet.
           {"Ceramic", {0, 0, 1.2e-3}},
           {"Glass", {0, 0, 1.3e-3}},
           {"Iron", {0, 0, 1.1e-3}},
-          // Cremer & Heckl: flexural loss factors, of brass the geometric middle of 0.2 to 1e-3.
+          // Cremer & Heckl: flexural loss factors. Brass: the geometric mean of 0.2e-3 and 1e-3.
           {"Aluminium", {0, 0, 1e-4}},
           {"Copper", {0, 0, 2e-3}},
           {"Tin", {0, 0, 2e-3}},
@@ -70,7 +70,7 @@ TEST_CASE("Materials lose what their sources measured") {
           {"Polycarbonate", {0.5, 4e-7, 0}},
           {"Bell bronze", {0, 0, 2e-4}},
           {"Bell glass", {0, 0, 2.5e-5}},
-          // Birch & Bancroft 1938: Q 150.
+          // Birch & Bancroft 1938: Q = 150.
           {"Granite", {0, 0, 6.7e-3}}}) {
         INFO(row.name);
         CHECK(known(row.name).damping == row.law);
@@ -86,7 +86,7 @@ TEST_CASE("A loss factor gives the same quality factor at every frequency") {
     }
 }
 
-TEST_CASE("Padauk loses as much at 440 Hz as the padauk bar of Chaigne and Doutaut") {
+TEST_CASE("Padauk has the damping of Chaigne and Doutaut's padauk bar at 440 Hz") {
     const DampingLaw published{.fluidPerSecond = 12.44, .viscoelasticSeconds = 9.16e-8};
     const double eigenvalue = std::pow(2 * 3.14159265358979 * 440, 2);
     CHECK(known("Padauk").damping.perSecond(eigenvalue) ==
@@ -102,7 +102,7 @@ TEST_CASE("Rosewood has the elasticity and density of one measured bar") {
     CHECK(rosewood.grain->shearModulusLT == rosewood.grain->shearModulusLR);
 }
 
-TEST_CASE("Every entry says where its elasticity, density, damping and contact figures come from") {
+TEST_CASE("Every material names its sources of elasticity, density, damping and contact") {
     std::ifstream file(IDIOPHONE_SOURCE_DIR "/Resources/Materials/materials.json");
     const auto root = nlohmann::json::parse(file);
     CHECK(root["materials"].size() == materialLibrary().size());

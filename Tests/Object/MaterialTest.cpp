@@ -11,7 +11,7 @@ using namespace idiophone;
 using Catch::Approx;
 using Catch::Matchers::ContainsSubstring;
 
-TEST_CASE("A decay time is ln(1000) over half the damping, and infinite without any") {
+TEST_CASE("A decay time is ln(1000) over half the damping, and infinite without damping") {
     Material material;
     CHECK(std::isinf(decaySeconds(material, 1000)));
     material.damping = {.fluidPerSecond = 2, .viscoelasticSeconds = 1e-8, .lossFactor = 1e-4};
@@ -40,7 +40,7 @@ TEST_CASE("A material out of range is refused by name and figure") {
            "restitution");
 }
 
-TEST_CASE("A material whose texts would not fit an object's file is refused") {
+TEST_CASE("A material whose texts are too long for an object's file is refused") {
     Material material = materialLibrary().front();
     material.source = std::string(40'000, 'x');
     CHECK_THAT(validated(material).error().message, ContainsSubstring("its source is longer"));

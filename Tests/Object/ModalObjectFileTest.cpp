@@ -29,7 +29,7 @@ std::vector<std::byte> withHeader(const std::string& header,
     return file;
 }
 
-/// Three modes heard in two directions at two ratios.
+/// Returns an object of three modes with radiation in two directions at two ratios.
 ModalObject radiatingObject() {
     auto object = syntheticObject({100, 200, 300});
     object.radiation = {.directions = {{0.6f, -0.8f, 0}, {0, 0, 1}},
@@ -38,7 +38,7 @@ ModalObject radiatingObject() {
     return object;
 }
 
-/// A valid file whose header went through `change`.
+/// Returns a valid file whose header was changed by `change`.
 std::vector<std::byte> changed(const std::function<void(json&)>& change,
                                const ModalObject& object = syntheticObject({100, 200, 300})) {
     const auto file = encodeModalObject(object);
@@ -60,7 +60,7 @@ void checkRefused(std::span<const std::byte> file, const char* sentence) {
 
 } // namespace
 
-TEST_CASE("An object read back is the object written, to the last bit") {
+TEST_CASE("An object read back equals the written one, to the last bit") {
     auto object = syntheticObject({100, 200.125, 44000}, {0.3f, -1.7f, 3e-9f});
     object.bending = {1, 2, 3};
     object.decaysPerSecond = {0.3, 7, 1.0 / 3};
@@ -89,7 +89,7 @@ TEST_CASE("An object read back is the object written, to the last bit") {
     CHECK(encodeModalObject(*back) == file);
 }
 
-TEST_CASE("A material without a figure, or with one that it cannot have, is refused") {
+TEST_CASE("A material without a figure, or with an invalid one, is refused") {
     const auto withMaterial = [](const std::function<void(json&)>& change) {
         return changed([&](json& header) {
             auto& text = header["__metadata__"]["material"];
@@ -118,7 +118,7 @@ TEST_CASE("Shapes that half precision cannot hold are written in single precisio
     CHECK(back->shapes == object.shapes);
 }
 
-TEST_CASE("A file written to disk reads back, and an unwritable place is one sentence") {
+TEST_CASE("A file written to disk is read back, and an unwritable place gives one sentence") {
     const auto directory = test::testFolder();
     const auto file = directory / "written.modal";
     REQUIRE(writeModalObject(syntheticObject({100}), file));
@@ -133,7 +133,7 @@ TEST_CASE("A file written to disk reads back, and an unwritable place is one sen
     CHECK_FALSE(readModalObject(directory));
 }
 
-TEST_CASE("Writing an object leaves the files beside it alone, whatever they are called") {
+TEST_CASE("Writing an object leaves the files beside it alone, whatever their names") {
     const auto directory = test::testFolder() / "beside";
     std::filesystem::remove_all(directory);
     std::filesystem::create_directories(directory);
@@ -149,8 +149,7 @@ TEST_CASE("Writing an object leaves the files beside it alone, whatever they are
     CHECK(std::distance(Files(directory), Files()) == 4);
 }
 
-TEST_CASE(
-    "Whatever texts an object may have, its file reads back; with longer ones it is refused") {
+TEST_CASE("A file with the longest valid texts is read back, and longer texts are refused") {
     auto object = syntheticObject({100});
     object.provenance.notes = std::string(120'000, '\x01'); // seven bytes each in the file
     REQUIRE(validated(object));
@@ -253,7 +252,7 @@ TEST_CASE("A hostile radiation table is refused with its fault") {
     checkRefused(encodeModalObject(object), "not a finite number");
 }
 
-TEST_CASE("A radiation table of no size is refused") {
+TEST_CASE("An empty radiation table with tensors is refused") {
     const auto file = changed([](json& h) {
         h["radiation"] = {{"dtype", "F32"}, {"shape", {0, 0, 3, 2}}, {"data_offsets", {0, 0}}};
         h["radiation_directions"] = {{"dtype", "F32"}, {"shape", {0, 3}}, {"data_offsets", {0, 0}}};
@@ -262,7 +261,7 @@ TEST_CASE("A radiation table of no size is refused") {
     checkRefused(file, "directions x ratios x modes");
 }
 
-TEST_CASE("Values that make no sense are refused as by validation") {
+TEST_CASE("Invalid values are refused as by validation") {
     auto object = syntheticObject({100, 200});
     object.eigenvalues[1] = std::numeric_limits<double>::quiet_NaN();
     checkRefused(encodeModalObject(object), "not a finite number");
@@ -283,13 +282,13 @@ TEST_CASE("No truncation and no flipped byte crashes the reader") {
     }
 }
 
-TEST_CASE("A header nested half a million deep is refused, and does not exhaust the stack") {
+TEST_CASE("A header nested half a million deep is refused without exhausting the stack") {
     const auto deep = std::string(500000, '[') + std::string(500000, ']');
     checkRefused(withHeader(R"({"__metadata__":)" + deep + "}", {}), "not a JSON object");
     checkRefused(withHeader(R"({"shapes":)" + deep + "}", {}), "not a JSON object");
 }
 
-TEST_CASE("What a header says is fit for one line in the sentence that refuses it") {
+TEST_CASE("Texts of a header fit on one line in the error") {
     const auto oneLineOnly = [](const std::string& name, const json& entry) {
         const auto object =
             readModalObject(changed([&](json& header) { header[name] = entry; }), "evil.modal");

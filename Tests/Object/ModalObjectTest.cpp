@@ -109,7 +109,7 @@ TEST_CASE("Each malformed field is named") {
     refuse([](auto& o) { o.material.densityKgPerM3 = 0; }, "density");
 }
 
-TEST_CASE("An object at the ends of all ranges is taken") {
+TEST_CASE("An object at the limits of all ranges is accepted") {
     auto object = syntheticObject({0.00101, 999e6}, {largestShape, -largestShape});
     object.decaysPerSecond = {1e-300, 1e9};
     object.vertices[3] = -1e6f;
@@ -155,7 +155,7 @@ TEST_CASE("Vertex normals point outward from counter-clockwise faces") {
     }
 }
 
-TEST_CASE("The nearest row is that of the nearest vertex with shapes") {
+TEST_CASE("The nearest row belongs to the nearest vertex with shapes") {
     auto object = syntheticObject({100});
     object.shapeVertices = {1, 3};
     object.shapes.resize(6);

@@ -6,7 +6,7 @@
 
 using namespace idiophone;
 
-TEST_CASE("A whole word is a number or none") {
+TEST_CASE("A word is a number only as a whole") {
     CHECK(parseNumber("-1.5e3") == -1500);
     CHECK(parseNumber("+2") == 2);
     CHECK(parseNumber("inf") == std::numeric_limits<double>::infinity());
@@ -19,7 +19,7 @@ TEST_CASE("A whole word is a number or none") {
     }
 }
 
-TEST_CASE("A number is written to its significant digits, with a point") {
+TEST_CASE("A number is written with its significant digits and a decimal point") {
     CHECK(numberText(0.25) == "0.25");
     CHECK(numberText(-1e-9) == "-1e-09");
     CHECK(numberText(1234.5678, 3) == "1.23e+03");

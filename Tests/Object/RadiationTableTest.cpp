@@ -17,7 +17,7 @@ namespace {
 constexpr double notANumber = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Two directions, three ratios, two modes.
+/// Returns a table of two directions, three ratios and two modes.
 RadiationTable table() {
     return {.directions = {{0, 0, 1}, {0.6f, -0.8f, 0}},
             .frequencyRatios = {0.5, 1, 4},
@@ -41,12 +41,12 @@ TEST_CASE("At a tabulated ratio the weights are the tabulated ones") {
     CHECK(at(1, 1) == Weights{-3, {0, -4}});
 }
 
-TEST_CASE("Between tabulated ratios sizes are linear in the logarithm of the ratio") {
+TEST_CASE("Between tabulated ratios magnitudes are linear in the logarithm of the ratio") {
     CHECK_THAT(std::abs(at(0, 2)[0]), WithinRel(4.0f, 1e-6f));
     CHECK_THAT(std::abs(at(0, std::sqrt(0.5))[1]), WithinRel(3.0f, 1e-6f));
 }
 
-TEST_CASE("Between tabulated ratios the phase turns the short way and no weight vanishes") {
+TEST_CASE("Between tabulated ratios the phase takes the shorter way and no weight vanishes") {
     const auto between = at(1, 2)[1]; // from −4i to 60
     CHECK_THAT(std::abs(between), WithinRel(32.0f, 1e-6f));
     CHECK_THAT(std::arg(between), WithinRel(-std::numbers::pi_v<float> / 4, 1e-6f));
@@ -56,18 +56,18 @@ TEST_CASE("Between tabulated ratios the phase turns the short way and no weight 
     }
 }
 
-TEST_CASE("Below the table weights fall as the square of the ratio") {
+TEST_CASE("Below the table weights fall with the square of the ratio") {
     CHECK(at(1, 0.25) == Weights{-0.25f, {0, -0.5f}});
     for (const double ratio : {0.0, -1.0, -infinity, notANumber})
         CHECK(at(1, ratio) == Weights{-1, {0, -2}});
 }
 
-TEST_CASE("Above the table the weights are held") {
+TEST_CASE("Above the table the weights are constant") {
     for (const double ratio : {4.5, 1e300, infinity})
         CHECK(at(1, ratio) == Weights{5, 60});
 }
 
-TEST_CASE("A table of one ratio gives its weights at every ratio from there on") {
+TEST_CASE("A table of one ratio gives its weights at every higher ratio") {
     const RadiationTable one{
         .directions = {{1, 0, 0}}, .frequencyRatios = {1}, .weights = {7, 8, 9}};
     CHECK(faultOf(one, 3).empty());
@@ -110,7 +110,7 @@ TEST_CASE("Each malformed part of a radiation table is named") {
     CHECK_THAT(faultOf(table(), 0), ContainsSubstring("directions x ratios"));
 }
 
-TEST_CASE("The weights from a mode on are those of all modes from there on") {
+TEST_CASE("The weights from a mode on equal those of all modes from there on") {
     for (const double ratio : {0.3, 0.7, 1.0, 2.0, 9.0}) {
         Weights one(1);
         table().weightsAt(1, ratio, 1, one);
@@ -118,8 +118,7 @@ TEST_CASE("The weights from a mode on are those of all modes from there on") {
     }
 }
 
-TEST_CASE(
-    "A listener is found in the nearest direction, where there are more than left and right") {
+TEST_CASE("A table of more than left and right returns the direction nearest to a listener") {
     RadiationTable table;
     table.directions = {{1, 0, 0}, {0, 1, 0}};
     CHECK_FALSE(table.directionTowards({0, 0, 1}));
