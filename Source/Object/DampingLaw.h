@@ -11,7 +11,7 @@ namespace idiophone {
 /// The sum of three laws. The amplitude of a mode of undamped angular frequency ω decays at the
 /// rate α = d(ω)/2 [1/s], where
 ///
-/// d(ω) = γ + χ ω + η ω²
+///     d(ω) = γ + χ ω + η ω²
 ///
 /// γ and η are Rayleigh damping (Raghuvanshi & Lin 2006, eq. 2). χ is the loss factor of structural
 /// damping: twice the damping ratio ζ, or 1/Q, the same at all frequencies (Cremer & Heckl).

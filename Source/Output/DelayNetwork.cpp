@@ -7,8 +7,8 @@
 namespace idiophone {
 namespace {
 
-// A random search over 140 sets found none with a denser echo, a more even spectrum and fewer
-// repetitions at once.
+// A random search over 140 sets found none that has a denser echo, a more even spectrum and fewer
+// repetitions at the same time.
 constexpr std::array<double, DelayNetwork::lineCount> lineSeconds{
     0.02,    0.02173, 0.02339, 0.02551, 0.02747, 0.02969, 0.03181, 0.03423,
     0.03659, 0.03931, 0.04217, 0.04519, 0.04871, 0.05233, 0.05669, 0.0617};
@@ -17,10 +17,10 @@ static_assert(lineSeconds.back() == DelayNetwork::longestSeconds);
 constexpr std::array<std::array<double, 4>, 2> diffuserSeconds{
     {{0.00307, 0.00471, 0.00697, 0.01033}, {0.00331, 0.00439, 0.00733, 0.00977}}};
 constexpr float diffusion = 0.6f;
-// Each row of a Hadamard matrix of order 16 is a pattern of signs. The channels enter and leave
-// with different ones, so that their answers differ.
+// Each row of a Hadamard matrix of order 16 is a pattern of signs. The two inputs and outputs use
+// different rows, so that their responses differ.
 constexpr std::size_t leftRow = 5, rightRow = 10;
-// At a decay time of 1 s the answer to noise is as strong as the noise (measured).
+// At a decay time of 1 s, the response to noise is as strong as the noise (measured).
 constexpr float inputGain = 0.35f;
 
 constexpr float signOf(std::size_t row, std::size_t line) {
@@ -38,7 +38,7 @@ double decaySecondsAt8kHz(double seconds) {
     return 1 / (1 / (0.6 * seconds) + 1 / 1.7);
 }
 
-/// The pole of (1 − p)/(1 − p/z) at which its magnitude is `ratio` at an angular frequency.
+/// Returns the pole p at which (1 − p)/(1 − p/z) has the magnitude `ratio` at an angular frequency.
 double poleFor(double ratio, double angle) {
     const double squared = ratio * ratio;
     const double half = 1 - squared * std::cos(angle), end = 1 - squared;
@@ -130,7 +130,8 @@ void DelayNetwork::diffuse(std::array<Delay, diffuserCount>& diffusers,
         }
 }
 
-/// The piece is no longer than the shortest line: all that comes out of it was put in before.
+/// Processes a piece no longer than the shortest line, so that all outputs are known before its
+/// inputs.
 void DelayNetwork::processPiece(std::span<float> left, std::span<float> right) noexcept {
     const auto count = left.size();
     diffuse(diffusers[0], left);
@@ -149,7 +150,7 @@ void DelayNetwork::processPiece(std::span<float> left, std::span<float> right) n
             outputRight[i] += toRight * blocks[line][i];
         }
     }
-    // The fast Walsh-Hadamard transform, by its scale of 1/4 orthogonal.
+    // The fast Walsh-Hadamard transform. The scale of 1/4 makes it orthogonal.
     for (std::size_t half = 1; half < lineCount; half *= 2)
         for (std::size_t line = 0; line < lineCount; ++line)
             if ((line & half) == 0)

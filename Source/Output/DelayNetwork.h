@@ -1,4 +1,4 @@
-// A feedback delay network: the dense tail of a room, for two channels.
+// A feedback delay network: the dense reverb tail of a room, for two channels.
 #pragma once
 
 #include <array>
@@ -8,29 +8,29 @@
 
 namespace idiophone {
 
-/// Sixteen delay lines that an orthogonal matrix feeds back (Jot & Chaigne 1991, AES preprint
-/// 3030), behind four allpass diffusers a channel (Schroeder 1962, JAES 10, 219). `prepare` is for
-/// while nothing processes; the rest is for the audio thread and neither allocates, locks nor
-/// throws. The samples do not depend on block sizes.
+/// Sixteen delay lines with feedback through an orthogonal matrix (Jot & Chaigne 1991, AES preprint
+/// 3030), after four allpass diffusers a channel (Schroeder 1962, JAES 10, 219). Call `prepare`
+/// while nothing processes. The other functions are for the audio thread and do not allocate, lock
+/// or throw. The samples do not depend on block sizes.
 class DelayNetwork {
 public:
     static constexpr std::size_t lineCount = 16;
     static constexpr double shortestSeconds = 0.02;  ///< from the input to the first output
-    static constexpr double longestSeconds = 0.0617; ///< of all lines
+    static constexpr double longestSeconds = 0.0617; ///< longest line
 
-    /// At a rate of at least 1000 Hz. A new decay time is reached over `glideSeconds`.
+    /// Expects a rate of at least 1000 Hz. Changes of the decay time glide over `glideSeconds`.
     void prepare(double sampleRateHz, double glideSeconds);
 
-    /// Silences the network. A new decay time then holds at once.
+    /// Silences the network. The next decay time applies at once.
     void clear() noexcept;
 
-    /// In this time low tones fade by 60 dB. High ones fade sooner: at 8 kHz in 1/(1/(0.6 T) +
-    /// 1/1.7 s), the walls of a furnished room and air at 20 degrees and 50 % humidity (ISO
-    /// 9613-1).
+    /// Sets the time T in which low tones fade by 60 dB. High tones fade sooner: 8 kHz fades in
+    /// 1/(1/(0.6 T) + 1/1.7 s), for the walls of a furnished room and air at 20 °C and 50 %
+    /// humidity (ISO 9613-1).
     void setDecay(double seconds) noexcept;
 
-    /// Replaces both channels with what the network answers, noise of 1 with noise of about 1
-    /// where the decay time is 1 s.
+    /// Replaces both channels by the network's response. At a decay time of 1 s, noise of level 1
+    /// gives noise of about 1.
     void process(std::span<float> left, std::span<float> right) noexcept;
 
 private:
@@ -41,7 +41,7 @@ private:
         std::vector<float> samples;
         std::size_t position = 0;
     };
-    /// A low-pass of one pole and a gain, by which the line's sound decays.
+    /// The decay of a line: a one-pole low-pass and a gain.
     struct Absorber {
         float gain = 0, pole = 0, state = 0;
         float gainTarget = 0, poleTarget = 0, gainStep = 0, poleStep = 0;
@@ -61,7 +61,7 @@ private:
     std::array<std::array<Delay, diffuserCount>, 2> diffusers;
     std::array<Delay, lineCount> lines;
     std::array<Absorber, lineCount> absorbers;
-    std::array<Block, lineCount> blocks{}; ///< what comes out of each line
+    std::array<Block, lineCount> blocks{}; ///< outputs of the lines
 };
 
 } // namespace idiophone

@@ -7,17 +7,17 @@
 namespace idiophone {
 namespace {
 
-// At rest the predicted inter-sample peaks may reach -0.5 dB: a meter's kernel and the prediction
-// are uncertain by less than the difference to the threshold.
+// While the gain is 1, the predicted inter-sample peaks may reach -0.5 dB. The uncertainty of a
+// meter's kernel and of the prediction is less than the difference to the threshold.
 constexpr float predictedCeiling = 0.9440609f;
-// While the gain acts the pending values stay within these bounds. Samples up to the reserve may
-// follow whatever the input is, so the bounds can be met again at every sample: by induction the
-// whole output stays within -0.72 dB, and the gain never needs to be 0.
+// While the gain is reduced, the pending values stay within these bounds. Samples up to the reserve
+// may always follow, so the bounds can be met again at every sample. By induction, the whole output
+// stays within -0.72 dB, and the gain never needs to be 0.
 constexpr PendingPeaks::Bounds actingBounds{.ceiling = 0.9204496f, .reserve = 0.4f};
-// The gain waits for half a period of 40 Hz, or else it would follow the waveform. It then returns
-// by 120 dB/s: 50 ms after a reduction of 6 dB, 200 ms after 24 dB.
+// The gain is held for half a period of 40 Hz, otherwise it would follow the waveform. It then
+// returns by 120 dB/s: 50 ms after a reduction of 6 dB, 200 ms after 24 dB.
 constexpr double holdSeconds = 0.0125, releaseDbPerSecond = 120;
-constexpr float lowestHeldGain = 0.01f; // so that no single sample silences the sound for long
+constexpr float lowestHeldGain = 0.01f; // limits the silence after a single huge sample
 
 } // namespace
 
@@ -55,7 +55,7 @@ void Limiter::process(std::span<float* const> channels,
         share =
             isOn ? std::min(share + sharePerSample, 1.0f) : std::max(share - sharePerSample, 0.0f);
         const bool isQuiet = highest <= quietLevel && quietSamples >= PendingPeaks::taps;
-        if (share == 0) { // what the limiter then begins with is silence
+        if (share == 0) { // when switched on, the limiter starts from silence
             gain = 1;
             frame = {};
         } else if (gain < 1 || !isQuiet) {
@@ -73,7 +73,7 @@ void Limiter::process(std::span<float* const> channels,
     }
 }
 
-/// The gain at which the next frame keeps all channels within their limits.
+/// Returns the gain that keeps all channels of the next frame within their limits.
 float Limiter::nextGain(const Frame& frame, std::size_t channelCount) noexcept {
     if (gain == 1 && passes(frame, channelCount))
         return 1;
@@ -89,8 +89,8 @@ float Limiter::nextGain(const Frame& frame, std::size_t channelCount) noexcept {
         next = pending[channel].mostGainWithin(actingBounds, frame[channel], next);
         highest = std::max(highest, std::abs(frame[channel]));
     }
-    // Sound that passed at rest may have left values out of the bounds. Until they are within, the
-    // limiter trusts the prediction.
+    // Sound that passed at gain 1 may have left values outside the bounds. Until they are inside,
+    // the limiter relies on the prediction.
     if (!isWithinBounds(frame, channelCount, next))
         next = gainIfPredicted(frame, channelCount, most);
     next = std::max(next, std::min(most, actingBounds.reserve / highest));
@@ -121,8 +121,8 @@ bool Limiter::isWithinBounds(const Frame& frame,
     return true;
 }
 
-/// The first of a few gains at which no predicted peak is too high, or else the one with the
-/// lowest.
+/// Returns the first of a few gains without an excessive predicted peak, or else the gain with the
+/// lowest peak.
 float Limiter::gainIfPredicted(const Frame& frame,
                                std::size_t channelCount,
                                float mostGain) const noexcept {
@@ -159,8 +159,8 @@ void Limiter::remember(const Frame& frame) noexcept {
             pending[channel].push(frame[channel]);
 }
 
-/// Makes the pending values of the last samples. They are the same as if each had been pushed in
-/// its time, as earlier samples contribute to none of them.
+/// Recomputes the pending values from the recent samples. The result equals pushing each in its
+/// time, because earlier samples contribute to no pending value.
 void Limiter::catchUp() noexcept {
     if (isPendingCurrent)
         return;

@@ -1,4 +1,4 @@
-// A true-peak limiter without latency: the last thing before the output, for safety and not for
+// A true-peak limiter without latency: the last step before the output, for safety and not for
 // loudness.
 #pragma once
 
@@ -11,22 +11,22 @@
 namespace idiophone {
 
 /// Sound whose true peak (ITU-R BS.1770-4) stays below `threshold` passes bit for bit. White noise
-/// just below it may not: the next samples decide, and the limiter cannot wait for them. Louder
-/// sound gets one gain for all channels, which falls within the sample and returns to exactly 1.
-/// For the audio thread but for `prepare`, which is called while nothing processes; nothing
-/// allocates, locks or throws. The samples do not depend on block sizes.
+/// just below it may not, because later samples decide about its peaks. Louder sound gets one gain
+/// for all channels. The gain falls within the sample and returns to exactly 1. Call `prepare`
+/// while nothing processes. The other functions are for the audio thread; none allocates, locks or
+/// throws. The samples do not depend on block sizes.
 class Limiter {
 public:
     static constexpr float threshold = 0.8912509f; ///< -1 dB of full scale
     static constexpr std::size_t mostChannels = 2;
 
-    /// Switching the limiter on or off moves the gain over `rampSeconds`.
+    /// `rampSeconds`: the time in which the limiter is switched on or off.
     void prepare(double sampleRateHz, double rampSeconds);
 
-    /// The channels were silent, the gain is 1, and the next block switches without a ramp.
+    /// Restores silent channels and a gain of 1. The next block switches without a ramp.
     void reset() noexcept;
 
-    /// In place; at most `mostChannels` channels of `sampleCount` finite samples.
+    /// Processes in place: at most `mostChannels` channels of `sampleCount` finite samples.
     void process(std::span<float* const> channels, std::size_t sampleCount, bool isOn) noexcept;
 
 private:
@@ -41,16 +41,17 @@ private:
     void catchUp() noexcept;
 
     std::array<PendingPeaks, mostChannels> pending;
-    /// The last output samples, a ring: `pending` is made of them anew after quiet sound.
+    /// Ring of the last output samples, to recompute `pending` after quiet sound.
     std::array<Frame, PendingPeaks::taps> recent{};
     std::size_t recentPosition = 0;
-    std::size_t quietSamples = 0; ///< in a row
+    std::size_t quietSamples = 0; ///< consecutive quiet samples
     bool isPendingCurrent = false;
     float quietLevel = 0;
     float gain = 1;
     std::size_t holdSamples = 0, heldSamples = 0;
-    float releasePerSample = 1;          ///< factor
-    float share = 1, sharePerSample = 1; ///< of the gain reduction; 0: switched off
+    float releasePerSample = 1; ///< factor of the gain
+    float share = 1,
+          sharePerSample = 1; ///< fraction of the reduction in effect
     bool startsAtTarget = true;
 };
 

@@ -9,16 +9,16 @@
 namespace idiophone {
 namespace {
 
-/// 100 dB, more than from one end of the parameter to the other. Levels that are turned down and
-/// sounds that change, over and over while the room rings, would come there.
+/// 100 dB, more than the range of the parameter. Repeated changes of level and sound during reverb
+/// could exceed it.
 constexpr float farthestOwnLevel = 1e5f;
-constexpr std::size_t cell = 64; ///< of the grid on which it is looked for silence
+constexpr std::size_t cell = 64; ///< grid on which silence is detected
 
 float gainOf(const ParameterValues& values) {
     return juce::Decibels::decibelsToGain(static_cast<float>(values[ParameterId::level]));
 }
 
-/// Without a branch for each.
+/// Avoids a branch for each sample.
 bool allFinite(std::span<const float> samples) {
     constexpr std::uint32_t exponent = 0x7f800000u;
     bool finite = true;
@@ -48,14 +48,14 @@ void OutputStage::reset() noexcept {
     limiter.reset();
 }
 
-/// The whole level is behind the room.
+/// Moves the whole level behind the room.
 void OutputStage::forgetChanges() noexcept {
     ownLevelAtChange = 1;
     highestLevel = std::numeric_limits<float>::infinity();
     heldSamples = 0;
 }
 
-/// The same level, of what will ring in the room too.
+/// Keeps the level, which from now on applies to new reverb too.
 void OutputStage::moveLevelBehindRoom() noexcept {
     forgetChanges();
     level.setCurrentAndTargetValue(ownLevel.getTargetValue() * level.getTargetValue());
@@ -74,7 +74,7 @@ float OutputStage::changeSound(const ParameterValues& values, double fadeSeconds
         forgetChanges();
     level.setCurrentAndTargetValue(now / ownLevelAtChange);
     ownLevel.setCurrentAndTargetValue(ownLevelAtChange);
-    highestLevel = level.getCurrentValue(); // in a silent room, too: what fades yet may ring there
+    highestLevel = level.getCurrentValue(); // also in a silent room: the fade may ring there
     heldSamples = static_cast<std::size_t>(fadeSeconds * samplesPerSecond) + 1;
     return before / now;
 }

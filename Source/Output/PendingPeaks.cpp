@@ -24,15 +24,15 @@ double kernel(double distance) {
            SpecialFunctions::besselI0(kaiserBeta);
 }
 
-/// The time of a pending value in samples after the next sample.
+/// Returns the time of a pending value, in samples after the next sample.
 double timeOf(std::size_t value) {
     return static_cast<double>(value) / PendingPeaks::phases - halfTaps;
 }
 
-/// The prior of the prediction: flat up to a quarter of the sample rate, falling by 12 dB an
-/// octave above, with a floor at -20 dB that keeps the prediction tame. Both were chosen by
-/// experiment: with less treble, bright chords below the threshold are taken for peaks; with more,
-/// sudden peaks near a quarter of the rate are not foreseen.
+/// The autocorrelation that the prediction assumes. Its spectrum is flat up to a quarter of the
+/// sample rate and falls by 12 dB an octave above, with a floor at -20 dB that stabilises the
+/// prediction. Both were chosen by experiment: with less treble, bright chords below the threshold
+/// count as peaks; with more, sudden peaks near a quarter of the rate are missed.
 double autocorrelation(std::size_t lag) {
     constexpr int steps = 500;
     double sum = 0;
@@ -47,12 +47,12 @@ double autocorrelation(std::size_t lag) {
 } // namespace
 
 struct PendingPeaks::Tables {
-    std::array<float, count> ofNext{}; ///< what a next sample of 1 adds to each value
-    std::array<std::array<float, count>, taps / 2> ofFuture{}; ///< the same of the samples behind
+    std::array<float, count> ofNext{}; ///< contribution of a next sample of 1 to each value
+    std::array<std::array<float, count>, taps / 2> ofFuture{}; ///< contributions of later samples
     std::array<float, count> shareToCome{};                    ///< see Bounds
-    /// The weights of `next` and the remembered samples, newest first, in each predicted sample.
+    /// The weights of `next` and the remembered samples, newest first, for each predicted sample.
     std::array<std::array<float, remembered>, taps / 2> prediction{};
-    double highestSum = 0; ///< of the kernel's magnitudes, of all phases
+    double highestSum = 0; ///< sum of the kernel's magnitudes, maximum of all phases
 
     Tables() {
         for (std::size_t value = 0; value < count; ++value)
@@ -75,7 +75,7 @@ struct PendingPeaks::Tables {
         }
     }
 
-    /// Solves the normal equations for one sample ahead.
+    /// Solves the normal equations of one predicted sample.
     static std::array<float, remembered> predictionWeights(std::size_t ahead) {
         juce::dsp::Matrix<double> correlations(remembered, remembered), weights(remembered, 1);
         for (std::size_t row = 0; row < remembered; ++row) {
@@ -159,7 +159,7 @@ PendingPeaks::Future PendingPeaks::noisePrediction(float next) const noexcept {
     return future;
 }
 
-/// A sine obeys x[n+1] = c x[n] - x[n-1] with |c| <= 2: the best c in the least squares.
+/// A sine satisfies x[n+1] = c x[n] - x[n-1] with |c| <= 2. Finds c by least squares.
 PendingPeaks::Future PendingPeaks::sinePrediction(float next) const noexcept {
     float product = samples[0] * (next + samples[1]), power = samples[0] * samples[0];
     for (std::size_t past = 1; past + 1 < remembered; ++past) {

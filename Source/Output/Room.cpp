@@ -17,7 +17,7 @@ float highest(std::span<const float> samples) {
 } // namespace
 
 void Room::prepare(double sampleRateHz, int maximumBlockSize, double rampSeconds) {
-    // Delays have whole samples.
+    // Delays are whole samples, so the rate has bounds.
     rateHz = std::clamp(sampleRateHz, 1000.0, 1e6);
     amount.reset(sampleRateHz, rampSeconds);
     fadeSamples = static_cast<int>(std::min(rampSeconds, earliestSeconds) * rateHz);
@@ -34,10 +34,12 @@ void Room::reset() noexcept {
     rest();
 }
 
-/// Two networks take turns: rendering the fade ahead would be 20 ms of work in one callback.
+/// Alternates between two networks, because rendering the fade in advance would take 20 ms in one
+/// callback.
 void Room::hush(std::size_t samples) noexcept {
     unanswered = samples;
-    // While one fades the other has not been heard yet: the ramp is no longer than its lines.
+    // While one network fades, the other has no output yet: the ramp is no longer than its shortest
+    // line.
     if (!isSilent && fadeLeft == 0) {
         fadeLeft = fadeSamples;
         playing = 1 - playing;
@@ -94,7 +96,7 @@ Room::Sound Room::process(const Sound& sound, const ParameterValues& values) noe
     return {std::span(wetLeft).first(count), std::span(wetRight).first(count)};
 }
 
-/// Within a cell of the grid: what is put in becomes what the room answers.
+/// Replaces a piece within one grid cell by the room's response to it.
 void Room::ring(std::span<float> left, std::span<float> right) noexcept {
     const bool hasInput = highest(left) > 0 || highest(right) > 0;
     if (hasInput && isSilent) {
@@ -105,7 +107,7 @@ void Room::ring(std::span<float> left, std::span<float> right) noexcept {
     if (!isSilent) {
         networks[playing].process(left, right);
         if (hasInput || std::max(highest(left), highest(right)) > silence)
-            quietSamples = -gridSamples; // this cell does not count
+            quietSamples = -gridSamples; // excludes this cell
     }
     gridPosition += static_cast<int>(left.size());
     if (gridPosition == gridSamples) {

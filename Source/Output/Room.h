@@ -1,4 +1,4 @@
-// The room that everything sounds in: a diffuse tail behind the sound itself.
+// The room effect: a diffuse reverb added to the sound.
 #pragma once
 
 #include "Output/DelayNetwork.h"
@@ -12,37 +12,37 @@
 
 namespace idiophone {
 
-/// `prepare` is called while nothing processes; the rest is for the audio thread and neither
-/// allocates, locks nor throws. The samples do not depend on block sizes.
+/// Call `prepare` while nothing processes. The other functions are for the audio thread and do not
+/// allocate, lock or throw. The samples do not depend on block sizes.
 class Room {
 public:
-    /// Two channels of one length.
+    /// Two channels of equal length.
     struct Sound {
         std::span<const float> left, right;
     };
 
-    /// What dies away and is fainter than this, −100 dB of full scale before the level, is silence:
-    /// rounding holds the longest tails at −110 dB for ever.
+    /// A tail below this level (−100 dB of full scale) counts as silence. Rounding keeps the
+    /// longest tails at −110 dB forever.
     static constexpr float silence = 1e-5f;
 
-    /// The room's sound comes no sooner after what it answers.
+    /// The minimum delay of the reverb.
     static constexpr double earliestSeconds = DelayNetwork::shortestSeconds;
 
-    /// The ramp is no longer than `earliestSeconds`.
+    /// `rampSeconds` is at most `earliestSeconds`.
     void prepare(double sampleRateHz, int maximumBlockSize, double rampSeconds);
 
-    /// The room is silent, and the next block starts with its values, without a ramp.
+    /// Silences the room. The next block starts at its values without a ramp.
     void reset() noexcept;
 
-    /// From the next sample on what rings in the room fades with the ramp. The next `unanswered`
-    /// samples sound without it; what comes then is answered as in a silent room.
+    /// Fades the reverb over the ramp from the next sample on. The next `unanswered` samples get no
+    /// reverb. Later samples get reverb as in a silent room.
     void hush(std::size_t unanswered) noexcept;
 
-    /// The sound with the room's, until the next call: where no room is heard, the sound itself. At
-    /// most `maximumBlockSize` samples.
+    /// Returns the sound with reverb, or the sound itself if the room is off. The result is valid
+    /// until the next call. At most `maximumBlockSize` samples.
     Sound process(const Sound& sound, const ParameterValues& values) noexcept;
 
-    /// Nothing rings in it any more.
+    /// Returns true if there is no more reverb.
     bool silent() const noexcept { return isSilent && fadeLeft == 0; }
 
 private:
@@ -53,16 +53,16 @@ private:
     void addFading(std::span<float> left, std::span<float> right) noexcept;
 
     std::array<DelayNetwork, 2> networks;
-    std::size_t playing = 0; ///< of them; the other one fades, or is not used
+    std::size_t playing = 0; ///< index of the active network; the other one fades or is idle
     double rateHz = 44100;
     juce::SmoothedValue<float> amount;
     std::vector<float> wetLeft, wetRight, fadingLeft, fadingRight;
-    int gridPosition = 0; ///< of the next sample, in a cell of the grid on which silence is found
-    int quietSamples = 0; ///< up to that cell
-    bool isSilent = true; ///< the network that plays
-    int fadeSamples = 0;  ///< the ramp
-    int fadeLeft = 0;     ///< of those
-    std::size_t unanswered = 0; ///< of the next samples
+    int gridPosition = 0;       ///< of the next sample, in a cell of the silence grid
+    int quietSamples = 0;       ///< at the beginning of that cell
+    bool isSilent = true;       ///< of the active network
+    int fadeSamples = 0;        ///< length of the ramp
+    int fadeLeft = 0;           ///< samples left of the fade
+    std::size_t unanswered = 0; ///< samples that get no reverb
     bool startsAtTarget = true;
 };
 

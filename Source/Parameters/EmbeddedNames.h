@@ -1,5 +1,5 @@
-// What choices call the program's own materials and mallets. The build makes the source files of
-// Resources (cmake/EmbeddedLists.cmake), so that the names stand there alone.
+// The names of the program's own materials and mallets for choice parameters. The build generates
+// the source files from Resources (cmake/EmbeddedLists.cmake), so that each name is written once.
 #pragma once
 
 #include <span>
@@ -7,7 +7,7 @@
 
 namespace idiophone {
 
-/// In the order of the list; for the life of the program.
+/// Both return the names in the order of their list. The spans are always valid.
 std::span<const std::string_view> embeddedMaterialsNames() noexcept;
 std::span<const std::string_view> embeddedMalletsNames() noexcept;
 

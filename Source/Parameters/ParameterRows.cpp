@@ -18,7 +18,7 @@ constexpr std::array<ParameterInfo, parameterCount> table{{
 
 constexpr std::array<std::string_view, 3> contactNames{"Strike", "Scrape", "Roll"};
 
-// Appended to only.
+// Append only: hosts store the position.
 constexpr std::array<std::string_view, 9> motorSyncNames{"Free",  "1/1", "1/2",   "1/2 T", "1/4",
                                                          "1/4 T", "1/8", "1/8 T", "1/16"};
 constexpr std::array<double, motorSyncNames.size()> motorSyncLengths{

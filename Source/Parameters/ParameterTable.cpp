@@ -8,7 +8,7 @@ namespace {
 
 using enum ParameterScale;
 
-// Of the maximum; what is smaller is 0, as its digits would not end.
+// Of the maximum. Smaller values are 0, because they would need endless digits.
 constexpr double smallestCubicShare = 5e-7;
 
 bool isWhole(ParameterScale scale) {

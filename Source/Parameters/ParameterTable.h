@@ -1,5 +1,5 @@
-// The one table of parameters: what exists, in which unit and range. The plugin, presets, console,
-// docs and tests all read it. Knows nothing of what a parameter does to the sound.
+// The one table of parameters with their units and ranges. Plugin, presets, console, docs and tests
+// read it. Independent of the effect of a parameter on the sound.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@
 
 namespace idiophone {
 
-/// Order and number are internal; what hosts and files store are the ids of the table.
+/// Order and numbers are internal. Hosts and files store the ids of the table.
 enum class ParameterId : std::size_t {
 #define PARAMETER(symbol, ...) symbol,
 #include "Parameters/ParameterRows.def"
@@ -21,65 +21,65 @@ enum class ParameterId : std::size_t {
 
 inline constexpr std::size_t parameterCount = static_cast<std::size_t>(ParameterId::count);
 
-/// `cubic`: from 0, with the cube of the place, which reaches far down; below 5e-7 of the maximum
-/// there is only 0.
+/// `cubic` starts at 0 and grows with the cube of the normalised value, which gives small values
+/// much room. Values below 5e-7 of the maximum are 0.
 enum class ParameterScale { linear, logarithmic, steps, onOff, choice, cubic };
 
-/// How far a mutation (Instrument/Mutation.h) may move a parameter. Chosen, not derived: at full
-/// strength a damping or a hardness moves by a factor of three to six, so that a few mutations
-/// reach another instrument and one does not.
+/// The maximum effect of a mutation (Instrument/Mutation.h) on a parameter. Chosen, not derived: at
+/// full strength, a damping or a hardness changes by a factor of three to six. A few mutations
+/// reach another instrument; a single one does not.
 struct MutationRange {
-    double step = 0; ///< at full strength, in units of the normalised range; 0: it does not move
+    double step = 0; ///< at full strength, in units of the normalised range; 0: never changes
     double lowest = 0, highest = 0; ///< musical bounds, in the parameter's unit
 };
 
-/// One row. Values are in `unit` and lie in [minimum, maximum]; `steps`, `onOff` and `choice` take
+/// One row. Values are in `unit` and lie in [minimum, maximum]. `steps`, `onOff` and `choice` have
 /// whole numbers only.
 struct ParameterInfo {
     ParameterId parameter;
-    const char* id = nullptr;        ///< what states, presets and host automation store
+    const char* id = nullptr;        ///< stored in states, presets and host automation
     const char* name = nullptr;      ///< for people
-    const char* shortName = nullptr; ///< where there is little room and its kind is beside it
-    const char* group = nullptr;     ///< the heading of those that it stands with in the window
-    const char* unit = "";           ///< empty where the number has none
+    const char* shortName = nullptr; ///< for narrow places that show the group too
+    const char* group = nullptr;     ///< heading of its group in the window
+    const char* unit = "";           ///< empty if the number has no unit
     ParameterScale scale = ParameterScale::linear;
     double minimum = 0;
     double maximum = 1;
     double defaultValue = 0;
-    int decimals = 0;     ///< shown behind the point; significant digits where logarithmic or cubic
-    int versionAdded = 1; ///< JUCE's version hint; rises with each release that adds parameters
-    bool glides = false;  ///< heard while it moves, and so smoothed (Instrument/ParameterGlide.h)
-    /// Belongs to the player's place in a session and not to a sound: presets, comparisons and
-    /// loads that are undone leave it as it is.
+    int decimals = 0;     ///< digits after the point; significant digits if logarithmic or cubic
+    int versionAdded = 1; ///< JUCE's version hint; increases with each release that adds parameters
+    bool glides = false;  ///< changes are audible: smoothed (Instrument/ParameterGlide.h)
+    /// Belongs to the player's session and not to a sound. Presets, comparisons and undone loads do
+    /// not change it.
     bool isSetup = false;
     MutationRange mutation = {};
-    const char* description = nullptr; ///< one sentence: what it does to the sound
-    const char* maximumName = nullptr; ///< what the top of the range is called, or nullptr
+    const char* description = nullptr; ///< one sentence: the effect on the sound
+    const char* maximumName = nullptr; ///< name of the maximum, or nullptr
 
-    /// 0 to 1 for a value, which is clamped first; and back. NaN is the default's.
+    /// Converts a value to 0 to 1 (clamped first) and back. NaN gives the default.
     double toNormalised(double value) const;
     double fromNormalised(double normalised) const;
-    /// The nearest value the parameter can take; NaN becomes the default.
+    /// Returns the nearest valid value, or the default for NaN.
     double clamped(double value) const;
 };
 
 std::span<const ParameterInfo> parameterTable();
 const ParameterInfo& parameterInfo(ParameterId parameter);
-/// The row of that id, or nullptr.
+/// Returns the row of that id, or nullptr.
 const ParameterInfo* findParameter(std::string_view id);
 
-/// "12.5 GPa", "Rosewood", "Greedy", "On"; in UTF-8, as units are.
+/// Returns "12.5 GPa", "Rosewood", "Greedy" or "On", in UTF-8.
 std::string formatParameter(const ParameterInfo& info, double value);
 
-/// What a person typed, with or without the unit ("kg/m3" and "us" will do); nothing where it is
-/// not a value.
+/// Parses typed text with or without the unit (also "kg/m3" and "us"). Returns nothing if it is not
+/// a value.
 std::optional<double> parseParameter(const ParameterInfo& info, std::string_view text);
 
-/// The names of a choice; empty for other parameters. A choice's range may be longer than its
-/// names: hosts automate places from 0 to 1, which must not move when a name is added.
+/// Returns the names of a choice, or nothing for other parameters. A choice's range may be longer
+/// than its names: hosts automate values from 0 to 1, which must not move when a name is added.
 std::span<const std::string_view> choiceNames(ParameterId parameter);
 
-/// A value for every parameter, in its unit: plain data that crosses threads by copy.
+/// A value for every parameter, in its unit. Plain data that crosses threads by copy.
 class ParameterValues {
 public:
     ParameterValues(); ///< the defaults
@@ -87,7 +87,7 @@ public:
     double operator[](ParameterId parameter) const {
         return values[static_cast<std::size_t>(parameter)];
     }
-    void set(ParameterId parameter, double value); ///< clamped to the range
+    void set(ParameterId parameter, double value); ///< clamps to the range
 
     bool operator==(const ParameterValues&) const = default;
 
@@ -95,22 +95,22 @@ private:
     std::array<double, parameterCount> values;
 };
 
-/// The values with the setup (ParameterInfo::isSetup) of others.
+/// Returns the values with the setup parameters (ParameterInfo::isSetup) of `setup`.
 ParameterValues withSetupOf(const ParameterValues& setup, ParameterValues values);
 
-/// Choices of ParameterId::material with a meaning of their own; library materials follow.
+/// Special choices of ParameterId::material; library materials follow.
 enum MaterialChoice { ownMaterial = 0, customMaterial = 1, firstLibraryMaterial = 2 };
 
-/// Choices of ParameterId::mallet: the custom one, then those of the rack.
+/// Choices of ParameterId::mallet: the custom mallet, then the rack.
 enum MalletChoice { customMallet = 0, firstRackMallet = 1 };
 
-/// Choices of ParameterId::motorSync: at its own speed, or opening once in every note of a length.
+/// Choices of ParameterId::motorSync: free speed, then one opening per note length.
 enum MotorSyncChoice { freeMotor = 0, firstSyncedMotor = 1 };
 
-/// How many beats the note lasts that a choice of ParameterId::motorSync names; 0 for none.
+/// Returns the beats of the note length of a ParameterId::motorSync choice, 0 for the free one.
 double motorSyncBeats(int choice);
 
-/// Choices of ParameterId::contact: what a held key does.
+/// Choices of ParameterId::contact: the action of a held key.
 enum ContactChoice { strikeContact = 0, scrapeContact = 1, rollContact = 2 };
 
 } // namespace idiophone

@@ -1,4 +1,4 @@
-// Values of parameters as people read and type them.
+// Formats and parses parameter values for people.
 #include "Parameters/ParameterTable.h"
 
 #include <algorithm>
@@ -28,7 +28,7 @@ bool sameWord(std::string_view a, std::string_view b) {
         a, b, [](unsigned char x, unsigned char y) { return std::tolower(x) == std::tolower(y); });
 }
 
-/// Units as they are typed: µ has two code points and may be a u, ³ a 3, × an x.
+/// Returns a unit as people may type it: u for both code points of µ, 3 for ³, x for ×.
 std::string typedUnit(std::string_view unit) {
     std::string typed(unit);
     for (const auto& [shown, plain] :
@@ -48,7 +48,7 @@ std::string formatNumber(double value, int decimals) {
     return text;
 }
 
-/// Decimals that show at least so many significant digits of the value as it is rounded.
+/// Returns the decimals that show at least `significantDigits` digits of the rounded value.
 int decimalsFor(double value, int significantDigits) {
     if (value == 0)
         return 0;
@@ -97,7 +97,7 @@ std::optional<double> parseParameter(const ParameterInfo& info, std::string_view
         text = text.substr(1, text.size() - 2);
 
     std::istringstream stream{std::string(text)};
-    stream.imbue(std::locale::classic()); // a host may have set a locale with decimal commas
+    stream.imbue(std::locale::classic()); // the host's locale may have decimal commas
     double value = 0;
     stream >> value;
     if (!stream)

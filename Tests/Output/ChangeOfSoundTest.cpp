@@ -1,4 +1,4 @@
-// The level where one sound takes the place of another.
+// Tests the level when one sound replaces another.
 #include "Output/StageSounds.h"
 
 #include <catch2/generators/catch_generators.hpp>
@@ -20,14 +20,14 @@ ParameterValues inRoom(double levelDecibels) {
 
 } // namespace
 
-TEST_CASE("Another sound has its level at once, whatever the one before had") {
+TEST_CASE("Another sound starts at its level, whatever the old level") {
     const double before = GENERATE(-60.0, -41.0, 5.0, 24.0),
                  now = GENERATE(-60.0, -41.0, 5.0, 24.0);
     PreparedStage stage;
     const std::vector<float> ones(700, 1.0f);
     processed(stage, ones, 100, valuesWith(before));
     SECTION("at rest") {}
-    SECTION("while its level still moved") {
+    SECTION("while the level still moves") {
         processed(stage, ones, 100, valuesWith(before - 3));
     }
     const float last = processed(stage, {1.0f}, 1, valuesWith(before)).front();
@@ -38,14 +38,12 @@ TEST_CASE("Another sound has its level at once, whatever the one before had") {
     }
 }
 
-TEST_CASE(
-    "What rings in the room when another sound comes keeps its level, through levels that are "
-    "automated and further changes") {
+TEST_CASE("Reverb of an old sound keeps its level through automation and further changes") {
     const std::size_t blockSize = GENERATE(64, 480);
     const Stereo burst{sine(4800), sine(4800, 700)}, other{sine(4800, 230), sine(4800, 310)},
         nothing{std::vector<float>(4800), std::vector<float>(4800)};
     constexpr std::array levels{-41.0, 5.0, -55.0};
-    // Each sound alone, from its own time on: all are in the room together.
+    // Each sound alone from its own time on: the mixture is their sum.
     Stereo expected{std::vector<float>(4 * 4800), std::vector<float>(4 * 4800)};
     for (std::size_t sound = 0; sound < levels.size(); ++sound) {
         PreparedStage alone;
@@ -80,12 +78,12 @@ TEST_CASE(
         REQUIRE_THAT(all.right[i], WithinAbs(expected.right[i], 1e-5));
     }
 
-    // The level is still the parameter's, of all that is heard.
+    // The level parameter still controls the whole sound.
     PreparedStage fresh;
     const auto quieter = inRoom(-20);
     processed(stage, nothing, blockSize, quieter);
     processed(fresh, nothing, blockSize, quieter);
-    stage.changeSound(quieter); // in the tail
+    stage.changeSound(quieter); // during the reverb
     const auto dry = valuesWith(-30);
     processed(stage, nothing, blockSize, dry);
     processed(fresh, nothing, blockSize, dry);
@@ -95,8 +93,7 @@ TEST_CASE(
         REQUIRE_THAT(got.left[i], WithinAbs(wanted.left[i], 1e-7));
 }
 
-TEST_CASE(
-    "A level that is turned up after a change raises nothing that rang before, and is reached") {
+TEST_CASE("A level raised after a change leaves old reverb alone and is reached") {
     PreparedStage stage, alone;
     const Stereo burst{sine(4800), sine(4800, 700)};
     const Stereo nothing{std::vector<float>(9600), std::vector<float>(9600)};
@@ -105,12 +102,12 @@ TEST_CASE(
     stage.changeSound(inRoom(-55));
     processed(stage, Stereo{std::vector<float>(64), std::vector<float>(64)}, 64, inRoom(-55));
     processed(alone, Stereo{std::vector<float>(64), std::vector<float>(64)}, 64, inRoom(-5));
-    // As by a host whose lane of automation goes on where it was.
+    // A host may continue its automation at the old level.
     const auto tail = processed(stage, nothing, 480, inRoom(-5)),
                expected = processed(alone, nothing, 480, inRoom(-5));
     for (std::size_t i = 0; i < tail.left.size(); ++i)
         REQUIRE_THAT(tail.left[i], WithinAbs(expected.left[i], 1e-5));
-    // It is turned down with the rest.
+    // Lowering the level lowers the reverb too.
     processed(stage, nothing, 480, inRoom(-50));
     processed(alone, nothing, 480, inRoom(-50));
     processed(stage, nothing, 480, valuesWith(-50));
@@ -120,12 +117,12 @@ TEST_CASE(
         REQUIRE_THAT(dry.left[i], WithinAbs(gain * burst.left[i], 1e-5));
 }
 
-TEST_CASE("What fades into the room of another sound is raised by no level that is turned up") {
+TEST_CASE("A level that is raised does not raise the fade into another sound's room") {
     const double former = GENERATE(5.3, -22.8), next = GENERATE(-41.0, -55.0);
     const std::size_t blockSize = GENERATE(32, 480);
     PreparedStage stage;
     const Stereo nothing{std::vector<float>(9600), std::vector<float>(9600)};
-    processed(stage, sine(4800), blockSize, valuesWith(former)); // in no room
+    processed(stage, sine(4800), blockSize, valuesWith(former)); // room is off
     constexpr std::size_t fadeSamples = 240;
     const float before = stage.changeSound(inRoom(next), fadeSamples / rateHz);
     auto fading = sine(fadeSamples);
@@ -138,7 +135,7 @@ TEST_CASE("What fades into the room of another sound is raised by no level that 
     CHECK(std::ranges::any_of(tail.left, [&](float x) { return std::abs(x) > 1e-4f * most; }));
 }
 
-TEST_CASE("Where a room falls silent and is played in again, blocks of any size have one level") {
+TEST_CASE("The level is the same for all block sizes if a room falls silent and is used again") {
     const auto room = [](double levelDecibels) {
         auto values = inRoom(levelDecibels);
         values.set(ParameterId::roomDecay, 0.4);
@@ -151,7 +148,7 @@ TEST_CASE("Where a room falls silent and is played in again, blocks of any size 
     };
     PreparedStage measured;
     begun(measured);
-    std::size_t silentAfter = 0; // which is when it is played in again
+    std::size_t silentAfter = 0; // the time of the next input
     const Stereo cell{std::vector<float>(64), std::vector<float>(64)};
     for (; !measured.silent(); silentAfter += 64)
         processed(measured, cell, 64, room(-30));
@@ -174,11 +171,11 @@ TEST_CASE("Where a room falls silent and is played in again, blocks of any size 
     CHECK(expected == found);
 }
 
-TEST_CASE("However often levels move and sounds change while a room rings, the level is right") {
+TEST_CASE("The level stays right, however often levels and sounds change during reverb") {
     PreparedStage stage;
     const auto loud = inRoom(24), soft = inRoom(-60);
     const Stereo ones{std::vector<float>(1000, 1.0f), std::vector<float>(1000, 1.0f)};
-    // Each change leaves the level before the room 84 dB higher than it was.
+    // Each change raises the level before the room by 84 dB.
     for (int time = 0; time < 50; ++time) {
         stage.changeSound(loud);
         const auto louder = processed(stage, ones, 100, loud);
@@ -194,7 +191,7 @@ TEST_CASE("However often levels move and sounds change while a room rings, the l
                WithinRel(std::pow(10, -7 / 20.0), 1e-5));
 }
 
-TEST_CASE("Once what rang at a change of sound has died, the level is again that of the room too") {
+TEST_CASE("Once old reverb has decayed, the level applies to the reverb again") {
     const double former = GENERATE(-20.0, 5.0), next = GENERATE(-40.0, 0.0);
     PreparedStage stage, fresh;
     const Stereo burst{sine(4800), sine(4800, 700)};
@@ -207,7 +204,7 @@ TEST_CASE("Once what rang at a change of sound has died, the level is again that
     REQUIRE(stage.silent());
     processed(fresh, silence, 480, inRoom(next));
 
-    // Up, and back while the room rings.
+    // Raises the level and lowers it again during reverb.
     for (const double level : {next, next + 18, next}) {
         const auto heard = processed(stage, burst, 480, inRoom(level)),
                    wanted = processed(fresh, burst, 480, inRoom(level));
@@ -216,7 +213,7 @@ TEST_CASE("Once what rang at a change of sound has died, the level is again that
     }
 }
 
-TEST_CASE("A sound that comes before any block, or into a silent room, is as in a new stage") {
+TEST_CASE("A sound before the first block, or into a silent room, is as in a new stage") {
     PreparedStage fresh, changed, former;
     const auto input = sine(1000);
     const auto expected = processed(fresh, input, 100, valuesWith(-7.3));

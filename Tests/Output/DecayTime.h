@@ -1,4 +1,4 @@
-// The decay time of a room's answer.
+// Measures the decay time of a room's response.
 #pragma once
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 
 namespace idiophone::test {
 
-/// T60 in seconds from Schroeder's backward integral, which falls by 5 and by `lowestDb` dB.
+/// Returns T60 in seconds from Schroeder's backward integral, between −5 and −`lowestDb` dB.
 inline double decaySecondsOf(const std::vector<double>& samples, double rateHz, double lowestDb) {
     std::vector<double> left(samples.size());
     double sum = 0;

@@ -41,7 +41,7 @@ void process(DelayNetwork& network, Response& sound, std::size_t blockSize) {
     }
 }
 
-/// To an impulse in the left channel, or in both.
+/// Returns the response to an impulse in the left channel or in both.
 Response impulseResponse(double rateHz, double decaySeconds, double seconds, bool isMono = false) {
     auto network = prepared(rateHz, decaySeconds);
     Response response;
@@ -53,7 +53,8 @@ Response impulseResponse(double rateHz, double decaySeconds, double seconds, boo
     return response;
 }
 
-/// Abel & Huang 2006 (AES preprint 6985), eq. 1, with a Hann window of 20 ms about a time.
+/// Returns the echo density of Abel & Huang 2006 (AES preprint 6985), eq. 1, in a Hann window of 20
+/// ms around a time.
 double echoDensity(const std::vector<float>& response, double rateHz, double seconds) {
     const auto half = static_cast<int>(0.01 * rateHz);
     const auto centre = static_cast<int>(seconds * rateHz);
@@ -74,7 +75,8 @@ double echoDensity(const std::vector<float>& response, double rateHz, double sec
     return outside / weights / std::erfc(1 / std::numbers::sqrt2);
 }
 
-/// Two band-passes in series, each an octave wide unless `quality`, centre over width, says else.
+/// Applies two band-passes in series. They are an octave wide unless `quality` (centre over width)
+/// differs.
 std::vector<double> bandOf(const std::vector<float>& samples,
                            double rateHz,
                            double centreHz,
@@ -98,7 +100,7 @@ std::vector<double> bandOf(const std::vector<float>& samples,
 
 } // namespace
 
-TEST_CASE("The network fades by 60 dB in its decay time, in every octave up to 1 kHz") {
+TEST_CASE("The network fades by 60 dB in its decay time in every octave up to 1 kHz") {
     const double rateHz = GENERATE(22050.0, 44100.0, 48000.0, 96000.0, 192000.0);
     const double decaySeconds = GENERATE(0.4, 0.6, 1.0, 3.0);
     const auto response = impulseResponse(rateHz, decaySeconds, 1.6 * decaySeconds);
@@ -119,7 +121,7 @@ TEST_CASE("At 8 kHz the network fades as walls and air absorb, at every sample r
                WithinRel(wanted, 0.25));
 }
 
-TEST_CASE("Nothing comes before 20 ms, and after 80 ms echoes are as dense as in noise") {
+TEST_CASE("The first echo comes after 20 ms, and after 80 ms echoes are as dense as noise") {
     const double rateHz = GENERATE(44100.0, 48000.0, 96000.0);
     const bool isMono = GENERATE(false, true);
     const auto response = impulseResponse(rateHz, 0.6, 0.5, isMono);
@@ -152,7 +154,7 @@ TEST_CASE("The tail is close to Gaussian and differs between the channels") {
     CHECK_THAT(product / std::sqrt(second * otherSecond), WithinAbs(0, 0.05));
 }
 
-TEST_CASE("The network's answer does not depend on the block size, nor where the decay changes") {
+TEST_CASE("The response does not depend on the block size, even if the decay changes") {
     const auto played = [](std::size_t blockSize) {
         auto network = prepared(48000, 0.5);
         Response all;
@@ -173,7 +175,7 @@ TEST_CASE("The network's answer does not depend on the block size, nor where the
         CHECK(played(blockSize) == expected);
 }
 
-TEST_CASE("A decay time that changes while a low tone rings makes no step") {
+TEST_CASE("A change of decay time during a low tone makes no step") {
     auto network = prepared(48000, 10);
     const auto tone = [](int count, float level) {
         Response sound;
@@ -195,14 +197,14 @@ TEST_CASE("A decay time that changes while a low tone rings makes no step") {
         auto part = tone(480, 0);
         process(network, part, 480);
         for (const float sample : part.left) {
-            // The steepest slope of 100 Hz and the fastest glide.
+            // The maximum slope of 100 Hz and of the fastest glide.
             REQUIRE(std::abs(sample - last) <= 0.03f * most);
             last = sample;
         }
     }
 }
 
-TEST_CASE("A cleared network answers as a new one") {
+TEST_CASE("A cleared network responds as a new one") {
     auto network = prepared(48000, 5), fresh = prepared(48000, 0.7);
     Response rung{std::vector<float>(5000, 1.0f), std::vector<float>(5000, -0.5f)};
     process(network, rung, 480);

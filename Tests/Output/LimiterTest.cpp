@@ -44,7 +44,7 @@ std::vector<float> scaled(std::vector<float> sound, double decibels) {
     return sound;
 }
 
-/// Ten keys of four partials each that begin at one sample, like a struck bar's.
+/// Returns ten keys of four partials each that start at the same sample, like struck bars.
 std::vector<float> chord(unsigned seed, double highestHz, std::size_t count = 12000) {
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> place(std::log(200.0), std::log(highestHz)),
@@ -70,7 +70,7 @@ std::vector<float> noise(unsigned seed, std::size_t count) {
     return samples;
 }
 
-/// At a true peak of so many decibels.
+/// Scales a sound to a true peak in decibels.
 std::vector<float> atPeak(const std::vector<float>& sound, double decibels) {
     return scaled(sound, decibels - decibelsTruePeak(sound));
 }
@@ -128,8 +128,8 @@ TEST_CASE("Impulses, square waves and low-passed noise stay below -0.3 dBTP") {
     CHECK(decibelsTruePeak(limited(atPeak(dull, decibels))) <= bound);
 }
 
-TEST_CASE("A sine that swells stays below -0.3 dBTP up to an eighth of the rate, below -0.15 dBTP "
-          "above") {
+TEST_CASE(
+    "A slowly rising sine stays below -0.3 dBTP, above an eighth of the rate below -0.15 dBTP") {
     const double frequency = GENERATE(0.01, 0.05, 0.1, 0.125, 0.2, 0.25, 0.3, 0.4);
     const double decibels = GENERATE(-0.5, 0.0, 1.0, 2.0, 3.0, 6.0, 12.0, 24.0);
     for (int phase = 0; phase < 8; ++phase) {
@@ -146,8 +146,8 @@ TEST_CASE("A sine that swells stays below -0.3 dBTP up to an eighth of the rate,
     }
 }
 
-TEST_CASE("A sine that begins at its full level stays below -0.3 dBTP up to an eighth of the rate, "
-          "and never passes 0.4 dBTP") {
+TEST_CASE("A sine with a sudden start stays below -0.3 dBTP, above an eighth of the rate below 0.4 "
+          "dBTP") {
     const double frequency = GENERATE(0.01, 0.05, 0.1, 0.125, 0.2, 0.25, 0.3, 0.4);
     const double decibels = GENERATE(-0.5, 0.0, 1.0, 2.0, 3.0, 6.0, 12.0, 24.0);
     for (int phase = 0; phase < 16; ++phase) {
@@ -161,16 +161,16 @@ TEST_CASE("A sine that begins at its full level stays below -0.3 dBTP up to an e
     }
 }
 
-TEST_CASE("Once the limiter acts, its output stays below -0.3 dBTP whatever comes") {
+TEST_CASE("Once the limiter acts, its output stays below -0.3 dBTP for any input") {
     auto limiter = preparedLimiter();
     auto sound = scaled(noise(GENERATE(range(1u, 6u)), 20000), 12);
     sound[0] = 10;
-    std::fill(sound.begin() + 10000, sound.begin() + 10400, 3.0f); // and stops within a sample
+    std::fill(sound.begin() + 10000, sound.begin() + 10400, 3.0f); // stops within a sample
     std::fill(sound.begin() + 10400, sound.begin() + 10500, 0.0f);
     CHECK(decibelsTruePeak(limited(limiter, {sound, sound}).left) <= bound);
 }
 
-TEST_CASE("The gain falls no further than 7.1 dB below what brings a peak to the threshold") {
+TEST_CASE("The gain is at most 7.1 dB lower than needed to bring a peak to the threshold") {
     const double decibels = GENERATE(-0.6, 0.0, 3.0, 12.0, 24.0);
     for (const auto& sound : {chord(1, 6000), chord(2, 18000), sine(9600, 100), sine(9600, 1000),
                               sine(9600, 7000), noise(3, 9600)}) {
@@ -178,13 +178,13 @@ TEST_CASE("The gain falls no further than 7.1 dB below what brings a peak to the
         const auto heard = limited(loud);
         float lowestGain = 1;
         for (std::size_t i = 0; i < loud.size(); ++i)
-            if (std::abs(loud[i]) > 1e-3f) // below, rounding would count
+            if (std::abs(loud[i]) > 1e-3f) // rounding matters below
                 lowestGain = std::min(lowestGain, heard[i] / loud[i]);
         CHECK(20 * std::log10(lowestGain) >= -1 - decibels - 7.1);
     }
 }
 
-TEST_CASE("Both channels get one gain, which the louder one asks for") {
+TEST_CASE("Both channels get the gain of the louder one") {
     auto limiter = preparedLimiter();
     const Stereo sound{scaled(sine(4800, 300), 12), scaled(sine(4800, 500), -20)};
     const auto heard = limited(limiter, sound);
@@ -199,7 +199,7 @@ TEST_CASE("Both channels get one gain, which the louder one asks for") {
     CHECK(reduced > 3000);
 }
 
-TEST_CASE("The gain returns smoothly and after 0.3 s passes every bit again") {
+TEST_CASE("The gain returns smoothly, and after 0.3 s every bit passes again") {
     auto limiter = preparedLimiter();
     const auto loud = scaled(sine(4800, 300), 24), soft = scaled(sine(24000, 250), -12);
     limited(limiter, {loud, loud});
@@ -231,7 +231,7 @@ TEST_CASE("The limiter's output does not depend on the block size") {
     }
 }
 
-TEST_CASE("A limiter that is switched while it acts moves its gain over the ramp") {
+TEST_CASE("A limiter switched while it acts moves its gain over the ramp") {
     const auto loud = std::vector<float>(4800, 4.0f);
     auto limiter = preparedLimiter();
     const float on = limited(limiter, {loud, loud}).left.back();
@@ -250,7 +250,7 @@ TEST_CASE("A limiter that is switched while it acts moves its gain over the ramp
     CHECK(limited(never, {loud, loud}, 480, false).left == loud);
 }
 
-TEST_CASE("One enormous sample does not silence the sound for longer than 0.4 s") {
+TEST_CASE("One huge sample silences the sound for at most 0.4 s") {
     auto limiter = preparedLimiter();
     const std::vector<float> enormous{std::numeric_limits<float>::max()};
     const auto heard = limited(limiter, {enormous, enormous});

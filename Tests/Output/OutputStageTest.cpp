@@ -19,7 +19,7 @@ ParameterValues valuesWithWidth(double percent) {
 
 } // namespace
 
-TEST_CASE("At 0 dB what is the same on both channels reaches them bit for bit, at any width") {
+TEST_CASE("At 0 dB a mono sound passes bit for bit at any width") {
     PreparedStage stage;
     const auto input = sine(1000);
     CHECK(processed(stage, input, 100, valuesWith(0)) == input);
@@ -45,7 +45,7 @@ TEST_CASE("Width 100 changes nothing, 0 gives both channels the mid, 200 doubles
     }
 }
 
-TEST_CASE("A mono output gets the mid, whatever the width") {
+TEST_CASE("A mono output gets the mid at any width") {
     const auto left = sine(1000), right = sine(1000, 700);
     for (const double percent : {0.0, 100.0, 200.0}) {
         PreparedStage stage;
@@ -57,7 +57,7 @@ TEST_CASE("A mono output gets the mid, whatever the width") {
     }
 }
 
-TEST_CASE("Width automated in steps of a block moves the side without a step, in any block size") {
+TEST_CASE("Automated width moves the side without steps, for all block sizes") {
     const Stereo ones{std::vector<float>(64, 1.0f), std::vector<float>(64, -1.0f)};
     PreparedStage stage, pieces;
     auto last = processed(stage, ones, 64, valuesWithWidth(0)).left.back();
@@ -98,7 +98,7 @@ TEST_CASE("At constant parameters the output does not depend on the block size")
     }
 }
 
-TEST_CASE("A ramp begun by a change of level does not depend on the blocks that follow") {
+TEST_CASE("The ramp of a level change does not depend on the blocks that follow") {
     const auto input = sine(4000);
     PreparedStage whole;
     processed(whole, input, 4000, valuesWith(0));
@@ -108,7 +108,7 @@ TEST_CASE("A ramp begun by a change of level does not depend on the blocks that 
     CHECK(processed(pieces, input, 7, valuesWith(-12)) == expected);
 }
 
-TEST_CASE("Level automated in steps of a block moves the gain without a step") {
+TEST_CASE("Automated level moves the gain without steps") {
     PreparedStage stage;
     const std::vector<float> ones(64, 1.0f);
     std::vector<float> output = processed(stage, ones, 64, valuesWith(-60));
@@ -116,7 +116,7 @@ TEST_CASE("Level automated in steps of a block moves the gain without a step") {
         const auto next = processed(stage, ones, 64, valuesWith(block % 2 == 0 ? 0 : -60));
         output.insert(output.end(), next.begin(), next.end());
     }
-    // From one sample to the next no more than a ramp over the whole range.
+    // The maximum step is that of a ramp over the whole range.
     const float largest = static_cast<float>(1 / (OutputStage::rampSeconds * rateHz)) + 1e-6f;
     for (std::size_t i = 1; i < output.size(); ++i)
         CHECK(std::abs(output[i] - output[i - 1]) <= largest);
@@ -136,7 +136,7 @@ TEST_CASE("Bypass is silent after its ramp, and leaving it restores the level") 
     CHECK(on.back() == 1.0f);
 }
 
-TEST_CASE("A block that is not finite is silent, and what comes after it is as good as new") {
+TEST_CASE("A block that is not finite is silent, and the stage is reset after it") {
     const float bad =
         GENERATE(std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(),
                  -std::numeric_limits<float>::infinity(), std::numeric_limits<float>::max());
@@ -146,7 +146,7 @@ TEST_CASE("A block that is not finite is silent, and what comes after it is as g
     values.set(ParameterId::roomDecay, 10);
     PreparedStage stage;
     const Stereo input{sine(48'000), sine(48'000, 700)};
-    processed(stage, input, 480, values); // the room sounds
+    processed(stage, input, 480, values); // fills the room
 
     std::vector<float> left(480, 0.5f), right = left;
     left[100] = bad;
@@ -163,7 +163,7 @@ TEST_CASE("A block that is not finite is silent, and what comes after it is as g
     CHECK(same);
 }
 
-TEST_CASE("Finite sound is told from what is not, channel by channel") {
+TEST_CASE("Every output channel is checked for finite samples") {
     const std::array bad{std::numeric_limits<float>::quiet_NaN(), -1.0f};
     const std::array good{0.5f, std::numeric_limits<float>::denorm_min()};
     std::array<float, 2> first{}, second{};
@@ -176,7 +176,7 @@ TEST_CASE("Finite sound is told from what is not, channel by channel") {
     CHECK(stage.process({}, {}, {}, valuesWith(0)));
 }
 
-TEST_CASE("One channel that is also the input is processed in place") {
+TEST_CASE("A single channel that is also the input is processed in place") {
     PreparedStage stage;
     auto samples = sine(500);
     const auto original = samples;
@@ -186,7 +186,7 @@ TEST_CASE("One channel that is also the input is processed in place") {
         CHECK_THAT(samples[i], WithinAbs(original[i] * 0.1, 1e-7));
 }
 
-TEST_CASE("No samples and no channels are nothing to do") {
+TEST_CASE("A block without samples or channels is ignored") {
     PreparedStage stage;
     const auto input = sine(10);
     stage.process({}, {}, {}, valuesWith(0));

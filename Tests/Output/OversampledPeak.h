@@ -1,4 +1,4 @@
-// The true peak as two meters find it: the filter of ITU-R BS.1770-4 and a steeper one of eight
+// Measures the true peak by two meters: the filter of ITU-R BS.1770-4 and a steeper one of eight
 // phases.
 #pragma once
 
@@ -11,7 +11,8 @@
 
 namespace idiophone::test {
 
-/// The highest magnitude of the samples convolved with each phase of a filter, one phase a row.
+/// Returns the maximum magnitude of the samples convolved with each phase of a filter, one phase a
+/// row.
 template <typename Phases>
 double highestFiltered(const std::vector<float>& samples, const Phases& phases) {
     double highest = 0;
@@ -57,7 +58,7 @@ inline const std::vector<std::vector<double>>& steepPhases() {
     return made;
 }
 
-/// The higher of both, in dB of full scale.
+/// Returns the higher result of both meters, in dB of full scale.
 inline double decibelsTruePeak(const std::vector<float>& samples) {
     return 20 * std::log10(std::max(highestFiltered(samples, bs1770Phases),
                                     highestFiltered(samples, steepPhases())));

@@ -33,7 +33,7 @@ ParameterValues roomOf(double percent, double decaySeconds) {
     return values;
 }
 
-/// Different on both sides, seconds of noise and then silence.
+/// Returns noise for some seconds, different on both sides, and then silence.
 Stereo noiseBurst(double rateHz, double noiseSeconds, double seconds) {
     std::mt19937 random(1);
     std::normal_distribution<float> normal(0, 0.1f);
@@ -70,7 +70,7 @@ Stereo inNewRoom(const Stereo& sound,
     return inRoom(room, sound, values, blockSize);
 }
 
-/// What lies below about 500 Hz.
+/// Returns the part below about 500 Hz.
 std::vector<double> lowPart(const std::vector<float>& samples, double rateHz) {
     const double pole = std::exp(-2 * std::numbers::pi * 500 / rateHz);
     std::vector<double> low(samples.size());
@@ -83,7 +83,7 @@ std::vector<double> lowPart(const std::vector<float>& samples, double rateHz) {
     return low;
 }
 
-/// By a resonator of 1 kHz bandwidth.
+/// Filters by a resonator of 1 kHz bandwidth.
 std::vector<double> bandAbout8kHz(const std::vector<float>& samples, double rateHz) {
     const double radius = std::exp(-std::numbers::pi * 1000 / rateHz);
     const double turn = 2 * radius * std::cos(2 * std::numbers::pi * 8000 / rateHz);
@@ -130,7 +130,7 @@ TEST_CASE("A room fades by 60 dB in its decay time, at every sample rate") {
         }
 }
 
-TEST_CASE("High tones die sooner in a room than low ones, at every sample rate alike") {
+TEST_CASE("High tones decay sooner than low ones, equally at all sample rates") {
     std::vector<double> seconds;
     for (const double rateHz : {44100.0, 48000.0, 96000.0, 192000.0}) {
         const auto heard = inNewRoom(noiseBurst(rateHz, 0.1, 2), rateHz, roomOf(100, 1.5), 512);
@@ -143,7 +143,7 @@ TEST_CASE("High tones die sooner in a room than low ones, at every sample rate a
     }
 }
 
-TEST_CASE("In a room of one second at 100 % noise comes back as loud as it is") {
+TEST_CASE("At 100 % and one second, reverb of noise is as loud as the noise") {
     const auto sound = noiseBurst(48000, 6, 6);
     const auto heard = inNewRoom(sound, 48000, roomOf(100, 1), 512);
     std::vector<float> added(sound.left.size());
@@ -152,7 +152,7 @@ TEST_CASE("In a room of one second at 100 % noise comes back as loud as it is") 
     CHECK_THAT(10 * std::log10(power(added) / power(sound.left)), WithinAbs(0, 1));
 }
 
-TEST_CASE("A room's sound does not depend on the block size") {
+TEST_CASE("A room's reverb does not depend on the block size") {
     const auto sound = noiseBurst(48000, 0.2, 2);
     const auto values = roomOf(60, 0.5);
     const auto expected = inNewRoom(sound, 48000, values, maximumBlock);
@@ -160,7 +160,7 @@ TEST_CASE("A room's sound does not depend on the block size") {
         CHECK(inNewRoom(sound, 48000, values, blockSize) == expected);
 }
 
-TEST_CASE("A room falls silent, and answers then as a new one does") {
+TEST_CASE("A room falls silent, and then responds as a new one") {
     Room room;
     room.prepare(48000, maximumBlock, rampSeconds);
     CHECK(room.silent());
@@ -174,7 +174,7 @@ TEST_CASE("A room falls silent, and answers then as a new one does") {
     CHECK(inRoom(room, sound, values, 100) == first);
 }
 
-TEST_CASE("A reset silences a room and takes its values at once") {
+TEST_CASE("A reset silences a room, and its next values apply at once") {
     const auto sound = noiseBurst(48000, 0.1, 0.3);
     Room room;
     room.prepare(48000, maximumBlock, rampSeconds);
@@ -186,7 +186,7 @@ TEST_CASE("A reset silences a room and takes its values at once") {
           inNewRoom(sound, 48000, roomOf(30, 0.4), 512));
 }
 
-TEST_CASE("A hushed room fades within the ramp, and answers again what comes then") {
+TEST_CASE("A hushed room fades within the ramp, and then responds again") {
     const auto sound = noiseBurst(48000, 0.1, 0.5);
     const auto values = roomOf(100, 5);
     Room room;
@@ -200,7 +200,7 @@ TEST_CASE("A hushed room fades within the ramp, and answers again what comes the
     CHECK(power(inRoom(room, nothing, values, 480).left) == 0);
     CHECK(power(inRoom(room, sound, values, 480).left) > 0.9 * power(sound.left));
     CHECK_FALSE(room.silent());
-    // Where there is no room there is nothing to hush, and none comes of it.
+    // A room that is off has nothing to hush, and works when it is turned on later.
     Room shut;
     shut.prepare(48000, maximumBlock, rampSeconds);
     inRoom(shut, sound, roomOf(0, 1), 480);
@@ -210,7 +210,7 @@ TEST_CASE("A hushed room fades within the ramp, and answers again what comes the
     CHECK_FALSE(shut.silent());
 }
 
-TEST_CASE("What comes with a hush or soon after is answered as in a silent room") {
+TEST_CASE("Input with a hush or soon after gets reverb as in a silent room") {
     const auto values = roomOf(100, 5);
     const auto rings = noiseBurst(48000, 0.2, 0.2), burst = noiseBurst(48000, 0.01, 0.5);
     for (const std::size_t later : {0u, 240u, 480u, 960u}) {
@@ -229,7 +229,7 @@ TEST_CASE("What comes with a hush or soon after is answered as in a silent room"
     }
 }
 
-TEST_CASE("What rang in a room fades evenly from the hush on, and a second one does not cut it") {
+TEST_CASE("Reverb fades evenly after a hush, and a second hush does not cut the fade") {
     const auto values = roomOf(100, 5);
     const auto rings = noiseBurst(48000, 0.2, 0.2);
     const auto second = static_cast<std::size_t>(480);
@@ -251,10 +251,10 @@ TEST_CASE("What rang in a room fades evenly from the hush on, and a second one d
                                                    static_cast<double>(unhushed.left[i]),
                                                1e-6));
     CHECK(hushed.silent());
-    CHECK(inRoom(hushed, silence(4800), values, 480) == silence(4800)); // nor is the note answered
+    CHECK(inRoom(hushed, silence(4800), values, 480) == silence(4800)); // the note has no reverb
 }
 
-TEST_CASE("What a hush leaves unanswered sounds without the room") {
+TEST_CASE("Samples that a hush leaves unanswered get no reverb") {
     const auto values = roomOf(100, 5);
     const auto sound = noiseBurst(48000, 0.1, 0.3);
     constexpr std::size_t dry = 700;
@@ -272,7 +272,7 @@ TEST_CASE("What a hush leaves unanswered sounds without the room") {
     CHECK(part(heard, dry, rest) == part(answered, dry, rest));
 }
 
-TEST_CASE("A hushed room's sound does not depend on the block size") {
+TEST_CASE("A hushed room's output does not depend on the block size") {
     const auto sound = noiseBurst(48000, 0.5, 0.8);
     const auto values = roomOf(100, 3);
     const auto played = [&](std::size_t blockSize) {
@@ -294,7 +294,7 @@ TEST_CASE("A hushed room's sound does not depend on the block size") {
         CHECK(played(blockSize) == expected);
 }
 
-TEST_CASE("A room that is opened and shut while it sounds makes no step, in any block size") {
+TEST_CASE("Turning a room on and off makes no step, for all block sizes") {
     Room whole, pieces;
     whole.prepare(48000, maximumBlock, rampSeconds);
     pieces.prepare(48000, maximumBlock, rampSeconds);
@@ -322,7 +322,7 @@ TEST_CASE("A room that is opened and shut while it sounds makes no step, in any 
     }
 }
 
-TEST_CASE("A room stands any sample rate") {
+TEST_CASE("A room accepts any sample rate") {
     const Stereo sound{std::vector<float>(5000, 0.1f), std::vector<float>(5000, 0.1f)};
     for (const double rateHz : {1.0, 8000.0, 384000.0, 1e9})
         for (const float sample : inNewRoom(sound, rateHz, roomOf(100, 10), 512).left)

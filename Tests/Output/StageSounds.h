@@ -1,4 +1,4 @@
-// An output stage, and sounds through it.
+// An output stage for tests, and sounds through it.
 #pragma once
 
 #include "Output/OutputStage.h"
@@ -17,7 +17,7 @@ namespace idiophone::test {
 inline constexpr double rateHz = 48000;
 inline constexpr int maximumBlock = 4096;
 
-/// Without the limiter, so that the stage is linear.
+/// Switches the limiter off, so that the stage is linear.
 inline ParameterValues valuesWith(double levelDecibels, bool bypassed = false) {
     ParameterValues values;
     values.set(ParameterId::level, levelDecibels);
@@ -39,7 +39,7 @@ struct Stereo {
     bool operator==(const Stereo&) const = default;
 };
 
-/// Two different channels through the stage, in place, in blocks of one size.
+/// Processes two different channels in place, in blocks of one size.
 inline Stereo processed(OutputStage& stage,
                         const Stereo& input,
                         std::size_t blockSize,
@@ -53,7 +53,7 @@ inline Stereo processed(OutputStage& stage,
     return output;
 }
 
-/// The same on both channels through the stage in blocks of one size; the channels must agree.
+/// Processes a mono sound in blocks of one size. Both output channels must agree.
 inline std::vector<float> processed(OutputStage& stage,
                                     const std::vector<float>& input,
                                     std::size_t blockSize,

@@ -11,7 +11,7 @@
 using namespace idiophone;
 using Catch::Approx;
 
-TEST_CASE("Ids are unique, and every default lies in its range") {
+TEST_CASE("Ids are unique, and every default is in its range") {
     std::set<std::string_view> ids;
     for (const auto& info : parameterTable()) {
         INFO(info.id);
@@ -24,7 +24,7 @@ TEST_CASE("Ids are unique, and every default lies in its range") {
     CHECK(findParameter("no such id") == nullptr);
 }
 
-TEST_CASE("The normalised range covers the values, both ways") {
+TEST_CASE("The normalised range covers all values in both directions") {
     for (const auto& info : parameterTable()) {
         INFO(info.id);
         CHECK(info.fromNormalised(0) == Approx(info.minimum));
@@ -38,7 +38,7 @@ TEST_CASE("The normalised range covers the values, both ways") {
     }
 }
 
-TEST_CASE("Values out of range and not a number are brought back inside") {
+TEST_CASE("Values out of range and NaN are clamped") {
     for (const auto& info : parameterTable()) {
         INFO(info.id);
         const double infinity = std::numeric_limits<double>::infinity();
@@ -50,7 +50,7 @@ TEST_CASE("Values out of range and not a number are brought back inside") {
     }
 }
 
-TEST_CASE("What is shown can be typed back in, to the digits shown") {
+TEST_CASE("Formatted text is parsed to the same digits") {
     for (const auto& info : parameterTable())
         for (double normalised = 0; normalised <= 1; normalised += 0.05) {
             const double value = info.fromNormalised(normalised);
@@ -62,14 +62,14 @@ TEST_CASE("What is shown can be typed back in, to the digits shown") {
         }
 }
 
-TEST_CASE("What rounds to nothing has no sign") {
+TEST_CASE("A value that rounds to zero has no sign") {
     const auto& level = parameterInfo(ParameterId::level);
     CHECK(formatParameter(level, -0.04) == "0.0 dB");
     CHECK(formatParameter(level, -0.06) == "-0.1 dB");
     CHECK(formatParameter(level, -20) == "-20.0 dB");
 }
 
-TEST_CASE("Typed entry takes units and names, and refuses what is neither") {
+TEST_CASE("Typed units and names are accepted, and other text is refused") {
     const auto& young = parameterInfo(ParameterId::youngsModulus);
     CHECK(parseParameter(young, " 70 gpa ") == 70.0);
     CHECK(parseParameter(young, "70") == 70.0);
@@ -85,21 +85,21 @@ TEST_CASE("Typed entry takes units and names, and refuses what is neither") {
           static_cast<double>(customMaterial));
 }
 
-TEST_CASE("A loss factor is found from bell glass to rubber, and typed as papers print it") {
+TEST_CASE("A loss factor can be set from bell glass to rubber and typed as papers print it") {
     const auto& loss = parameterInfo(ParameterId::lossFactor);
     CHECK(formatParameter(loss, 0) == "0");
     CHECK(formatParameter(loss, 2.5e-5) == "0.0000250");
     CHECK(formatParameter(loss, 0.035) == "0.0350");
     CHECK(parseParameter(loss, "2.5e-5") == 2.5e-5);
     CHECK(loss.fromNormalised(0) == 0);
-    CHECK(loss.fromNormalised(1e-5) == 0); // no text of a hundred digits
+    CHECK(loss.fromNormalised(1e-5) == 0); // avoids a text of a hundred digits
     CHECK(formatParameter(loss, loss.fromNormalised(0.008)).size() <= 12);
-    // A slider of a few hundred pixels tells neighbouring metals apart.
+    // A slider of a few hundred pixels separates neighbouring metals.
     CHECK(loss.toNormalised(2e-4) - loss.toNormalised(1e-4) > 0.01);
     CHECK(loss.toNormalised(2.5e-5) > 0.03);
 }
 
-TEST_CASE("Numbers are written with a point whatever the locale of the host") {
+TEST_CASE("Numbers have a decimal point in every locale of the host") {
     struct DecimalComma : std::numpunct<char> {
         char do_decimal_point() const override { return ','; }
         char do_thousands_sep() const override { return '.'; }
@@ -116,7 +116,7 @@ TEST_CASE("Numbers are written with a point whatever the locale of the host") {
     CHECK(typed == 12.5);
 }
 
-TEST_CASE("Units may be typed as keyboards have them") {
+TEST_CASE("Units can be typed on any keyboard") {
     const auto& density = parameterInfo(ParameterId::density);
     for (const char* text : {"900", "900 kg/m3", "900 kg/m³", "900KG/M3"})
         CHECK(parseParameter(density, text) == 900.0);
@@ -136,7 +136,7 @@ TEST_CASE("The material choice names the library's materials in the library's or
         CHECK(names[i + firstLibraryMaterial] == library[i].name);
 }
 
-TEST_CASE("Mallets are shown and typed by their names") {
+TEST_CASE("Mallets are formatted and parsed by their names") {
     const auto& mallet = parameterInfo(ParameterId::mallet);
     CHECK(formatParameter(mallet, customMallet) == "Custom");
     CHECK(parseParameter(mallet, "hard plastic") == 6.0);
