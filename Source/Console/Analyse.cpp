@@ -60,7 +60,7 @@ Result<AnalysisSettings> settingsFrom(const Options& options) {
             options.radiation == "exact" ? RadiationMethod::exact : RadiationMethod::quick};
 }
 
-/// The unit asked for, or a guess, which is worth a sentence where it is not metres.
+/// Returns the requested unit or a guess, with a sentence if the guess is unsure or not metres.
 Result<UnitGuess> unitOf(const Mesh& meshInFileUnits, const Options& options) {
     if (!options.unit) {
         UnitGuess guess = guessLengthUnit(meshInFileUnits);

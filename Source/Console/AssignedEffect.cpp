@@ -13,11 +13,11 @@ namespace {
 
 using enum ParameterId;
 
-/// A parameter that acts only while others, or what is played, are so.
+/// A parameter that acts only under a condition on other values or on what is played.
 struct Condition {
     ParameterId parameter;
     bool (*acts)(const ParameterValues&, const Played&);
-    const char* saying; ///< why it does not, or what it would act with
+    const char* saying; ///< why it does not act, or which values it needs
 };
 
 bool isStruck(const ParameterValues& values, const Played&) {
@@ -36,7 +36,7 @@ bool hasTubes(const ParameterValues&, const Played& played) {
 bool motorModulates(const ParameterValues& values, const Played&) {
     return values[motorDepth] > 0;
 }
-/// All else follows the tempo of a host.
+/// All other settings follow the host's tempo.
 bool isFree(const ParameterValues& values, const Played&) {
     return motorSyncBeats(static_cast<int>(values[motorSync])) == 0;
 }
@@ -59,7 +59,7 @@ bool hasRadiation(const ParameterValues&, const Played& played) {
     return std::ranges::any_of(played.slots,
                                [](const auto& slot) { return !slot.object->radiation.empty(); });
 }
-/// Bodies are heard by two ears.
+/// Scenes are heard by two ears.
 bool isStereo(const ParameterValues& values, const Played& played) {
     return played.by == PlayedBy::stage || played.by == PlayedBy::scene || values[room] > 0 ||
            (values[radiation] > 0 && hasRadiation(values, played));
@@ -102,20 +102,20 @@ constexpr Condition conditions[]{
     {radiation, hasRadiation, "no object was analysed with its radiation"},
     {width, isStereo, "both channels are the same; it acts with radiation or room above 0"}};
 
-/// Where no mallets play.
+/// Parameters without effect where no mallets play.
 constexpr std::array ofMallets{
     strikeAlong,    strikeAcross,  strikeSpread, malletHardness, malletMass,    malletRadius,
     malletExponent, malletFollow,  malletSpeed,  mallet,         velocityCurve, chatter,
     modalPulse,     matchLoudness, contact,      contactForce,   contactSpeed,  roughness,
     rollCoupling,   letRing,       releaseTime};
-/// Nor keys.
+/// Parameters without effect where no keys play.
 constexpr std::array ofKeys{bendRange, mpe, mpeBendRange, motorSpeed, motorDepth, motorSync};
 
 bool isAmong(std::span<const ParameterId> list, ParameterId parameter) {
     return std::ranges::find(list, parameter) != list.end();
 }
 
-/// Why the parameter has no effect; empty where it has.
+/// Returns why the parameter has no effect, or an empty text.
 std::string_view
 whyIdle(ParameterId parameter, const ParameterValues& values, const Played& played) {
     if (played.by == PlayedBy::stage && isAmong(ofMallets, parameter))
@@ -135,7 +135,7 @@ bool areOfSeveralMaterials(std::span<const SynthesiserSlot> slots) {
     });
 }
 
-/// The values with the assigned figures in the place of those of what is chosen.
+/// Replaces the figures of the selected material or mallet by the assigned ones.
 ParameterValues withAssignedFigures(ParameterValues values,
                                     const FigureChoice& choice,
                                     std::span<const ParameterId> assigned,

@@ -1,5 +1,5 @@
-// What parameters that were set by name come to on what is played: figures make their material or
-// mallet custom, and some cannot act.
+// The effect of parameters that were set by name. Figures make their material or mallet custom, and
+// some parameters cannot act.
 #pragma once
 
 #include "Parameters/ParameterTable.h"
@@ -13,31 +13,31 @@ namespace idiophone {
 
 enum class PlayedBy {
     mallets,  ///< keys strike, scrape and roll
-    stage,    ///< keys set a scene in motion
-    scene,    ///< bodies by themselves
+    stage,    ///< keys start simulations of a scene
+    scene,    ///< bodies move without keys
     impulses, ///< contacts of a list
 };
 
 struct Played {
     PlayedBy by = PlayedBy::mallets;
-    std::span<const SynthesiserSlot> slots; ///< that are heard
-    bool isOnePoint = false;                ///< all keys strike at the same
-    bool isPressed = false;                 ///< pressure of keys comes
+    std::span<const SynthesiserSlot> slots; ///< slots that sound
+    bool isOnePoint = false;                ///< all keys strike the same point
+    bool isPressed = false;                 ///< the song has key pressure
 };
 
 struct AssignedEffect {
     ParameterValues values;
-    /// A sentence for each parameter without effect, with what it would have one.
+    /// A sentence for each parameter without effect, with the values it would need.
     std::vector<std::string> warnings;
 };
 
-/// The values with which `assigned` act: where one is a figure of the custom material or mallet and
-/// another one is chosen, that becomes custom with its other figures, as it does in the window.
-/// Objects of several materials keep them.
+/// Returns the values with which `assigned` act. If one is a figure of the custom material or
+/// mallet and another choice is selected, the choice becomes custom and keeps its other figures, as
+/// in the window. Objects of several materials keep theirs.
 AssignedEffect
 assignedEffect(ParameterValues values, std::span<const ParameterId> assigned, const Played& played);
 
-/// On standard error, a line each.
+/// Prints one line each to standard error.
 void print(std::span<const std::string> warnings);
 
 } // namespace idiophone

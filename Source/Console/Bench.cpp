@@ -33,7 +33,7 @@ std::string describeBenchmarks() {
     return text;
 }
 
-/// Without names, all that can be run: one of them needs a song.
+/// Without names, runs all benchmarks; xylophone needs a song.
 bool isWanted(const NamedBenchmark& known, const Options& options) {
     if (options.names.empty())
         return std::string_view(known.name) != "xylophone" || !options.song.empty();

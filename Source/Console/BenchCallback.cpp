@@ -17,7 +17,7 @@ constexpr int replays = 20;
 constexpr double malletNewtonSeconds = 0.02;
 constexpr double malletSeconds = 0.36e-3;
 
-/// Each object struck once, one a cell, and then 16 of them again in one cell.
+/// Strikes every object once, one in each cell, and then 16 of them in a single cell.
 std::vector<SceneStrike> strikesOf(std::span<const SynthesiserSlot> slots) {
     constexpr double cellSeconds = cellSamples / benchSampleRateHz;
     std::vector<SceneStrike> strikes;
@@ -67,7 +67,7 @@ void report(BenchSection& section, const std::string& name, const CallbackFigure
         {"callback: worst over mean, " + name, ratio, BenchGoal::Kind::atMost, 2});
 }
 
-/// The cost of a cell in which every mode is below τ, over that of a ringing one.
+/// Returns the cost of a cell with every mode below τ, divided by that of a ringing cell.
 double silenceOverSound(const std::vector<SynthesiserSlot>& slots) {
     BenchScene ringing(slots, strikesOf(slots), {});
     BenchScene silent(slots, strikesOf(slots), {});
@@ -75,7 +75,7 @@ double silenceOverSound(const std::vector<SynthesiserSlot>& slots) {
     ringing.render(cells);
     silent.render(cells);
     silent.synthesiser().setSettings({.tau = 1e9, .material = {}});
-    for (std::size_t k = 0; k < 8; ++k) // cells: those that truncate still fade
+    for (std::size_t k = 0; k < 8; ++k) // cells: truncated modes are still fading
         silent.nextCell();
     const std::vector<Contestant> contestants{[&] { benchmark::DoNotOptimize(ringing.nextCell()); },
                                               [&] { benchmark::DoNotOptimize(silent.nextCell()); }};

@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::size_t placesStruck = 12;
 
-/// The level in dB of half a second after an impulse, nothing cut or left out.
+/// Returns the level in dB of half a second after an impulse, without truncation and budget.
 double levelDb(const std::shared_ptr<const ModalObject>& object,
                const Strike& strike,
                double compression) {
@@ -26,7 +26,7 @@ struct LevelError {
     double largestDb = 0;
 };
 
-/// Over places spread over the surface in the order of its vertices.
+/// Measures at points over the surface, in the order of its vertices.
 LevelError levelError(const std::shared_ptr<const ModalObject>& object) {
     const auto normals = vertexNormals(*object);
     LevelError found;
@@ -39,7 +39,7 @@ LevelError levelError(const std::shared_ptr<const ModalObject>& object) {
             .normal = {normals[3 * vertex], normals[3 * vertex + 1], normals[3 * vertex + 2]}};
         const Strike strike = strikeInto(point, 0.01, 0);
         const double grouped = levelDb(object, strike, 1), single = levelDb(object, strike, 0);
-        // Both are −∞ where every mode is beyond the band, as a pebble's are.
+        // Both are −∞ if every mode is beyond the band, as for a pebble.
         const double error = grouped == single ? 0 : std::abs(grouped - single);
         found.meanDb += error / placesStruck;
         found.largestDb = std::max(found.largestDb, error);

@@ -15,7 +15,7 @@ namespace {
 
 constexpr const char* presetName = "Rosewood Xylophone";
 
-/// The blow of a key as the player makes it: where, how hard, in how many contacts.
+/// Adds a key's strike as the player makes it: place, strength and number of contacts.
 void addBlow(const SongEvent& event,
              const Instrument& instrument,
              const ParameterValues& parameters,

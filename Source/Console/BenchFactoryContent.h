@@ -1,5 +1,5 @@
-// What the program brings to its benchmarks: the factory objects, and a song from a MIDI file
-// played on the rosewood xylophone.
+// The content of the benchmarks: the factory objects, and a song from a MIDI file on the rosewood
+// xylophone.
 #pragma once
 
 #include "Console/Benchmarks.h"
@@ -8,7 +8,7 @@
 
 namespace idiophone {
 
-/// The error names the object or the song at fault. Without a song the path is empty.
+/// The path is empty if there is no song. The error names the object or the song at fault.
 Result<BenchContent> factoryBenchContent(const std::filesystem::path& song);
 
 } // namespace idiophone

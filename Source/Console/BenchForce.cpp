@@ -12,13 +12,13 @@ namespace idiophone {
 namespace {
 
 constexpr std::array<std::size_t, 3> sizes{100, 500, 1000};
-constexpr std::size_t pathPoints = 61; ///< of a way that is closed
+constexpr std::size_t pathPoints = 61; ///< of a closed path
 constexpr std::size_t cellsBetweenPoints = 8;
-constexpr std::size_t forceCells = 32; ///< of noise, over and over
+constexpr std::size_t forceCells = 32; ///< of noise, repeated
 
 using Cell = std::array<float, cellSamples>;
 
-/// Points inside triangles of vertices that carry shapes: no two neighbours are the same.
+/// Returns points inside triangles of vertices with shapes. Neighbouring points differ.
 std::vector<ForcePoint> pathOver(const ModalObject& object) {
     const auto rows = static_cast<std::int32_t>(object.shapeVertexCount());
     std::vector<ForcePoint> points;
@@ -32,14 +32,14 @@ std::vector<ForcePoint> pathOver(const ModalObject& object) {
     return points;
 }
 
-/// One object all of whose modes ring, free or under a force that stays or moves.
+/// One object with all modes ringing: free, or under a fixed or moving force.
 class ForcedObject {
 public:
     enum class Contact { none, stays, moves };
 
     ForcedObject(const std::shared_ptr<const ModalObject>& object, Contact contact)
         : synth({{object}}, benchSampleRateHz), path(pathOver(*object)), touched(contact) {
-        // Undamped, as it must ring however many cells are timed.
+        // Undamped, so that it rings for any number of timed cells.
         const Material& own = object->material;
         synth.setSettings(
             {.tau = 0,
@@ -85,7 +85,7 @@ private:
     alignas(64) Cell cell{};
 };
 
-/// The three cells of one size, measured side by side.
+/// The three cases of one size, measured side by side.
 struct SizeContest {
     ForcedObject free, staying, moving;
 
@@ -98,7 +98,7 @@ struct SizeContest {
     }
 };
 
-/// What makes the force, apart from the object.
+/// A generator of contact force, without an object.
 struct Generator {
     const char* name;
     ContactForce force;

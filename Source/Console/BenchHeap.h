@@ -1,4 +1,4 @@
-// What the process has allocated, where the C library tells.
+// The memory that the process has allocated, if the C library reports it.
 #pragma once
 
 #include <cstdint>
@@ -6,7 +6,8 @@
 
 namespace idiophone {
 
-/// Bytes in use on the main thread's heap; nothing where this C library does not say.
+/// Returns the bytes in use on the main thread's heap, or nothing if this C library does not report
+/// them.
 std::optional<std::int64_t> heapBytes();
 
 } // namespace idiophone

@@ -25,7 +25,8 @@ struct Size {
 constexpr std::array sizes{Size{"64", 1, 64}, Size{"500", 1, 500}, Size{"1000", 1, 1000},
                            Size{"10000", 1, 10000}, Size{"37x100", 37, 100}};
 
-/// λ of modes from 50 Hz to 18 kHz, evenly spaced but for a little, so that none is a multiple.
+/// Returns λ of modes from 50 Hz to 18 kHz. The spacing is slightly uneven, so that no mode is a
+/// multiple of another.
 std::vector<double> spreadEigenvalues(std::size_t modes) {
     std::vector<double> values(modes);
     for (std::size_t i = 0; i < modes; ++i) {
@@ -37,7 +38,7 @@ std::vector<double> spreadEigenvalues(std::size_t modes) {
     return values;
 }
 
-/// One bank as the product renders it: all blocks, one run, mono.
+/// One bank as the synthesiser renders it: all blocks, one run, mono.
 class FullBank {
 public:
     FullBank(std::span<const double> eigenvalues, const PoleLaw& law)
@@ -64,7 +65,8 @@ private:
 
 using Cell = std::array<float, cellSamples>;
 
-/// Both contestants of one size, rung for ever: they are timed for many times the life of a mode.
+/// Both contestants of one size. Their modes never decay, because the timing takes many times a
+/// mode's life.
 struct SizeContest {
     std::vector<FullBank> ours;
     std::vector<NaiveBank> naive;
@@ -96,8 +98,8 @@ struct SizeContest {
     }
 };
 
-/// The largest difference in the tenth second from double-precision exponentials, against the
-/// largest value there, in dB. Damping is so light that these seconds are not silence.
+/// Returns the maximum difference from double-precision exponentials in the tenth second, in dB
+/// relative to the maximum there. The damping is so light that the sound is still audible.
 double errorAfterTenSecondsDb(std::size_t modes) {
     const auto eigenvalues = spreadEigenvalues(modes);
     const PoleLaw law{.eigenvalueRatio = 1, .damping = {.fluidPerSecond = 0.3}};
@@ -128,7 +130,7 @@ double errorAfterTenSecondsDb(std::size_t modes) {
     return 20 * std::log10(error / largest);
 }
 
-/// The goal for the share of the peak, where the project has set one for this SIMD target.
+/// Returns the goal for the share of the peak, if the project sets one for this SIMD target.
 std::optional<double> peakGoal() {
     const std::string target = simdTarget();
     if (target.starts_with("AVX3"))
@@ -143,7 +145,7 @@ struct SizeFigures {
     double naiveShareOfPeak = 0;
     double timesNaive = 0;
     double modesInRealTime = 0;
-    double shareOfCore = 0; ///< eq. 12's work for one second, in seconds
+    double shareOfCore = 0; ///< work of eq. 12 for one second, in seconds
 };
 
 void report(BenchSection& section, const Size& size, const SizeFigures& found) {

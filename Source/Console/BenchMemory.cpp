@@ -15,7 +15,7 @@ struct Plate {
     int vertices;
 };
 
-/// Groups by the discrimination curve alone, as the paper counts: beats are not asked for.
+/// Counts groups by the discrimination curve alone, as the paper does, without beats.
 std::size_t windowsOver(const std::vector<double>& frequenciesHz) {
     std::size_t windows = 0;
     double end = 0;
@@ -27,7 +27,7 @@ std::size_t windowsOver(const std::vector<double>& frequenciesHz) {
     return windows;
 }
 
-/// The same for a spectrum that is dense from 20 to 22000 Hz: the most there can be.
+/// Returns the count for a spectrum that is dense from 20 to 22000 Hz: the maximum possible.
 std::size_t windowsOfDenseSpectrum() {
     std::size_t windows = 0;
     for (double hz = 20; hz < 22000; hz += discriminationHz(hz))
@@ -37,7 +37,7 @@ std::size_t windowsOfDenseSpectrum() {
 
 Result<void> measure(const Plate& plate, BenchSection& section) {
     Material steel = *findMaterial("Steel");
-    steel.poissonRatio = 1.0 / 3; // what the springs make of it
+    steel.poissonRatio = 1.0 / 3; // the value that springs produce
     const auto object = analyse(sheetMesh(plate.lengthMetres, plate.widthMetres, plate.vertices),
                                 {.name = "plate",
                                  .source = "generated steel plate, 3 mm",

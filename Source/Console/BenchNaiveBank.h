@@ -1,6 +1,6 @@
-// The mixing loop as the paper has it: every mode, every sample, one complex multiplication
-// (Raghuvanshi & Lin 2006, section 4.1), in float, left to the compiler. What we are measured
-// against, not what anybody should use.
+// The mixing loop of the paper: every mode, every sample, one complex multiplication in float,
+// without manual optimisation (Raghuvanshi & Lin 2006, section 4.1). A reference for measurements,
+// not for use.
 #pragma once
 
 #include "Synth/ModalPole.h"
@@ -17,10 +17,10 @@ public:
 
     std::size_t size() const { return re.size(); }
 
-    /// Every mode at amplitude 1/size, phase 0.
+    /// Sets every mode to amplitude 1/size, phase 0.
     void excite();
 
-    /// Adds what all modes sound to `output`.
+    /// Adds the sound of all modes to `output`.
     void render(std::span<float> output);
 
 private:

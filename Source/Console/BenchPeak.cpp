@@ -13,14 +13,14 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-// More than latency times ports of any core, fewer than the 16 registers of AVX2.
+// More than latency times ports of any core, fewer than AVX2's 16 registers.
 constexpr std::size_t accumulators = 12;
 
 using Floats = hn::CappedTag<float, 16>;
 
 float multiplyAdds(std::size_t steps, float seed) {
     const Floats f;
-    // Factor and summand keep the sums near 1: neither overflow nor denormals.
+    // The factor and summand keep the sums near 1, without overflow or denormals.
     const auto factor = hn::Set(f, 1 - 0x1p-10f * seed);
     const auto summand = hn::Set(f, 0x1p-10f);
     hn::Vec<Floats> sums[accumulators];

@@ -1,5 +1,5 @@
-// The most fused multiply-adds that one core can do: nothing but registers, on the widest vectors
-// of the SIMD target that the synthesiser runs on. The measure of 100 %, not a kernel.
+// The maximum fused multiply-adds of one core: registers only, on the widest vectors of the
+// synthesiser's SIMD target. The measure of 100 %, not a kernel.
 #pragma once
 
 #include <cstddef>
@@ -7,14 +7,15 @@
 
 namespace idiophone {
 
-/// Runs `steps` times 12 independent vector multiply-adds from `seed` (0 to 1) and returns their
-/// sum, which has to be used.
+/// Runs `steps` times 12 independent vector multiply-adds from `seed` (0 to 1). The caller must use
+/// the sum that it returns.
 float fmaLoop(std::size_t steps, float seed);
 
-/// Single-precision multiply-adds in one step, all lanes counted.
+/// Returns the single-precision multiply-adds of one step in all lanes.
 std::size_t fmasPerStep();
 
-/// The SIMD target chosen at run time, as Highway names it: "AVX3", "AVX2", "SSE4", "NEON"...
+/// Returns Highway's name of the SIMD target selected at run time: "AVX3", "AVX2", "SSE4",
+/// "NEON"...
 std::string simdTarget();
 
 } // namespace idiophone

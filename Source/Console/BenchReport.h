@@ -1,5 +1,5 @@
-// What a benchmark says: figures for machines, rows for people, and the goals it met or missed.
-// Knows nothing of what is measured.
+// The results of benchmarks: figures for machines, rows for people, and goals met or missed.
+// Independent of what is measured.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -9,7 +9,7 @@
 
 namespace idiophone {
 
-/// A ratio measured against the bound that the project has set itself.
+/// A measured ratio and the bound that the project sets.
 struct BenchGoal {
     enum class Kind { atLeast, atMost };
 
@@ -23,8 +23,8 @@ struct BenchGoal {
 
 struct BenchSection {
     std::string name;  ///< as on the command line
-    std::string title; ///< what was measured, in plain words
-    /// What, and how much with its unit.
+    std::string title; ///< measured quantity, in plain words
+    /// Quantity, and value with its unit.
     std::vector<std::pair<std::string, std::string>> rows = {};
     nlohmann::ordered_json figures = nlohmann::ordered_json::object();
     std::vector<BenchGoal> goals = {};
@@ -34,14 +34,14 @@ struct BenchSection {
     }
 };
 
-/// A number with so many digits that count, never in powers of ten below a million.
+/// Formats a number with `digits` significant digits, without powers of ten below a million.
 std::string figure(double value, int digits = 3);
 
-/// Titles, aligned rows and goals.
+/// Formats titles, aligned rows and goals.
 std::string benchText(const std::vector<BenchSection>& sections);
 
-/// `goals` at the top level (name, measured, relation "at least" or "at most", bound, met), the
-/// SIMD target and the compiler under `build`, and the figures of each benchmark under
+/// Returns `goals` at the top level (name, measured, relation "at least" or "at most", bound, met),
+/// the SIMD target and the compiler under `build`, and the figures of each benchmark under
 /// `benchmarks`.
 nlohmann::ordered_json benchDocument(const std::vector<BenchSection>& sections);
 

@@ -38,8 +38,9 @@ public:
         return BenchScene(scene.slots, strikes, budgeted).render(cells);
     }
 
-    /// The worst of the judged objects. What one of them adds to a mix is half the difference from
-    /// the same mix with all its impulses turned round: amplitudes, ranks and shares stay.
+    /// Returns the maximum error of the judged objects. An object's part of a mix is half the
+    /// difference from the same mix with all its impulses negated: this keeps amplitudes, ranks and
+    /// shares.
     double worstErrorDb(double budget) const {
         const auto together = mix(budget, scene.strikes);
         double worst = 0;

@@ -1,5 +1,5 @@
-// Quality scaling at fixed quality in the scene of rings: the smallest mode budget under which the
-// loudest objects still sound as they do without one.
+// Quality scaling at fixed quality in the scene of rings: finds the minimum mode budget at which
+// the loudest objects still sound as without a budget.
 #pragma once
 
 #include "Console/BenchRingScene.h"
@@ -7,16 +7,16 @@
 namespace idiophone {
 
 struct FixedQuality {
-    double modeBudget = 0;   ///< the smallest found, to 2 %
-    double worstErrorDb = 0; ///< of the loudest objects under it
+    double modeBudget = 0;   ///< minimum found, to 2 %
+    double worstErrorDb = 0; ///< of the loudest objects at this budget
     double mixPeak = 0;      ///< of the scene without a budget, full scale 1
 };
 
 inline constexpr std::size_t loudestJudged = 10;
 inline constexpr double fixedQualityDb = -40;
 
-/// Renders the scene over and over for `cells`; `settings` say all but the budget. The ten objects
-/// of greatest energy are judged by the energy of the difference from their unscaled render.
+/// Renders the scene repeatedly for `cells` cells with all `settings` but the budget. Judges the
+/// ten objects of greatest energy by the energy of the difference from their unscaled render.
 FixedQuality
 findFixedQuality(const RingScene& scene, const SynthesisSettings& settings, std::size_t cells);
 

@@ -41,7 +41,7 @@ std::shared_ptr<const ModalObject> undamped(ModalObject object) {
     return std::make_shared<const ModalObject>(std::move(object));
 }
 
-/// The ring made of a steel of its own: stiffness within 15 %, damping within a factor of two.
+/// Varies the ring's material: stiffness within 15 %, damping within a factor of two.
 ModalObject variedRing(const ModalObject& ring, std::minstd_rand& random) {
     ModalObject varied = ring;
     const double stiffness = 0.85 + 0.30 * share(random);

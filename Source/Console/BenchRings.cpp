@@ -17,7 +17,7 @@ constexpr double sceneSeconds = 2;
 constexpr int replays = 5;
 constexpr double cellSeconds = cellSamples / benchSampleRateHz;
 
-// The threshold at which the paper hears nothing missing.
+// The threshold at which the paper hears no loss.
 constexpr double tau = 2;
 
 const SynthesisSettings everyMode{.tau = 0, .modeBudget = 1e9, .compression = 0, .material = {}};
@@ -64,7 +64,7 @@ private:
     alignas(64) std::array<float, cellSamples> cell{};
 };
 
-/// Audio frames of 1/100 s in a second, for each such frame of the scene.
+/// Returns audio frames of 1/100 s per second of computing, for each frame of the scene.
 std::vector<double> framesPerSecond(std::span<const double> cellCosts, double frameSeconds = 0.01) {
     std::vector<double> rates;
     std::size_t cell = 0;
@@ -79,7 +79,8 @@ std::vector<double> framesPerSecond(std::span<const double> cellCosts, double fr
     return rates;
 }
 
-/// The slowest tenth of a second over their mean, from the third on to the last strike.
+/// Returns the slowest tenth of a second divided by the mean, from the third one to the last
+/// strike.
 double flatness(std::span<const double> cellCosts) {
     const auto tenths = framesPerSecond(cellCosts.first(cellsIn(ringStrikeSeconds) - 1), 0.1);
     const std::vector<double> judged(tenths.begin() + 2, tenths.begin() + 10);
@@ -94,7 +95,7 @@ enum Step { everyPaperMode, paperLoop, kernelStep, cutStep, scaledStep };
 struct Curve {
     const char* name;
     LeastStepTimes times = {};
-    double modesMixed = 0; ///< on average
+    double modesMixed = 0; ///< mean
 };
 
 double whole(const Curve& curve) {

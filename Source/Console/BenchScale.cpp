@@ -24,7 +24,7 @@ constexpr double frameSeconds = 0.01;
 const SynthesisSettings unscaled{.tau = 0.02, .modeBudget = 1e9, .compression = 1, .material = {}};
 const SynthesisSettings scaled{.tau = 0.02, .modeBudget = 500, .compression = 1, .material = {}};
 
-/// Bodies of one shape and sizes of their own, each struck again and again at its own times.
+/// Bodies of one shape in different sizes, each struck repeatedly at its own times.
 struct Crowd {
     std::vector<SynthesiserSlot> slots;
     std::vector<SceneStrike> strikes;
@@ -50,13 +50,13 @@ Crowd crowdOf(const std::shared_ptr<const ModalObject>& object, std::size_t bodi
 }
 
 struct Run {
-    double modesMixed = 0; ///< on average
+    double modesMixed = 0; ///< mean
     std::int64_t modesMost = 0;
-    double meanFrameSeconds = 0; ///< of processor time, for a frame of a hundredth of a second
+    double meanFrameSeconds = 0; ///< processor time of a frame of a hundredth of a second
     double worstFrameSeconds = 0;
 };
 
-/// Nothing is counted of the first half second, in which not all bodies have been struck.
+/// The first half second is not counted, because not all bodies have been struck.
 std::size_t firstCell() {
     return cellsIn(0.5);
 }
@@ -133,7 +133,7 @@ Result<BenchSection> benchScale(const BenchContent& content) {
             {"bodies", bodies}, {"scaled", describe(budgeted)}, {"unscaled", describe(free)}};
         one["heap_bytes"] = nullptr;
         if (heapBefore && heapAfter) {
-            // The engine allocates when it is made and never after, so this is its peak.
+            // The engine allocates only when it is constructed, so this is its peak.
             const auto bytes = *heapAfter - *heapBefore;
             one["heap_bytes"] = bytes;
             section.row(name + ", memory", figure(static_cast<double>(bytes) / 1e6) + " MB");

@@ -1,5 +1,5 @@
-// Objects struck at stated times and rendered cell by cell: what most benchmarks measure. No keys,
-// no mallets, no parameters.
+// Objects struck at given times and rendered cell by cell, for most benchmarks. It has no keys,
+// mallets or parameters.
 #pragma once
 
 #include "Synth/ModalPole.h"
@@ -23,18 +23,18 @@ struct SceneStrike {
 
 class BenchScene {
 public:
-    /// `strikes` in ascending order of time.
+    /// `strikes` are in ascending order of time.
     BenchScene(std::vector<SynthesiserSlot> slots,
                std::vector<SceneStrike> strikes,
                const SynthesisSettings& settings);
 
-    /// Silence, and the first strike is the next.
+    /// Silences everything and returns to the first strike.
     void restart();
 
     /// Renders the next cell with the strikes that fall into it.
     std::span<const float, cellSamples> nextCell();
 
-    /// Everything from the start, [cells · 64].
+    /// Renders everything from the start, [cells · 64].
     std::vector<float> render(std::size_t cells);
 
     Synthesiser& synthesiser() { return synth; }
@@ -47,20 +47,21 @@ private:
     alignas(64) std::array<float, cellSamples> cell{};
 };
 
-/// 0 to 1; the standard fixes the engine's numbers, but not those of its distributions.
+/// Returns a number from 0 to 1. The standard fixes the engine's numbers, but not those of its
+/// distributions.
 double share(std::minstd_rand& random);
 
-/// So many cells fill the time.
+/// Returns the number of cells in a time.
 std::size_t cellsIn(double seconds);
 
-/// The vertex nearest to a point of the bounding box (−1 to 1 along x, y and z).
+/// Returns the vertex nearest to a point of the bounding box (−1 to 1 along x, y and z).
 StrikePoint strikePointAt(const ModalObject& object, const std::array<double, 3>& place);
 
-/// Straight into the surface; a contact time of 0 is an impulse.
+/// Returns a strike perpendicular to the surface. A contact time of 0 is an impulse.
 Strike strikeInto(const StrikePoint& point, double newtonSeconds, double contactSeconds);
 
-/// A body with so many modes of equal shape, evenly spread up to 18 kHz and then shifted, that ring
-/// for a minute.
+/// Returns a body whose modes have equal shapes, are evenly spread up to 18 kHz, then shifted, and
+/// ring for a minute.
 std::shared_ptr<const ModalObject>
 longRingingObject(const ModalObject& body, std::size_t modes, double shiftHz);
 

@@ -7,12 +7,12 @@
 namespace idiophone {
 namespace {
 
-// The note of Figure 4 is not said; this is the lowest bar, struck with 20 g at 1 m/s.
+// Figure 4 does not name its note. This is the lowest bar, struck with 20 g at 1 m/s.
 constexpr const char* barName = "xylophone-65";
 constexpr double impulseNewtonSeconds = 0.02;
 constexpr double longestSeconds = 3;
 
-/// Equal poles only merge, so that a mode is a mode.
+/// Merges only equal poles, so that every mode is counted.
 SynthesisSettings settingsAt(double tau) {
     return {.tau = tau, .modeBudget = 1e9, .compression = 0, .material = {}};
 }
@@ -20,7 +20,7 @@ SynthesisSettings settingsAt(double tau) {
 struct ModesOverTime {
     std::vector<std::int64_t> modes; ///< mixed in each cell
     double modeSeconds = 0;
-    double lastSeconds = 0; ///< the last grid point at which one was mixed
+    double lastSeconds = 0; ///< last grid point at which a mode was mixed
 };
 
 ModesOverTime modesMixed(const SynthesiserSlot& slot, const Strike& strike, double tau) {
@@ -38,7 +38,7 @@ ModesOverTime modesMixed(const SynthesiserSlot& slot, const Strike& strike, doub
     return found;
 }
 
-/// The bar with one of its modes only.
+/// Returns the bar with only one of its modes.
 std::shared_ptr<const ModalObject> onlyMode(const ModalObject& bar, std::size_t mode) {
     ModalObject object = bar;
     object.eigenvalues = {bar.eigenvalues[mode]};
@@ -59,8 +59,8 @@ std::shared_ptr<const ModalObject> onlyMode(const ModalObject& bar, std::size_t 
     return std::make_shared<const ModalObject>(std::move(object));
 }
 
-/// Eq. 14 for every mode by itself: t_c = t + ln(A(t)/τ)/α from the amplitude one cell after the
-/// impulse. Returns the latest.
+/// Applies eq. 14 to each mode: t_c = t + ln(A(t)/τ)/α, from the amplitude one cell after the
+/// impulse. Returns the latest time.
 double latestCutoffSeconds(const ModalObject& bar, const Strike& strike, double tau) {
     constexpr double cellSeconds = cellSamples / benchSampleRateHz;
     double latest = 0;

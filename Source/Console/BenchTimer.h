@@ -1,5 +1,5 @@
-// Times contestants side by side on a noisy machine: many short windows of each in random order,
-// of which the least counts. Google Benchmark does the timing.
+// Times contestants side by side on a noisy machine: many short windows of each in random order.
+// The minimum counts. Google Benchmark does the timing.
 #pragma once
 
 #include <cstdint>
@@ -16,23 +16,23 @@ struct TimingWindows {
     double seconds = 2e-3; ///< length of a window, shorter than a scheduler's slice
 };
 
-/// Processor seconds of one call of each contestant: the least over its windows, within which it is
-/// called again and again. A first call is not counted.
+/// Returns the processor seconds of one call of each contestant: the minimum over its windows, each
+/// with many calls. A first call is not counted.
 std::vector<double> leastSeconds(std::span<const Contestant> contestants,
                                  const TimingWindows& windows = {});
 
-/// Calls each contestant so many times, one call at a time in random order.
+/// Calls each contestant `times` times, one call at a time in random order.
 void callInTurn(std::span<const Contestant> contestants, int times);
 
-/// The least time that each step of a repeated sequence took: replays of the same work, noise taken
-/// away step by step.
+/// The minimum time of each step of a repeated sequence. Replays of the same work remove noise step
+/// by step.
 class LeastStepTimes {
 public:
     /// Runs and times steps 0 to count − 1.
     void replay(std::size_t count, const std::function<void(std::size_t step)>& run);
 
     std::span<const double> seconds() const { return least; }
-    /// Over steps `from` to `until` − 1.
+    /// Returns the sum over steps `from` to `until` − 1.
     double sum(std::size_t from, std::size_t until) const;
     double sum() const { return sum(0, least.size()); }
 

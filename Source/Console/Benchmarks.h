@@ -1,5 +1,5 @@
-// The benchmarks of `idiophone bench`. They use the engine as a user of its headers does, without
-// JUCE; every ratio comes from times measured side by side in one run.
+// The benchmarks of `idiophone bench`. They use the engine through its headers, without JUCE. Every
+// ratio comes from times measured side by side in one run.
 #pragma once
 
 #include "Console/BenchReport.h"
@@ -13,19 +13,19 @@
 
 namespace idiophone {
 
-/// What the benchmarks play, from the factory and the command line.
+/// The content of the benchmarks, from the factory and the command line.
 struct BenchContent {
-    /// All factory objects by their names: "xylophone-65" to "xylophone-108", others.
+    /// All factory objects with their names: "xylophone-65" to "xylophone-108", and others.
     std::vector<std::shared_ptr<const ModalObject>> factoryObjects;
 
-    /// A song on the factory's xylophone; empty where none was given.
+    /// A song on the factory's xylophone; empty if none was given.
     std::string songName;
     std::vector<SynthesiserSlot> songSlots;
     std::vector<SceneStrike> song; ///< in ascending order of time
     SynthesisSettings songSettings;
 };
 
-/// Objects whose names begin so, in the order of the factory.
+/// Returns the objects whose names start with `beginning`, in the order of the factory.
 std::vector<std::shared_ptr<const ModalObject>> objectsNamed(const BenchContent& content,
                                                              std::string_view beginning);
 
@@ -35,26 +35,26 @@ struct NamedBenchmark {
     Result<BenchSection> (*run)(const BenchContent&);
 };
 
-/// In the order in which they run.
+/// Returns the benchmarks in the order in which they run.
 std::span<const NamedBenchmark> namedBenchmarks();
 
-/// Modal banks against the FMA peak, the paper's loop and double-precision exponentials.
+/// Compares modal banks with the FMA peak, the paper's loop and double-precision exponentials.
 Result<BenchSection> benchKernel(const BenchContent&);
-/// The worst callback against the mean, and silence against sound.
+/// Compares the worst callback with the mean, and silence with sound.
 Result<BenchSection> benchCallback(const BenchContent&);
-/// Cells under continuous force against the same object's free cells.
+/// Compares cells under continuous force with the same object's free cells.
 Result<BenchSection> benchForce(const BenchContent&);
-/// Entries of the gain matrix before and after compression.
+/// Counts entries of the gain matrix before and after compression.
 Result<BenchSection> benchMemory(const BenchContent&);
-/// Modes mixed over time at two truncation thresholds (the paper's Figure 4).
+/// Counts modes mixed over time at two truncation thresholds (the paper's Figure 4).
 Result<BenchSection> benchTau(const BenchContent&);
-/// A hundred rings on a table (the paper's Figure 8).
+/// Renders a hundred rings on a table (the paper's Figure 8).
 Result<BenchSection> benchRings(const BenchContent&);
-/// Modes mixed, cost and memory with 10, 100 and 1000 sounding bodies.
+/// Measures modes mixed, cost and memory with 10, 100 and 1000 sounding bodies.
 Result<BenchSection> benchScale(const BenchContent&);
-/// A song as a share of one core.
+/// Measures a song's share of one core.
 Result<BenchSection> benchXylophone(const BenchContent&);
-/// Modes and level before and after compression.
+/// Compares modes and level before and after compression.
 Result<BenchSection> benchCompression(const BenchContent&);
 
 } // namespace idiophone

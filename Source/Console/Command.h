@@ -1,5 +1,5 @@
 // The subcommands of the program `idiophone`, one a file. Each adds its options to the command
-// line; when it is the one that was given, it leaves its action for Main to run.
+// line. If its subcommand is given, it sets the action that Main runs.
 #pragma once
 
 #include "Object/Result.h"
@@ -9,8 +9,8 @@
 
 namespace idiophone {
 
-/// Runs after the whole command line was read. The error becomes one sentence on standard error and
-/// an exit code other than 0.
+/// Runs after the whole command line is parsed. The error becomes one sentence on standard error
+/// and an exit code other than 0.
 using Action = std::function<Result<void>()>;
 
 void addAnalyse(CLI::App& program, Action& chosen);

@@ -32,7 +32,8 @@ void report(const ModalObject& object, const std::filesystem::path& file, double
 Result<void> makeOne(const std::string& name, const Options& options) {
     const auto file = options.folder / (name + ".modal");
     std::error_code ignored;
-    if (!options.replaces && std::filesystem::exists(file, ignored)) // nobody has named it
+    if (!options.replaces &&
+        std::filesystem::exists(file, ignored)) // the user did not name the file
         return failure(nameOf(file) + ": it is there already; --replace makes it anew");
     if (auto writable = checkWritable(file); !writable)
         return writable;
@@ -45,7 +46,7 @@ Result<void> makeOne(const std::string& name, const Options& options) {
     }();
     if (!made)
         return tl::unexpected(made.error());
-    // The time is the machine's: without it, the same sources give the same file.
+    // The time depends on the machine. Without it, the same sources give the same file.
     const double seconds = std::exchange(made->provenance.analysisSeconds, 0);
     if (auto written = writeModalObject(*made, file, ShapePrecision::half); !written)
         return written;

@@ -37,7 +37,7 @@ struct RecordedStrike {
 
 constexpr double farthestMetres = 1e4;
 
-/// The last @ parts file from place, for a file's name may hold some.
+/// Splits at the last @, because a file name may contain some.
 Result<RecordedStrike> parseStrike(const std::string& text) {
     const auto refuse = [&] {
         return failure(text + ": it is not a recording, an @ and a place: X,Y,Z or a radius, in "
@@ -105,7 +105,7 @@ Result<RecordingFit> fitFiles(const std::vector<RecordedStrike>& strikes,
     return fitRecordings(views, settings);
 }
 
-/// What the object itself does not say.
+/// Returns the notes on the fit that the object does not contain.
 std::string notesOf(const RecordingFit& fit, const ModalObject& object, const Options& options) {
     std::ostringstream notes;
     notes << fit.modes.size() << " of the " << fit.modesFound

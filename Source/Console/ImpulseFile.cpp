@@ -22,7 +22,7 @@ constexpr double longestContactSeconds = 1;
 constexpr double largestImpulse = 1e6;
 constexpr double farthestMetres = 1e6;
 
-// Inside this file a line's fault travels as an exception.
+// Inside this file an error in a line is an exception.
 struct Fault {
     std::string sentence;
 };
@@ -89,7 +89,7 @@ void parseMember(const std::string& key, const json& value, Impulse& impulse) {
         throw Fault{"an impulse has no " + inQuotes(key)};
 }
 
-/// What stands in the way of reading a line, such as NaN, which some programs write.
+/// Returns why a line is not JSON. Some programs write NaN, for example.
 Fault notJson(std::string_view text) {
     const auto at = firstByteNotJson(text);
     if (!at)

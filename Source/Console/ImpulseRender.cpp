@@ -34,21 +34,21 @@ struct ImpulseScore {
     std::vector<Contact> contacts; ///< in order of time
 };
 
-/// Files are named from where the list of impulses stands.
+/// Resolves an object's file relative to the list of impulses.
 std::string resolved(const std::string& object, const std::filesystem::path& impulseFile) {
     if (factoryObject(object))
         return object;
     return storedNameOf(impulseFile.parent_path() / pathNamed(localName(object)));
 }
 
-/// An object that impulses name, and where it can be struck.
+/// An object named by impulses, and its surface.
 struct StruckObject {
     Result<std::shared_ptr<const ModalObject>> object;
-    std::shared_ptr<const ObjectSurface> surface; ///< where there is an object
-    int firstLine = 0;                            ///< that names it
+    std::shared_ptr<const ObjectSurface> surface; ///< null if there is no object
+    int firstLine = 0;                            ///< first line that names it
 };
 
-/// Whatever names it has, an object has one surface.
+/// One surface for each object, even if it has several names.
 using Surfaces = std::map<const ModalObject*, std::shared_ptr<const ObjectSurface>>;
 
 StruckObject struckObject(const std::string& object, Surfaces& surfaces) {
@@ -121,7 +121,7 @@ Result<ImpulseScore> arrange(std::span<const Impulse> impulses,
     return score;
 }
 
-/// The grid's cells one after another, each with the contacts that begin in it.
+/// Renders cells one after another, each with the contacts that begin in it.
 class CellPlayer {
 public:
     CellPlayer(const ImpulseScore& score, const SynthesisSettings& settings, double sampleRateHz)
@@ -129,7 +129,7 @@ public:
         synth.setSettings(settings);
     }
 
-    /// Advances by a cell and returns it; it is there until the next.
+    /// Advances by a cell and returns it. The result is valid until the next call.
     StereoSpan next(RenderTally& tally) {
         const CellOutput cell(left, right);
         const auto start = std::chrono::steady_clock::now();
@@ -153,7 +153,7 @@ public:
     }
 
     bool finished() const { return due == contacts.size() && synth.silent(); }
-    /// Says how many impulses were left out, and why.
+    /// Warns how many impulses were left out, and why.
     void warnOfLeftOut(const std::filesystem::path& file) const {
         for (const auto& [count, why] :
              {std::pair{crowdedOut, "their bodies were in 64 contacts already"},

@@ -9,9 +9,9 @@
 
 namespace idiophone {
 
-/// Reads the impulses and their objects, and renders up to the length of the format or else to
-/// silence after the last contact, with what was `assigned` among the parameters. Impulses act at
-/// their time to a fraction of a sample.
+/// Reads the impulses and their objects. Renders up to the format's length, or else to silence
+/// after the last contact. `assigned` are the parameters set by name. Impulses act at their time to
+/// a fraction of a sample.
 Result<RenderTally> renderImpulses(const std::filesystem::path& file,
                                    const ParameterValues& parameters,
                                    std::span<const ParameterId> assigned,

@@ -44,7 +44,7 @@ std::size_t countGroups(const ModalObject& object) {
                       object.gains);
 }
 
-/// JSON has no infinity, which is the T60 of a material without damping.
+/// JSON has no infinity, the T60 of a material without damping.
 ordered_json finiteOrNull(double value) {
     return std::isfinite(value) ? ordered_json(value) : nullptr;
 }

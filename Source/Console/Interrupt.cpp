@@ -27,7 +27,7 @@ const std::atomic<bool>& interruptRequested() {
     [[maybe_unused]] static const bool listens = [] {
         for (const int wish : wishes)
             if (std::signal(wish, handleInterrupt) == SIG_IGN)
-                std::signal(wish, SIG_IGN); // as nohup and shells have it for what goes on alone
+                std::signal(wish, SIG_IGN); // nohup and shells set this for background processes
         return true;
     }();
     return interrupted;

@@ -1,5 +1,5 @@
-// Ctrl-C, and what else asks a program to end, as a wish to stop, so that files half written are
-// taken away. A second one kills.
+// Turns Ctrl-C and other termination signals into a request to stop, so that partial files are
+// removed. A second signal kills the program.
 #pragma once
 
 #include <atomic>
@@ -7,10 +7,11 @@
 
 namespace idiophone {
 
-/// From the first call on, such a signal sets what it returns instead of ending the program.
+/// The first call installs the handler. From then on a signal sets the returned flag instead of
+/// ending the program.
 const std::atomic<bool>& interruptRequested();
 
-/// The error of a rendering that was stopped.
+/// The error of an interrupted rendering.
 inline constexpr std::string_view interruptedMessage = "It was interrupted.";
 
 } // namespace idiophone

@@ -1,5 +1,5 @@
-// Paths of the standard library as JUCE's and back: Windows has them in UTF-16, and its narrow
-// texts are not UTF-8.
+// Converts paths between the standard library and JUCE. Windows stores them in UTF-16, and its
+// narrow texts are not UTF-8.
 #pragma once
 
 #include <filesystem>

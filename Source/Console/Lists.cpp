@@ -51,7 +51,7 @@ ordered_json describeParameters() {
     return list;
 }
 
-/// For people, who know what a unit is after having read it once.
+/// Returns the range for people, without repeating the unit.
 std::string shortRange(const ParameterInfo& info) {
     if (info.scale == ParameterScale::onOff)
         return "On or Off";
@@ -80,7 +80,7 @@ void printParameters() {
         if (info.scale != ParameterScale::choice)
             continue;
         std::string names;
-        for (const auto name : choiceNames(info.parameter)) // of which some have commas
+        for (const auto name : choiceNames(info.parameter)) // some names contain commas
             names += (names.empty() ? "" : "; ") + std::string(name);
         std::cout << '\n' << leftColumn(info.id, 16) << paragraph(names, 16);
     }

@@ -8,18 +8,18 @@
 
 namespace idiophone {
 
-/// Throws std::bad_alloc where memory ends.
+/// Throws std::bad_alloc if memory runs out.
 class LoudnessMeter {
 public:
     LoudnessMeter(int channels, int sampleRateHz);
 
-    /// Appends samples of full scale 1: one of each channel, and so on.
+    /// Appends interleaved samples of full scale 1.
     void add(std::span<const float> interleaved);
 
-    /// Of all so far; nothing where it is fainter than the gate, -70 LUFS.
+    /// Returns the loudness so far, or nothing below the gate of -70 LUFS.
     std::optional<double> integratedLufs() const;
 
-    /// The loudness of the last 400 ms. Silence has -infinity.
+    /// Returns the loudness of the last 400 ms, -infinity for silence.
     double momentaryLufs() const;
 
 private:
@@ -30,7 +30,8 @@ private:
     std::unique_ptr<ebur128_state, Free> state;
 };
 
-/// The LUFS of the loudest 400 ms, tried every 10 ms. Silence and shorter sounds have -infinity.
+/// Returns the LUFS of the loudest 400 ms, in steps of 10 ms. Silence and shorter sounds have
+/// -infinity.
 double loudestMomentLufs(std::span<const float> interleaved, int channels, int sampleRateHz);
 
 } // namespace idiophone

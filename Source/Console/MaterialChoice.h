@@ -1,4 +1,4 @@
-// Which material an option names: one of the library's, one of the user's, or a file.
+// Finds the material that an option names: in the library, in the user's folder, or in a file.
 #pragma once
 
 #include "Object/Material.h"
@@ -8,11 +8,11 @@
 
 namespace idiophone {
 
-/// The library's material of that name, or else the user's (Object/MaterialFile.h), or else the one
-/// in the JSON file of that path.
+/// Returns the library's material of that name, or else the user's (Object/MaterialFile.h), or else
+/// the one in the JSON file of that path.
 Result<Material> findOrReadMaterial(const std::string& nameOrFile);
 
-/// The material as JSON that can be read back.
+/// Returns the material as JSON that can be read back.
 nlohmann::ordered_json describe(const Material& material);
 
 } // namespace idiophone

@@ -17,14 +17,14 @@ namespace {
 using nlohmann::ordered_json;
 
 struct Options {
-    std::string material; ///< empty: all of them
+    std::string material; ///< empty: all materials
     bool sources = false;
     bool json = false;
 };
 
 constexpr std::array<int, 3> shownHz{440, 1000, 4000};
 
-/// JSON has no infinity, which is the T60 of a material without damping.
+/// JSON has no infinity, the T60 of a material without damping.
 ordered_json describeWithDecay(const Material& material) {
     auto result = describe(material);
     for (const int hz : shownHz) {
@@ -35,7 +35,7 @@ ordered_json describeWithDecay(const Material& material) {
     return result;
 }
 
-/// Each part of the figures has a source of its own, where the file has it so.
+/// Prints the sources of the figures on separate lines if the file has several.
 void printSource(std::string source) {
     for (const std::string part : {"density", "damping", "contact"})
         if (const auto at = source.find("; " + part + ": "); at != std::string::npos)
@@ -59,7 +59,7 @@ void print(const Material& material, std::size_t nameWidth) {
     std::cout << '\n';
 }
 
-/// In the units of the parameters of the custom material.
+/// Prints in the units of the custom material's parameters.
 void print(std::span<const Material> materials, bool withSources) {
     std::size_t nameWidth = 16;
     for (const auto& material : materials)

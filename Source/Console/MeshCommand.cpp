@@ -22,9 +22,9 @@ struct Options {
 };
 
 constexpr double pi = std::numbers::pi;
-constexpr int mostVertices = 1000000; // asked for; proportions may bring twice as many
+constexpr int mostVertices = 1000000; // requested maximum; proportions may double it
 
-/// The edge of near-equilateral triangles of which so many vertices cover an area.
+/// Returns the edge of near-equilateral triangles if `vertexCount` vertices cover an area.
 double edgeFor(double areaM2, int vertexCount) {
     return std::sqrt(areaM2 / vertexCount * 2 / std::sqrt(3.0));
 }

@@ -20,7 +20,8 @@ bool isPressure(const SongEvent& event) {
     return kind == 0xa0 || kind == 0xd0;
 }
 
-// Controllers hold for the notes that start with them, pressure is that of a key that is down.
+// Controllers precede the notes that start with them. Pressure follows, because it needs a key that
+// is down.
 int orderAtOneTime(const SongEvent& event) {
     if (event.isNoteOff())
         return 1;
@@ -34,12 +35,12 @@ bool isUsableTimeFormat(short format) {
     return format < 0 ? (format & 0xff) != 0 : format != 0;
 }
 
-/// All notes of one key of a track, in order of time. At one time some files have what begins
-/// before what ends; here what ends comes first where something is down that it ends, or where what
-/// begins is ended later.
+/// Orders the notes of one key of a track. At equal times some files put note-ons before note-offs.
+/// Here a note-off comes first if it ends a sounding note, or if a later note-off ends the new
+/// note.
 void orderKey(std::span<SongEvent* const> notes) {
     std::ptrdiff_t down = 0;
-    std::ptrdiff_t endsBehind = 0; // more than there are beginnings
+    std::ptrdiff_t endsBehind = 0; // surplus of note-offs over note-ons that follow
     for (const auto* note : notes)
         endsBehind += note->isNoteOff() ? 1 : -1;
     for (auto rest = notes; !rest.empty();) {
@@ -67,7 +68,7 @@ void orderKey(std::span<SongEvent* const> notes) {
 std::vector<SongEvent> channelMessages(const MidiTracks& midi) {
     struct Ranked {
         SongEvent event;
-        int order = 0; ///< among all of its time; no less than of those before it in its track
+        int order = 0; ///< rank among events at its time; never decreases within a track
     };
     const TempoMap tempo(midi);
     std::vector<Ranked> all;
@@ -85,7 +86,7 @@ std::vector<SongEvent> channelMessages(const MidiTracks& midi) {
         std::ranges::stable_sort(ofTrack, {}, [](const Ranked& each) {
             return std::pair(each.event.seconds, isPressure(each.event));
         });
-        std::map<std::pair<int, int>, std::vector<SongEvent*>> notes; // of channels and keys
+        std::map<std::pair<int, int>, std::vector<SongEvent*>> notes; // by channel and key
         for (auto& [event, order] : ofTrack)
             if (event.isNoteOn() || event.isNoteOff())
                 notes[{event.bytes[0] & 0x0f, event.bytes[1]}].push_back(&event);
@@ -105,7 +106,7 @@ std::vector<SongEvent> channelMessages(const MidiTracks& midi) {
     return events;
 }
 
-/// Data bytes have seven bits; JUCE takes any.
+/// Returns whether the data bytes have seven bits. JUCE accepts any.
 bool isWhole(const SongEvent& event) {
     return event.bytes[1] < 0x80 && event.bytes[2] < 0x80;
 }
@@ -127,7 +128,7 @@ Result<std::vector<SongEvent>> readMidiSong(const std::filesystem::path& file) {
         return refuse("the MIDI file is damaged or cut off");
     if (std::ranges::none_of(events, &SongEvent::isNoteOn))
         return refuse("it holds no notes");
-    // Negated, so that it catches NaN; sorting put it anywhere.
+    // The negation also catches NaN, which sorting may have put anywhere.
     const auto isInTime = [](const SongEvent& event) {
         return event.seconds >= 0 && event.seconds <= longestSeconds;
     };

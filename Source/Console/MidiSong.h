@@ -12,7 +12,7 @@ namespace idiophone {
 
 struct SongEvent {
     double seconds = 0;
-    std::array<std::uint8_t, 3> bytes{}; ///< two-byte messages have a 0 behind them
+    std::array<std::uint8_t, 3> bytes{}; ///< two-byte messages end with a 0
 
     bool isNoteOn() const { return (bytes[0] & 0xf0) == 0x90 && bytes[2] > 0; }
     bool isNoteOff() const {
@@ -20,11 +20,11 @@ struct SongEvent {
     }
 };
 
-/// The channel messages of all tracks, in order of time by the file's tempo map or SMPTE rate. At
-/// one time those of a track keep its order, but what ends a note comes before what strikes its key
-/// again, and pressure is that of the keys that go down then.
-/// Among tracks controllers come first, then note-offs, then note-ons.
-/// The error names the file and the fault: not a MIDI file, damaged, no notes, beyond 10 hours.
+/// Returns the channel messages of all tracks, in order of time by the file's tempo map or SMPTE
+/// rate. At equal times, events of a track keep their order, with two exceptions: a note-off
+/// precedes the next strike of its key, and pressure follows the note-ons. Among tracks,
+/// controllers come first, then note-offs, then note-ons. The error names the file and the fault:
+/// not a MIDI file, damaged, without notes, or longer than 10 hours.
 Result<std::vector<SongEvent>> readMidiSong(const std::filesystem::path& file);
 
 } // namespace idiophone

@@ -5,7 +5,7 @@
 namespace idiophone {
 namespace {
 
-/// Where a reader is. Nothing is taken of what is too short.
+/// The unread bytes. take() takes nothing if they are too few.
 struct Rest {
     std::string_view bytes;
 
@@ -26,7 +26,7 @@ struct Rest {
     }
 };
 
-/// Up to behind its mark; some files have a RIFF header before it.
+/// Skips to the end of the header's mark. Some files have a RIFF header before it.
 bool skipToHeader(Rest& rest) {
     auto mark = rest.take(4);
     if (mark == "RIFF")
@@ -75,7 +75,7 @@ std::optional<MidiTracks> readMidiTracks(std::string_view bytes) {
     if (!kind || !count || !format || *kind > 2 || (*kind == 0 && *count != 1))
         return std::nullopt;
     MidiTracks midi{.timeFormat = static_cast<short>(*format), .tracks = {}};
-    // Chunks of other kinds are nobody's; some programs count them all the same.
+    // Chunks of other kinds are ignored. Some programs count them as tracks.
     for (int chunks = 0; midi.tracks.size() < *count; ++chunks) {
         if (chunks >= *count && rest.bytes.empty())
             break;

@@ -1,4 +1,4 @@
-// The tracks of a Standard MIDI File, as they stand in it.
+// The tracks of a Standard MIDI File in their original order.
 #pragma once
 
 #include <juce_audio_basics/juce_audio_basics.h>
@@ -9,12 +9,12 @@
 namespace idiophone {
 
 struct MidiTracks {
-    short timeFormat = 0;                               ///< as juce::MidiFile::getTimeFormat
-    std::vector<std::vector<juce::MidiMessage>> tracks; ///< in order of time, which is in ticks
+    short timeFormat = 0;                               ///< as in juce::MidiFile::getTimeFormat
+    std::vector<std::vector<juce::MidiMessage>> tracks; ///< in order of time; times are in ticks
 };
 
-/// What juce::MidiFile reads, or nothing where that is damaged or cut off. JUCE itself looks for
-/// the end of each note among all messages of its time, which takes quadratic time.
+/// Reads the same as juce::MidiFile, or nothing if the file is damaged or cut off. JUCE searches
+/// all messages of a time for the end of each note, which takes quadratic time.
 std::optional<MidiTracks> readMidiTracks(std::string_view bytes);
 
 } // namespace idiophone

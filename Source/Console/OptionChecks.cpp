@@ -12,7 +12,7 @@ bool isWritten(const CLI::Option& option) {
     return option.get_type_name() == writtenFile;
 }
 
-/// Those of its groups, too.
+/// Returns the given options, including those in option groups.
 std::vector<const CLI::Option*> givenOptions(const CLI::App& command) {
     std::vector<const CLI::Option*> given;
     for (const auto* option :
@@ -24,7 +24,7 @@ std::vector<const CLI::Option*> givenOptions(const CLI::App& command) {
     return given;
 }
 
-/// One place has one, whether there is a file or not.
+/// Returns a unique path for a place, whether the file exists or not.
 std::filesystem::path normal(const std::string& file) {
     std::error_code fault;
     auto place = std::filesystem::weakly_canonical(std::filesystem::absolute(file, fault), fault);
@@ -37,7 +37,7 @@ bool areSame(const std::filesystem::path& one, const std::filesystem::path& othe
            std::filesystem::equivalent(one, other, fault);
 }
 
-/// A recording is given as FILE@PLACE.
+/// Recordings are given as FILE@PLACE.
 bool names(const std::string& given, const std::filesystem::path& file) {
     return areSame(file, given) || areSame(file, given.substr(0, given.rfind('@')));
 }

@@ -1,4 +1,4 @@
-// Checks of what stands on the command line.
+// Checks options of the command line.
 #pragma once
 
 #include "Object/Result.h"
@@ -7,13 +7,13 @@
 
 namespace idiophone {
 
-/// A finite number from `lowest` to `highest`. CLI11's own range lets "nan" through.
+/// Accepts a finite number from `lowest` to `highest`. CLI11's own range accepts "nan".
 CLI::Validator numberBetween(double lowest, double highest);
 
 /// The `type_name` of options whose file the command writes.
 inline constexpr auto writtenFile = "OUTPUT";
 
-/// Fails where such a file is one that the command line names elsewhere too, to be read or written.
+/// Fails if the command line names a written file again, for reading or writing.
 Result<void> checkWrittenFiles(const CLI::App& command);
 
 } // namespace idiophone

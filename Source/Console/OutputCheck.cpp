@@ -10,7 +10,7 @@ Result<void> checkWritable(const std::filesystem::path& file) {
     if (std::filesystem::is_directory(there))
         return failure(file.string() + ": it is a directory");
     if (std::filesystem::exists(there) && !std::filesystem::is_regular_file(there))
-        return {}; // a device or a pipe, which is written as it is
+        return {}; // a device or a pipe, which is written directly
     const auto trial = makeFileBeside(behindLinks(file));
     if (!trial)
         return failure(file.string() + ": the file cannot be written");

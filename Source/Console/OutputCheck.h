@@ -1,4 +1,4 @@
-// Asks early whether what is made can be written, so that a long task does not fail at its end.
+// Checks early whether a result can be written, so that a long task does not fail at its end.
 #pragma once
 
 #include "Object/Result.h"
@@ -7,10 +7,10 @@
 
 namespace idiophone {
 
-/// Fails where `file` is a directory, or cannot be created beside where it will stand.
+/// Fails if `file` is a directory or no file can be created beside it.
 Result<void> checkWritable(const std::filesystem::path& file);
 
-/// Makes the directory where there is none. The error names it.
+/// Creates the directory if it does not exist. The error names it.
 Result<void> makeDirectory(const std::filesystem::path& directory);
 
 } // namespace idiophone

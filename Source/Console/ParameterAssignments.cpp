@@ -19,9 +19,10 @@ std::string valuesOf(const ParameterInfo& info) {
     return formatParameter(info, info.minimum) + " to " + formatParameter(info, info.maximum);
 }
 
-/// The table takes a number beyond the range to its end, which on a command line hides mistakes.
+/// Returns whether a number is out of range. The table would clamp it, which hides mistakes on a
+/// command line.
 bool isBeyondRange(const ParameterInfo& info, std::string_view text) {
-    std::istringstream stream{std::string(text)}; // as the table reads it: a unit may follow
+    std::istringstream stream{std::string(text)}; // read as the table does: a unit may follow
     stream.imbue(std::locale::classic());
     double number = 0;
     return stream >> number && !(number >= info.minimum && number <= info.maximum);

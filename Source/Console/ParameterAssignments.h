@@ -1,4 +1,4 @@
-// "--set PARAM=VALUE" through the parameter table.
+// Handles "--set PARAM=VALUE" through the parameter table.
 #pragma once
 
 #include "Object/Result.h"
@@ -10,11 +10,11 @@
 
 namespace idiophone {
 
-/// Adds the option, which may be given many times.
+/// Adds the option, which may be given several times.
 void addParameterAssignments(CLI::App& command, std::vector<std::string>& assignments);
 
-/// Sets every PARAM=VALUE and returns which they are. The error says which parameter does not
-/// exist, or which values it takes. What they come to is AssignedEffect.h's.
+/// Sets every PARAM=VALUE and returns the parameters. The error names an unknown parameter or the
+/// valid values. AssignedEffect.h determines their effect.
 Result<std::vector<ParameterId>> assignParameters(const std::vector<std::string>& assignments,
                                                   ParameterValues& values);
 

@@ -1,4 +1,4 @@
-// A preset by its factory name or from a file.
+// Finds a preset by its factory name or reads it from a file.
 #pragma once
 
 #include "Instrument/Preset.h"
@@ -7,10 +7,9 @@
 
 namespace idiophone {
 
-/// The factory preset of that name, or else the preset in the file of that path with
-/// its objects (withObjectsBeside); an empty text is a
-/// preset of defaults without objects. Warns on standard error of parameters that this version does
-/// not know.
+/// Returns the factory preset of that name, or else the preset in the file of that path with its
+/// objects (withObjectsBeside). An empty text gives the default preset without objects. Warns on
+/// standard error of parameters that this version does not know.
 Result<Preset> findOrReadPreset(const std::string& nameOrFile);
 
 } // namespace idiophone

@@ -22,7 +22,7 @@ namespace {
 using nlohmann::ordered_json;
 
 struct Options {
-    std::string preset; ///< empty: lists the factory's
+    std::string preset; ///< empty: lists the factory presets
     bool json = false;
 };
 
@@ -49,8 +49,8 @@ void printAll() {
 
 constexpr int sampleRateHz = 48000;
 
-/// The phrase of the loudness of presets in both channels, interleaved, as the output stage has it.
-/// Without the limiter, so that the loudness follows the level.
+/// Renders the loudness phrase through the output stage, interleaved. The limiter is off, so that
+/// loudness follows the level.
 Result<std::vector<float>> heardPhrase(const Preset& preset,
                                        const std::shared_ptr<const Instrument>& instrument) {
     const auto [left, right] = playLoudnessPhrase(preset, instrument, sampleRateHz);
@@ -76,13 +76,13 @@ std::optional<double> integratedLufs(std::vector<float> sound, double gainDb) {
     return meter.integratedLufs();
 }
 
-/// The gain that makes the sound as loud as the factory's; nothing where it is not heard.
+/// Returns the gain that matches the loudness of the factory presets, or nothing for silence.
 std::optional<double> matchingGainDb(const std::vector<float>& sound) {
     const auto [lowest, highest] = std::ranges::minmax(sound);
     if (lowest == 0 && highest == 0)
         return std::nullopt;
     double gainDb = -20 * std::log10(std::max(-lowest, highest));
-    // What is left after the first step is what the gate takes.
+    // Iterates because the gain changes what the meter's gate excludes.
     for (int step = 0; step < 4; ++step) {
         const auto lufs = integratedLufs(sound, gainDb);
         if (!lufs)
@@ -92,7 +92,7 @@ std::optional<double> matchingGainDb(const std::vector<float>& sound) {
     return gainDb;
 }
 
-/// Says the `level` at which the preset is as loud as the factory's.
+/// Prints the `level` at which the preset is as loud as the factory presets.
 Result<void> measure(const Options& options) {
     const auto preset = findOrReadPreset(options.preset);
     if (!preset)

@@ -43,7 +43,7 @@ void ProgressLine::show(double fraction, std::string_view step) {
     shown = line;
     if (line.size() < width)
         line.append(width - line.size(), ' ');
-    std::clog << '\r' << line << std::flush; // std::cerr would show the '\r' (TerminalText)
+    std::clog << '\r' << line << std::flush; // std::cerr would escape the '\r' (TerminalText)
 }
 
 } // namespace idiophone

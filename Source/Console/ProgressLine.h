@@ -1,4 +1,5 @@
-// One line on standard error that says how far a long task is; nothing where that is no terminal.
+// Shows the progress of a long task on one line of standard error. Shows nothing if that is no
+// terminal.
 #pragma once
 
 #include <string>
@@ -9,7 +10,7 @@ namespace idiophone {
 class ProgressLine {
 public:
     explicit ProgressLine(std::string_view task);
-    ~ProgressLine(); ///< takes the line away
+    ~ProgressLine(); ///< clears the line
     ProgressLine(const ProgressLine&) = delete;
     ProgressLine& operator=(const ProgressLine&) = delete;
 

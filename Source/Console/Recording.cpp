@@ -51,7 +51,7 @@ Recording::~Recording() = default;
 
 Result<std::unique_ptr<Recording>> Recording::start(const RecordingFormat& format,
                                                     const ParameterValues& parameters) {
-    interruptRequested(); // from now on is one, and leaves no file that is not whole
+    interruptRequested(); // installs the handler, so that an interrupt leaves no partial file
     std::unique_ptr<Recording> result(new Recording(format, parameters));
     auto writer = WavWriter::create(format.file, format.sampleRateHz, 2, format.bitDepth);
     if (!writer)
@@ -69,7 +69,7 @@ Result<void> Recording::add(std::span<const float> left, std::span<const float> 
            writtenRight[static_cast<std::size_t>(sounding - 1)] == 0)
         --sounding;
     if (sounding > 0) {
-        // The output stage's block is still needed: silence is written from the meter's buffer.
+        // Keep the output stage's block: write the silence from the meter's buffer.
         if (auto done = writeSilence(heldBack); !done)
             return done;
         heldBack = 0;
@@ -130,7 +130,7 @@ Result<void> Recording::finish(std::int64_t leastSamples) {
     return {};
 }
 
-/// Above full scale.
+/// Warns of a peak above full scale.
 void Recording::warnOfPeak() const {
     const double peakDb = decibelsFullScale(highest);
     std::ostringstream text;

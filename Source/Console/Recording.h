@@ -1,4 +1,4 @@
-// The output stage recorded to a stereo WAV file, with what is to be said of the sound.
+// Records the output stage to a stereo WAV file and reports on the sound.
 #pragma once
 
 #include "Console/LoudnessMeter.h"
@@ -18,7 +18,7 @@
 
 namespace idiophone {
 
-/// How the sound is rendered and written, as the options of `strike` and `render` say.
+/// How the sound is rendered and written, from the options of `strike` and `render`.
 struct RecordingFormat {
     std::filesystem::path file;
     int sampleRateHz = 48000;
@@ -36,22 +36,22 @@ public:
                                                     const ParameterValues& parameters);
     ~Recording();
 
-    /// Appends a block of at most the block size, both channels of one length. Fails where what is
-    /// heard of it is not finite.
+    /// Appends a block of at most the block size; both channels have equal length. Fails if the
+    /// output is not finite.
     Result<void> add(std::span<const float> left, std::span<const float> right);
 
-    /// Appends samples of any number, block by block.
+    /// Appends any number of samples, block by block.
     Result<void> addAll(std::span<const float> left, std::span<const float> right);
 
-    /// Ends the file at its last sound, but not before `leastSamples`: what was added beyond is
-    /// silence, and how much of it there is depends on the block size.
+    /// Ends the file at its last sound, but not before `leastSamples`. The silence after the last
+    /// sound is dropped, because its length depends on the block size.
     Result<void> finish(std::int64_t leastSamples);
 
     /// See OutputStage.
     void hush(std::size_t unanswered) { output.hush(unanswered); }
-    bool silent() const { return output.silent(); } ///< nothing sounds on of what was added
+    bool silent() const { return output.silent(); } ///< no reverb is left
 
-    /// samples, seconds, sample_rate_hz, peak_dbfs, integrated_lufs: null where there is no sound.
+    /// samples, seconds, sample_rate_hz, peak_dbfs, integrated_lufs: null for silence.
     nlohmann::ordered_json statistics() const;
     /// "3.21 s at 48000 Hz, peak -6.0 dBFS".
     std::string summary() const;

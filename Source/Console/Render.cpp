@@ -73,7 +73,7 @@ Result<KeyTuning> readTuning(const Options& options) {
     return keyTuning({.scale = *scale, .mapping = *mapping});
 }
 
-/// What of the command line the preset's keys cannot follow.
+/// Warns of options that the preset's keys cannot follow.
 void warnOfTuning(const Preset& preset, const Instrument& instrument, const Options& options) {
     if (instrument.keysHaveObjects())
         return;

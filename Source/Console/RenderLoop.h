@@ -1,4 +1,4 @@
-// What every rendering to a file has in common: its length, its end, progress and Ctrl-C.
+// The common loop of all renderings to a file: length, end, progress and Ctrl-C.
 #pragma once
 
 #include "Console/Recording.h"
@@ -14,15 +14,15 @@ struct RenderTask {
     std::string name;            ///< for the progress line
     std::int64_t lastSample = 0; ///< of the last event, -1 without any
     std::int64_t pieceSamples = 0;
-    /// Renders so many samples, a piece's or fewer, or only the first of them; they are there until
-    /// the next call. An error ends it all.
+    /// Renders `count` samples, at most a piece, or only the first of them. The result is valid
+    /// until the next call. An error ends the rendering.
     std::function<Result<StereoSpan>(std::int64_t count)> render;
-    /// Nothing sounds any more, nor will it by itself.
+    /// Returns true if nothing sounds any more or will sound without new events.
     std::function<bool()> finished;
 };
 
-/// Renders up to the length of the format, or else to silence after the last event, half a minute
-/// later at the latest. Denormals are flushed, as in a host's callback.
+/// Renders up to the format's length, or else to silence after the last event, at most half a
+/// minute later. Denormals are flushed, as in a host's callback.
 Result<void> renderTo(Recording& recording, const RecordingFormat& format, const RenderTask& task);
 
 } // namespace idiophone

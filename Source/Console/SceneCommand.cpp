@@ -82,7 +82,7 @@ ordered_json describe(const SceneTally& tally, const Recording& recording) {
     return report;
 }
 
-/// The blows as docs/impulses.md has them.
+/// Returns the impacts in the format of docs/impulses.md.
 std::string impulseLines(const SceneCast& cast,
                          const std::vector<SceneBlow>& blows,
                          const std::filesystem::path& list) {
@@ -121,7 +121,7 @@ Result<void> report(const SceneTally& tally, const Recording& recording, const O
     return {};
 }
 
-/// Whether nothing moves but what notes drop.
+/// Returns whether only the bodies that notes drop move.
 bool waitsForNotes(const Scene& scene) {
     return scene.noteDrop && !scene.hand &&
            std::ranges::all_of(scene.releases, [&](const Release& release) {

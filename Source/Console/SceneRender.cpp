@@ -20,7 +20,7 @@ std::vector<SceneNote> notesOf(std::span<const SongEvent> song) {
     return notes;
 }
 
-/// Motion and sound of a scene, a cell at a time.
+/// Simulates and renders a scene, one cell at a time.
 class ScenePerformance {
 public:
     ScenePerformance(SceneRun& moved,
@@ -33,7 +33,7 @@ public:
         tally.notesLeftOut = motion.figures().notesLeftOut;
     }
 
-    /// The next cell; it is there until the one after.
+    /// Returns the next cell. The result is valid until the next call.
     StereoSpan next() {
         const CellOutput cell(left, right);
         const auto start = std::chrono::steady_clock::now();

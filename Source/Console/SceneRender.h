@@ -1,4 +1,4 @@
-// Performs a scene into a recording, cell by cell, and keeps figures of it.
+// Simulates a scene into a recording, cell by cell, and collects figures.
 #pragma once
 
 #include "Console/MidiSong.h"
@@ -14,27 +14,27 @@
 
 namespace idiophone {
 
-/// Of a hundredth of a second, in which the paper moves its bodies once.
+/// The figures of a hundredth of a second, the time step of the paper's bodies.
 struct FrameFigures {
     std::int64_t bodies = 0;
-    std::int64_t impacts = 0;      ///< sides of blows
-    std::int64_t modesMixed = 0;   ///< at its last cell
-    std::int64_t modesDropped = 0; ///< at its last cell: ringing above tau, beyond the budget
+    std::int64_t impacts = 0;      ///< one for each body of a collision
+    std::int64_t modesMixed = 0;   ///< at the frame's last cell
+    std::int64_t modesDropped = 0; ///< at its last cell: above tau, beyond the budget
 };
 
 struct SceneTally {
     std::vector<FrameFigures> frames;
-    std::vector<SceneBlow> blows;  ///< those that were struck, in order of time
-    std::int64_t notesLeftOut = 0; ///< that hit nothing
-    std::int64_t blowsLeftOut = 0; ///< whose figures are not finite
-    double soundSeconds = 0;       ///< measured, as the next
+    std::vector<SceneBlow> blows;  ///< struck impacts, in order of time
+    std::int64_t notesLeftOut = 0; ///< notes without a target
+    std::int64_t blowsLeftOut = 0; ///< impacts whose figures are not finite
+    double soundSeconds = 0;       ///< measured, like motionSeconds
     double motionSeconds = 0;
 };
 
 inline constexpr double sceneFrameSeconds = 0.01;
 
-/// Renders up to the length of the format, or else to silence after all has come to an end. `head`:
-/// the listener's, measured, at the format's rate; none: a sphere.
+/// Renders up to the format's length, or else to silence after everything has ended. `head`: the
+/// listener's measured head at the format's sample rate; null selects a sphere.
 Result<SceneTally> renderScene(const std::shared_ptr<const SceneCast>& cast,
                                const std::shared_ptr<const HeadResponses>& head,
                                std::span<const SongEvent> song,

@@ -11,15 +11,15 @@
 namespace idiophone {
 namespace {
 
-// Of the clock: some more than it may have of a processor.
+// Clock time: more than the limit of processor time.
 constexpr int patienceMilliseconds = 1000 * (2 * sofaPatienceSeconds);
 
-/// The other process's table, or nothing where it came to no end by itself. (A process that a
-/// signal ended has no exit code of its own in juce::ChildProcess: the table is what counts.)
+/// Returns the table that the other process wrote, or nothing. juce::ChildProcess has no exit code
+/// after a signal, so only the table counts.
 std::optional<std::string> tableOf(const std::filesystem::path& file, int sampleRateHz) {
     const juce::TemporaryFile table(".table");
     const auto self = juce::File::getSpecialLocation(juce::File::currentExecutableFile);
-    const auto path = juceFile(file).getFullPathName(); // absolute, so that it is no option
+    const auto path = juceFile(file).getFullPathName(); // absolute, so that it cannot be an option
     juce::ChildProcess reader;
     if (!reader.start({self.getFullPathName(), "sofa-table", path, juce::String(sampleRateHz),
                        table.getFile().getFullPathName()},

@@ -1,4 +1,4 @@
-// Measured heads from SOFA files (AES69).
+// Reads measured heads from SOFA files (AES69).
 #pragma once
 
 #include "Scene/HeadResponses.h"
@@ -8,9 +8,9 @@
 
 namespace idiophone {
 
-/// One head's two ears in free field (SimpleFreeFieldHRIR) at a sample rate. The error names the
-/// file. libmysofa falls over some damaged files: it reads in a process of its own, the command
-/// `sofa-table` of this program.
+/// Reads the responses of both ears in free field (SimpleFreeFieldHRIR) at a sample rate. The error
+/// names the file. libmysofa crashes on some damaged files, so it runs in a process of its own: the
+/// command `sofa-table` of this program.
 Result<std::shared_ptr<const HeadResponses>> readSofaHead(const std::filesystem::path& file,
                                                           int sampleRateHz);
 

@@ -16,9 +16,9 @@
 namespace idiophone {
 namespace {
 
-constexpr char isTable = 'T', isSentence = 'S'; // the first byte
+constexpr char isTable = 'T', isSentence = 'S'; // first byte of the output
 constexpr double longestDelaySeconds = 0.01;    // ten times that of a head
-constexpr double longestResponseSeconds = 0.04; // of which the beginning counts
+constexpr double longestResponseSeconds = 0.04; // only the beginning is used
 
 struct CloseSofa {
     void operator()(MYSOFA_EASY* file) const { mysofa_close(file); }
@@ -35,7 +35,7 @@ std::string reasonOf(int error) {
            "or a damaged one";
 }
 
-/// Each response behind the delay, in samples, that a file may have beside it.
+/// Writes each response after its delay in samples, which a file may store separately.
 HeadMeasurement tabulate(MYSOFA_EASY& file, std::size_t filterLength, double rateHz) {
     const auto longestDelay = static_cast<std::size_t>(longestDelaySeconds * rateHz);
     const auto kept =
@@ -53,7 +53,7 @@ HeadMeasurement tabulate(MYSOFA_EASY& file, std::size_t filterLength, double rat
                                &delays[0], &delays[1]);
         for (std::size_t ear = 0; ear < 2; ++ear) {
             const auto longest = static_cast<float>(longestDelay);
-            // Written so that what is not a number is no delay.
+            // NaN becomes no delay.
             const auto delay = delays[ear] > 0 ? std::lround(std::min(delays[ear], longest)) : 0;
             std::ranges::copy_n(ears[ear].begin(), static_cast<std::ptrdiff_t>(kept),
                                 place + delay);
@@ -85,7 +85,7 @@ std::string encode(const Result<std::shared_ptr<const HeadResponses>>& read) {
            std::string(reinterpret_cast<const char*>(samples.data()), samples.size_bytes());
 }
 
-// Sanitizers want more memory than there is. gcc says by macros what clang says by features.
+// Sanitizers need more memory than the limit. gcc reports them by macros, clang by features.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 constexpr bool isSanitized = true;
 #elif defined(__has_feature)
@@ -94,7 +94,8 @@ constexpr bool isSanitized = __has_feature(address_sanitizer) || __has_feature(t
 constexpr bool isSanitized = false;
 #endif
 
-/// Damaged files ask for any amount of memory and time. (macOS knows no limit of memory.)
+/// Limits memory and time, because damaged files may ask for any amount. macOS has no limit of
+/// memory.
 void limitResources() {
 #if defined(__unix__) || defined(__APPLE__)
     const auto limit = [](auto resource, rlim_t most) {
@@ -128,7 +129,7 @@ void addSofaTable(CLI::App& program, Action& chosen) {
         int sampleRateHz = 0;
     };
     auto* command = program.add_subcommand("sofa-table", "Reads a SOFA file for another process");
-    command->group(""); // is not listed
+    command->group(""); // hides it from the list
     auto options = std::make_shared<Options>();
     command->add_option("FILE", options->file)->required();
     command->add_option("RATE", options->sampleRateHz)

@@ -1,4 +1,4 @@
-// What one process tells another of a SOFA file: a sentence, or a head's responses.
+// The message from the process that reads a SOFA file: a sentence, or a head's responses.
 #pragma once
 
 #include "Scene/HeadResponses.h"
@@ -7,13 +7,13 @@
 
 namespace idiophone {
 
-/// A head beyond this is not looked at.
+/// Larger files are refused.
 inline constexpr std::uintmax_t largestSofaBytes = 1 << 28;
-/// After so much time of its processor the other process ends itself.
+/// The other process ends after this much processor time.
 inline constexpr int sofaPatienceSeconds = 15;
 
-/// What the command `sofa-table` wrote. The error is a sentence without the file's name: what it
-/// found wrong, or that this is no table.
+/// Decodes the output of the command `sofa-table`. The error is a sentence without the file's name:
+/// the error that the command found, or that this is no table.
 Result<std::shared_ptr<const HeadResponses>> decodeSofaTable(std::string_view bytes);
 
 } // namespace idiophone

@@ -46,7 +46,7 @@ double distance(const std::array<double, 3>& a, const std::array<double, 3>& b) 
     return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
 
-/// Far out no mode has a node, so that everything sounds.
+/// Returns the farthest vertex with shapes. No mode has a node far out, so that all sound.
 std::size_t farthestRow(const ModalObject& object) {
     std::size_t farthest = 0;
     for (std::size_t row = 1; row < object.shapeVertexCount(); ++row)
@@ -72,7 +72,7 @@ Result<std::size_t> chooseRow(const ModalObject& object, const Options& options)
     return static_cast<std::size_t>(found - object.shapeVertices.begin());
 }
 
-/// A typing error, or millimetres for metres, lands on some vertex all the same.
+/// Warns of a point off the surface: a typing error, or millimetres for metres.
 void warnOfPointOff(const ModalObject& object, const Options& options) {
     constexpr double largestShare = 0.05; // of the object's size
     const std::array<double, 3> point{options.pointMetres[0], options.pointMetres[1],
@@ -87,7 +87,7 @@ void warnOfPointOff(const ModalObject& object, const Options& options) {
                   << " from corner to corner" << std::endl;
 }
 
-/// The object as if it had been made of another material: exact at equal Poisson ratios.
+/// Returns the object in another material. Exact if the Poisson ratios are equal.
 ModalObject withMaterial(ModalObject object, const Material& material) {
     const auto& before = object.material;
     const double densityRatio = material.densityKgPerM3 / before.densityKgPerM3;
@@ -113,7 +113,7 @@ ModalObject withMaterial(ModalObject object, const Material& material) {
     return object;
 }
 
-/// A key map of one key, which strikes one vertex.
+/// Returns a key map of one key that strikes one vertex.
 KeyMap keyMapFor(const std::string& name, const ModalObject& object, std::size_t row) {
     return {.kind = KeyMapKind::zones,
             .lowestNote = struckKey,

@@ -18,7 +18,7 @@ StruckModes loudestModes(const ModalObject& object,
                          double sampleRateHz,
                          std::size_t count) {
     const auto law = liveConditions(object.material, synthesisSettings(parameters)).law;
-    // Of each mode φ·J and φ·ℓ, for an impulse J heard along ℓ.
+    // φ·J and φ·ℓ of each mode, for an impulse J heard along ℓ.
     std::vector<float> struck(object.modeCount()), heard(object.modeCount());
     projectShapes(pointShapes(object, strike.point), strike.impulseNewtonSeconds,
                   listeningDirection(strike.point), object.modeCount(), struck.data(),

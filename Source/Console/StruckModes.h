@@ -1,4 +1,4 @@
-// Which modes a strike makes loudest, for people to read; rendering does not need it.
+// Lists the loudest modes of a strike for people to read. Rendering does not need it.
 #pragma once
 
 #include "Object/ModalObject.h"
@@ -11,12 +11,13 @@ namespace idiophone {
 
 struct StruckMode {
     double frequencyHz = 0;      ///< damped, as it sounds
-    double relativeDecibels = 0; ///< of its first amplitude, against the loudest
+    double relativeDecibels = 0; ///< initial amplitude relative to the loudest mode
 };
 using StruckModes = std::vector<StruckMode>;
 
-/// At most `count` of them below the Nyquist frequency, loudest first. A mode's first amplitude is
-/// its residue at the strike, times the spectrum of the raised-cosine pulse there.
+/// Returns at most `count` modes below the Nyquist frequency, loudest first. A mode's initial
+/// amplitude is its residue at the strike, times the spectrum of the raised-cosine pulse at its
+/// frequency.
 StruckModes loudestModes(const ModalObject& object,
                          const Strike& strike,
                          const ParameterValues& parameters,

@@ -19,7 +19,8 @@ struct Options {
     bool json = false;
 };
 
-/// The recording's speed is the surface's reference speed: at it the profile is what was recorded.
+/// Makes a surface. Its reference speed is that of the recording, so that the profile equals the
+/// recorded one at this speed.
 Surface surfaceOf(const SurfaceFit& fit, const Options& options) {
     const auto& named = options.output.empty() ? options.recording : options.output;
     return Surface{.name = named.stem().string(),

@@ -18,7 +18,7 @@ void addAll(const MidiTracks& midi, Wanted isWanted, Messages& messages) {
 
 } // namespace
 
-// JUCE takes the three bytes of a tempo from wherever a shorter event ends.
+// JUCE reads the three bytes of a tempo even if the event is shorter.
 bool isTempo(const juce::MidiMessage& message) {
     return message.isTempoMetaEvent() && message.getMetaEventLength() >= 3;
 }
@@ -26,7 +26,7 @@ bool isTempo(const juce::MidiMessage& message) {
 TempoMap::TempoMap(const MidiTracks& midi) : timeFormat(midi.timeFormat) {
     if (timeFormat < 0)
         return;
-    // JUCE sums up to where the time signature changes too: other sums would round otherwise.
+    // JUCE also sums at changes of the time signature. Other sums would round differently.
     Messages changes;
     addAll(midi, isTempo, changes);
     addAll(midi, std::mem_fn(&juce::MidiMessage::isTimeSignatureMetaEvent), changes);

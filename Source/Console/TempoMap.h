@@ -1,4 +1,4 @@
-// The time of a Standard MIDI File in seconds.
+// Converts the times of a Standard MIDI File to seconds.
 #pragma once
 
 #include "Console/MidiTracks.h"
@@ -7,20 +7,20 @@
 
 namespace idiophone {
 
-/// Whether it tells a tempo, all of it.
+/// Returns whether the message is a complete tempo event.
 bool isTempo(const juce::MidiMessage& message);
 
-/// As juce::MidiFile::convertTimestampTicksToSeconds counts, to the same bits; that one goes
-/// through all changes of tempo for each message, which takes quadratic time.
+/// Gives the same bits as juce::MidiFile::convertTimestampTicksToSeconds. JUCE goes through all
+/// tempo changes for each message, which takes quadratic time.
 class TempoMap {
 public:
-    /// Of a file whose time format is not 0 in any part.
+    /// Expects a time format that has no part equal to 0.
     explicit TempoMap(const MidiTracks& midi);
 
     double secondsAt(double ticks) const;
 
 private:
-    /// From a tick on, until the next one.
+    /// The time from one tempo change to the next.
     struct Stretch {
         double fromTicks = 0;
         double fromSeconds = 0;

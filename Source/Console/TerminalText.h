@@ -1,4 +1,4 @@
-// What a terminal does not obey: texts of files and of the command line may hold anything.
+// Protects the terminal from control characters in texts of files and of the command line.
 #pragma once
 
 #include <ostream>
@@ -8,8 +8,8 @@
 
 namespace idiophone {
 
-/// While it lives, what is written to a stream is escaped (Object/OneLine.h) on its way. JSON stays
-/// what it is.
+/// While it exists, everything written to a stream is escaped (Object/OneLine.h). JSON stays
+/// unchanged.
 class TerminalText : std::streambuf {
 public:
     explicit TerminalText(std::ostream& written);
@@ -24,7 +24,7 @@ private:
 
     std::ostream& stream;
     std::streambuf* terminal;
-    std::string unfinished; ///< a character that is written byte by byte
+    std::string unfinished; ///< the beginning of a character written byte by byte
 };
 
 } // namespace idiophone

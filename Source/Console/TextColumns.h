@@ -1,4 +1,4 @@
-// Columns and paragraphs of UTF-8 text, for listings of at most 80 characters a line.
+// Formats columns and paragraphs of UTF-8 text, for listings of at most 80 characters a line.
 #pragma once
 
 #include <cstddef>
@@ -9,12 +9,12 @@ namespace idiophone {
 
 inline constexpr std::size_t lineWidth = 80;
 
-/// Filled with blanks to so many characters, at its end or its beginning.
+/// Pad a text with blanks to `width` characters, at its end or its beginning.
 std::string leftColumn(std::string_view text, std::size_t width);
 std::string rightColumn(std::string_view text, std::size_t width);
 
-/// The text broken between words, from the column `indent` on; without the indent of its first line
-/// and with the end of its last.
+/// Breaks a text between words from the column `indent` on. Leaves out the first line's indent and
+/// adds a line end.
 std::string paragraph(std::string_view text, std::size_t indent);
 
 } // namespace idiophone

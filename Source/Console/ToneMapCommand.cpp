@@ -28,7 +28,7 @@ struct Range {
     std::size_t silent = 0;
 };
 
-/// Over what sounds; the error where nothing does.
+/// Returns the range over the vertices that sound, or an error if none does.
 Result<Range> rangeOf(const std::vector<double>& brightness, const Options& options) {
     Range range;
     double lowest = std::numeric_limits<double>::infinity(), highest = 0;

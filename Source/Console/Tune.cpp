@@ -35,8 +35,8 @@ struct Options {
     bool meshesOnly = false, replaces = false;
 };
 
-/// The pitch of a note: of equal temperament, or of a scale of twelve, C to B, in which A is as
-/// asked for.
+/// Returns the pitch of a note in equal temperament, or in a scale of twelve cents values from C to
+/// B. A has the requested pitch.
 double pitchHz(const Options& options, int note) {
     if (options.scaleCents.empty())
         return options.a4Hz * noteFrequencyHz(note) / 440;
@@ -135,7 +135,7 @@ std::filesystem::path inFolder(const Options& options, const std::string& ending
     return options.folder / (options.instrument + ending);
 }
 
-/// Nobody has named the files, so that none is replaced unasked.
+/// Fails if a file exists: the user did not name the files, so none is replaced.
 Result<void> checkAbsent(const Options& options, int from, int to) {
     std::vector<std::string> endings{".csv"};
     for (int note = from; note <= to; ++note)
@@ -152,8 +152,8 @@ Result<void> checkAbsent(const Options& options, int from, int to) {
     return {};
 }
 
-/// With its objects named as beside it, so that the folder can be moved, and as loud as the
-/// factory's.
+/// Writes a preset as loud as the factory's. It names objects relative to itself, so that the
+/// folder can be moved.
 Result<void>
 writePreset(const Options& options, const BarInstrument& instrument, int from, int to) {
     Preset preset;

@@ -16,8 +16,8 @@ constexpr std::uintmax_t largestFileBytes = std::uintmax_t{1} << 30;
 constexpr unsigned mostChannels = 64;
 constexpr double lowestRateHz = 1000, highestRateHz = 1e6;
 
-/// Leaves JUCE the format and the samples: the lengths of other chunks it takes at their word, and
-/// in their texts it reads beyond the end. False where a chunk is longer than the file.
+/// Hides all chunks from JUCE except the format and the samples. JUCE trusts the lengths of other
+/// chunks and reads beyond their texts. Returns false if a chunk is longer than the file.
 bool hideMetadata(std::string& file) {
     juce::MemoryInputStream stream(file.data(), file.size(), false);
     const auto fileEnd = stream.getTotalLength();
@@ -28,7 +28,7 @@ bool hideMetadata(std::string& file) {
     const bool is64 = kind == name("RF64");
     auto end = std::uint64_t{8} + static_cast<std::uint32_t>(stream.readInt());
     if ((!is64 && kind != name("RIFF")) || stream.readInt() != name("WAVE"))
-        return true; // which is no WAV file
+        return true; // not a WAV file
     std::int64_t dataLength = 0;
     if (is64) {
         stream.setPosition(20); // in "ds64", which comes first
@@ -56,7 +56,7 @@ bool isWav(std::string_view bytes) {
            bytes.substr(std::min<std::size_t>(8, bytes.size())).starts_with("WAVE");
 }
 
-/// What is wrong with the header; empty where all is well.
+/// Returns what is wrong with the header, or an empty text.
 std::string faultOf(const juce::AudioFormatReader& reader, std::uintmax_t fileBytes) {
     if (reader.numChannels < 1 || reader.numChannels > mostChannels)
         return "it has " + std::to_string(reader.numChannels) + " channels";

@@ -1,4 +1,4 @@
-// A WAV file read whole, for what is measured on recordings.
+// Reads a whole WAV file, for measurements on recordings.
 #pragma once
 
 #include "Object/Result.h"
@@ -9,12 +9,12 @@
 namespace idiophone {
 
 struct MonoRecording {
-    std::vector<float> samples; ///< the mean of the channels, full scale 1
+    std::vector<float> samples; ///< mean of the channels, full scale 1
     double sampleRateHz = 0;
 };
 
-/// Up to ten minutes and 1 GB in any format of a WAV file. The error names a file that is missing,
-/// no WAV file, damaged or too long.
+/// Reads up to ten minutes and 1 GB in any WAV format. The error names a file that is missing, not
+/// a WAV file, damaged or too long.
 Result<MonoRecording> readWav(const std::filesystem::path& file);
 
 } // namespace idiophone

@@ -46,7 +46,7 @@ Result<std::unique_ptr<WavWriter>> WavWriter::create(const std::filesystem::path
         stream.get(), sampleRateHz, static_cast<unsigned>(channelCount), bitDepth, {}, 0));
     if (result->writer == nullptr)
         return result->fault();
-    result->stream = stream.release(); // the writer owns it now
+    result->stream = stream.release(); // owned by the writer now
     return result;
 }
 
@@ -60,7 +60,7 @@ Result<void> WavWriter::write(const float* const* channels, int sampleCount) {
     return {};
 }
 
-// JUCE would cut the lower bits off, which shifts everything by half a step.
+// Rounds the samples. JUCE would truncate the lower bits, which shifts all by half a step.
 bool WavWriter::writeRounded(const float* const* channels, int sampleCount) {
     const int unusedBits = 32 - writer->getBitsPerSample();
     const double fullScale = std::ldexp(1.0, writer->getBitsPerSample() - 1);
@@ -80,7 +80,7 @@ bool WavWriter::writeRounded(const float* const* channels, int sampleCount) {
 }
 
 Result<void> WavWriter::finish() {
-    writer->flush(); // without a fault whatever becomes of the last samples
+    writer->flush(); // reports no error even if the last samples are lost
     const auto end = stream->getPosition();
     stream->flush();
     const bool isWritten = stream->getStatus().wasOk();

@@ -1,4 +1,4 @@
-// A WAV file as it grows: written beside its place and moved there once it is complete.
+// Writes a WAV file beside its place and moves it there once it is complete.
 #pragma once
 
 #include "Object/Result.h"
@@ -16,12 +16,12 @@ namespace idiophone {
 class WavWriter {
 public:
     /// `bitDepth` is 16 or 24 for whole numbers, which clip at full scale, or 32 for floats, which
-    /// do not. A link goes on leading to the file. The error names a file that cannot be written,
-    /// as a device or a pipe.
+    /// do not. A link keeps its target's path. The error names a file that cannot be written, for
+    /// example a device or a pipe.
     static Result<std::unique_ptr<WavWriter>>
     create(const std::filesystem::path& file, int sampleRateHz, int channelCount, int bitDepth);
 
-    /// Takes away what was not finished.
+    /// Removes an unfinished file.
     ~WavWriter();
     WavWriter(const WavWriter&) = delete;
     WavWriter& operator=(const WavWriter&) = delete;
@@ -38,7 +38,7 @@ private:
     std::filesystem::path file;
     std::filesystem::path partial; ///< until it is complete
     std::unique_ptr<juce::AudioFormatWriter> writer;
-    juce::FileOutputStream* stream = nullptr; ///< the writer's
+    juce::FileOutputStream* stream = nullptr; ///< owned by the writer
 };
 
 } // namespace idiophone

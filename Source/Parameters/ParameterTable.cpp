@@ -8,7 +8,7 @@ namespace {
 
 using enum ParameterScale;
 
-// Of the maximum. Smaller values are 0, because they would need endless digits.
+// As a fraction of the maximum. Smaller values are 0, because their digits would not end.
 constexpr double smallestCubicShare = 5e-7;
 
 bool isWhole(ParameterScale scale) {
