@@ -1,4 +1,4 @@
-// The maximum fused multiply-adds of one core: registers only, on the widest vectors of the
+// The maximum rate of fused multiply-adds on one core: registers only, on the widest vectors of the
 // synthesiser's SIMD target. The measure of 100 %, not a kernel.
 #pragma once
 

@@ -40,8 +40,8 @@ std::string figure(double value, int digits = 3);
 /// Formats titles, aligned rows and goals.
 std::string benchText(const std::vector<BenchSection>& sections);
 
-/// Returns `goals` at the top level (name, measured, relation "at least" or "at most", bound, met),
-/// the SIMD target and the compiler under `build`, and the figures of each benchmark under
+/// Returns `goals` at the top level (name, measured, relation "at least" or "at most", bound, met).
+/// The SIMD target and the compiler are under `build`, the figures of each benchmark under
 /// `benchmarks`.
 nlohmann::ordered_json benchDocument(const std::vector<BenchSection>& sections);
 

@@ -39,8 +39,8 @@ public:
     }
 
     /// Returns the maximum error of the judged objects. An object's part of a mix is half the
-    /// difference from the same mix with all its impulses negated: this keeps amplitudes, ranks and
-    /// shares.
+    /// difference from the same mix with the object's impulses negated. Negation keeps amplitudes,
+    /// ranks and shares.
     double worstErrorDb(double budget) const {
         const auto together = mix(budget, scene.strikes);
         double worst = 0;

@@ -1,5 +1,5 @@
-// Quality scaling at fixed quality in the scene of rings: finds the minimum mode budget at which
-// the loudest objects still sound as without a budget.
+// Measures quality scaling at fixed quality in the scene of rings. Finds the minimum mode budget at
+// which the loudest objects sound as they do without a budget.
 #pragma once
 
 #include "Console/BenchRingScene.h"

@@ -51,7 +51,6 @@ private:
 /// distributions.
 double share(std::minstd_rand& random);
 
-/// Returns the number of cells in a time.
 std::size_t cellsIn(double seconds);
 
 /// Returns the vertex nearest to a point of the bounding box (−1 to 1 along x, y and z).

@@ -38,7 +38,6 @@ ModesOverTime modesMixed(const SynthesiserSlot& slot, const Strike& strike, doub
     return found;
 }
 
-/// Returns the bar with only one of its modes.
 std::shared_ptr<const ModalObject> onlyMode(const ModalObject& bar, std::size_t mode) {
     ModalObject object = bar;
     object.eigenvalues = {bar.eigenvalues[mode]};

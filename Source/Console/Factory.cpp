@@ -32,8 +32,7 @@ void report(const ModalObject& object, const std::filesystem::path& file, double
 Result<void> makeOne(const std::string& name, const Options& options) {
     const auto file = options.folder / (name + ".modal");
     std::error_code ignored;
-    if (!options.replaces &&
-        std::filesystem::exists(file, ignored)) // the user did not name the file
+    if (!options.replaces && std::filesystem::exists(file, ignored)) // the user has not named it
         return failure(nameOf(file) + ": it is there already; --replace makes it anew");
     if (auto writable = checkWritable(file); !writable)
         return writable;

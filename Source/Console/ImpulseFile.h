@@ -26,7 +26,6 @@ struct Impulse {
     double sizeRatio = 1;      ///< scale of the object; the point is on the unscaled object
 };
 
-/// The errors in lines of a file.
 class BadLines {
 public:
     /// Adds an error. Each line is added once, in any order.

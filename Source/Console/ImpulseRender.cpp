@@ -153,7 +153,6 @@ public:
     }
 
     bool finished() const { return due == contacts.size() && synth.silent(); }
-    /// Warns how many impulses were left out, and why.
     void warnOfLeftOut(const std::filesystem::path& file) const {
         for (const auto& [count, why] :
              {std::pair{crowdedOut, "their bodies were in 64 contacts already"},

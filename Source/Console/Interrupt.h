@@ -11,7 +11,6 @@ namespace idiophone {
 /// ending the program.
 const std::atomic<bool>& interruptRequested();
 
-/// The error of an interrupted rendering.
 inline constexpr std::string_view interruptedMessage = "It was interrupted.";
 
 } // namespace idiophone

@@ -21,8 +21,8 @@ struct SongEvent {
 };
 
 /// Returns the channel messages of all tracks, in order of time by the file's tempo map or SMPTE
-/// rate. At equal times, events of a track keep their order, with two exceptions: a note-off
-/// precedes the next strike of its key, and pressure follows the note-ons. Among tracks,
+/// rate. At equal times, events of a track keep their order, with two exceptions. A note-off
+/// precedes the next note-on of its key, and pressure follows the note-ons. Among tracks,
 /// controllers come first, then note-offs, then note-ons. The error names the file and the fault:
 /// not a MIDI file, damaged, without notes, or longer than 10 hours.
 Result<std::vector<SongEvent>> readMidiSong(const std::filesystem::path& file);

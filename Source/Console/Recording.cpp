@@ -130,7 +130,6 @@ Result<void> Recording::finish(std::int64_t leastSamples) {
     return {};
 }
 
-/// Warns of a peak above full scale.
 void Recording::warnOfPeak() const {
     const double peakDb = decibelsFullScale(highest);
     std::ostringstream text;

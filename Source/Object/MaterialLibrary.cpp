@@ -21,7 +21,7 @@ std::vector<Material> parseLibrary() {
 
 struct Library {
     std::vector<Material> materials;
-    std::vector<std::uint32_t> colours; ///< one a material
+    std::vector<std::uint32_t> colours; ///< one for each material
 
     // The list is part of the program and is tested. An error in it ends the program.
     Library() noexcept : materials(parseLibrary()) {

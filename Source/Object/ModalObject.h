@@ -21,8 +21,8 @@ namespace idiophone {
 /// every strike on such shapes stays finite.
 inline constexpr float largestShape = 1e8f;
 
-/// The maximum modes of an object. A large bell has some thousands up to 20 kHz. A player needs
-/// half a kilobyte for each mode, however small the file is.
+/// The maximum number of modes of an object. A large bell has some thousands up to 20 kHz. A player
+/// needs half a kilobyte for each mode, however small the file is.
 inline constexpr std::size_t mostObjectModes = 65536;
 
 enum class BodyKind { solid, shell };

@@ -29,8 +29,8 @@ struct GrainRatios {
 
 OrthotropicElasticity orthotropicElasticity(double youngsModulusLPa, const GrainRatios& ratios);
 
-/// Returns the constants unchanged, or one sentence why no solid can have them: a modulus is not
-/// positive, or a strain would release energy because the compliance is not positive definite
+/// Returns the constants unchanged, or one sentence why no solid can have them. Either a modulus is
+/// not positive, or the compliance is not positive definite, so that a strain would release energy
 /// (Lempriere 1968).
 Result<OrthotropicElasticity> validated(const OrthotropicElasticity& elasticity);
 

@@ -13,8 +13,8 @@
 namespace idiophone {
 
 /// Dimensions: D directions, K frequency ratios, M modes. Part of an object; empty if it was not
-/// computed. A mode whose modal velocity is the real part of s radiates the pressure Re(w s)/R at
-/// the distance R from the centre of mass, delayed by the travel time of sound.
+/// computed. Let the modal velocity of a mode be the real part of s. At the distance R from the
+/// centre of mass, the mode radiates the pressure Re(w s)/R, delayed by the travel time of sound.
 ///
 /// Frequency times size is constant for uniformly scaled copies of a material. The ratio to look up
 /// is therefore (natural frequency now / reference) · (size now / reference), 1 for such copies.
@@ -29,9 +29,10 @@ struct RadiationTable {
 
     /// Writes the weights of all modes. Interpolates magnitude and phase separately, so that no
     /// weight vanishes between two ratios. Below the table, weights fall with the square of the
-    /// ratio, as for bodies without net flow. Above it, and for a ratio that is not a positive
-    /// number, the weights at that end apply. Expects a table that is not empty, `direction` < D
-    /// and M elements in `modeWeights`. Audio thread: does not allocate or lock.
+    /// ratio, as for bodies without net flow. Above it, the weights of the last ratio apply. For a
+    /// ratio that is not a positive number, those of the first ratio apply. Expects a table that is
+    /// not empty, `direction` < D and M elements in `modeWeights`. Audio thread: does not allocate
+    /// or lock.
     void weightsAt(std::size_t direction,
                    double frequencyRatio,
                    std::span<std::complex<float>> modeWeights) const noexcept;

@@ -42,8 +42,8 @@ private:
 } // namespace
 
 json parseUntrusted(std::string_view text) {
-    // A pass of its own: the parser with a callback searches the whole array at the end of each
-    // object in it, which takes quadratic time.
+    // Checks the depth in a pass of its own. With a callback, the parser searches a whole array at
+    // the end of each object in it, which takes quadratic time.
     FaultFinder finder;
     finder.deepest = 64;
     if (!json::sax_parse(text, &finder))

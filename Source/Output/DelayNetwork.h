@@ -9,9 +9,9 @@
 namespace idiophone {
 
 /// Sixteen delay lines with feedback through an orthogonal matrix (Jot & Chaigne 1991, AES preprint
-/// 3030), after four allpass diffusers a channel (Schroeder 1962, JAES 10, 219). Call `prepare`
-/// while nothing processes. The other functions are for the audio thread and do not allocate, lock
-/// or throw. The samples do not depend on block sizes.
+/// 3030). Each channel first passes four allpass diffusers (Schroeder 1962, JAES 10, 219). Call
+/// `prepare` while nothing processes. The other functions are for the audio thread and do not
+/// allocate, lock or throw. The samples do not depend on block sizes.
 class DelayNetwork {
 public:
     static constexpr std::size_t lineCount = 16;
@@ -25,7 +25,7 @@ public:
     void clear() noexcept;
 
     /// Sets the time T in which low tones fade by 60 dB. High tones fade sooner: 8 kHz fades in
-    /// 1/(1/(0.6 T) + 1/1.7 s), for the walls of a furnished room and air at 20 °C and 50 %
+    /// 1/(1/(0.6 T) + 1/1.7 s). This models the walls of a furnished room and air at 20 °C and 50 %
     /// humidity (ISO 9613-1).
     void setDecay(double seconds) noexcept;
 

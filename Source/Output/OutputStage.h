@@ -17,8 +17,8 @@ namespace idiophone {
 /// allocate, lock or throw. At constant parameters the samples do not depend on block sizes.
 class OutputStage {
 public:
-    /// The ramp of level, bypass, width, room and limiter switch: long enough to avoid steps, too
-    /// short to be heard as a fade (by ear).
+    /// The ramp of level, bypass, width, room and limiter switch. It is long enough to avoid steps
+    /// and too short to be heard as a fade (by ear).
     static constexpr double rampSeconds = 0.02;
     static_assert(rampSeconds <= Room::earliestSeconds);
 

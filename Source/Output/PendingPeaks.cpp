@@ -30,9 +30,9 @@ double timeOf(std::size_t value) {
 }
 
 /// The autocorrelation that the prediction assumes. Its spectrum is flat up to a quarter of the
-/// sample rate and falls by 12 dB an octave above, with a floor at -20 dB that stabilises the
-/// prediction. Both were chosen by experiment: with less treble, bright chords below the threshold
-/// count as peaks; with more, sudden peaks near a quarter of the rate are missed.
+/// sample rate and falls by 12 dB an octave above. A floor at -20 dB stabilises the prediction.
+/// Both were chosen by experiment. With less treble, bright chords below the threshold count as
+/// peaks. With more, sudden peaks near a quarter of the rate are missed.
 double autocorrelation(std::size_t lag) {
     constexpr int steps = 500;
     double sum = 0;

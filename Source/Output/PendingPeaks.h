@@ -17,7 +17,6 @@ public:
     PendingPeaks();
     void reset() noexcept;
 
-    /// Appends a sample to the channel.
     void push(float sample) noexcept;
 
     /// Returns the maximum magnitude of the pending values after `next`, if silence follows.

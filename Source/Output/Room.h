@@ -58,7 +58,7 @@ private:
     juce::SmoothedValue<float> amount;
     std::vector<float> wetLeft, wetRight, fadingLeft, fadingRight;
     int gridPosition = 0;       ///< of the next sample, in a cell of the silence grid
-    int quietSamples = 0;       ///< at the beginning of that cell
+    int quietSamples = 0;       ///< silent samples before that cell
     bool isSilent = true;       ///< of the active network
     int fadeSamples = 0;        ///< length of the ramp
     int fadeLeft = 0;           ///< samples left of the fade

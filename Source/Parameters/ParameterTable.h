@@ -39,7 +39,7 @@ struct ParameterInfo {
     ParameterId parameter;
     const char* id = nullptr;        ///< stored in states, presets and host automation
     const char* name = nullptr;      ///< for people
-    const char* shortName = nullptr; ///< for narrow places that show the group too
+    const char* shortName = nullptr; ///< used where `name` does not fit
     const char* group = nullptr;     ///< heading of its group in the window
     const char* unit = "";           ///< empty if the number has no unit
     ParameterScale scale = ParameterScale::linear;
@@ -76,7 +76,7 @@ std::string formatParameter(const ParameterInfo& info, double value);
 std::optional<double> parseParameter(const ParameterInfo& info, std::string_view text);
 
 /// Returns the names of a choice, or nothing for other parameters. A choice's range may be longer
-/// than its names: hosts automate values from 0 to 1, which must not move when a name is added.
+/// than its names. Hosts automate values from 0 to 1, and these must not move when a name is added.
 std::span<const std::string_view> choiceNames(ParameterId parameter);
 
 /// A value for every parameter, in its unit. Plain data that crosses threads by copy.

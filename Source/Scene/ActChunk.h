@@ -1,4 +1,5 @@
-// The messages between a simulation thread and the audio thread: cues there, blocks of motion back.
+// The messages between a simulation thread and the audio thread: cues in one direction, blocks of
+// simulated motion in the other.
 #pragma once
 
 #include "Instrument/Stage.h"

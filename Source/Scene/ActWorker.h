@@ -14,10 +14,10 @@
 
 namespace idiophone {
 
-/// Three lock-free queues connect the audio thread and the owner of `working`: cues, filled blocks
-/// in order of time within a simulation, and used blocks. If memory runs out, a simulation ends
-/// early: no exception leaves the thread. The worker polls for cues every few milliseconds, because
-/// the audio thread may not notify it.
+/// Three lock-free queues connect the audio thread and the owner of `working`. They carry cues,
+/// filled blocks and used blocks. The filled blocks of a simulation are in order of time. If memory
+/// runs out, a simulation ends early: no exception leaves the thread. The worker polls for cues
+/// every few milliseconds, because the audio thread may not notify it.
 class ActWorker {
 public:
     ActWorker(const SceneStage& stage, double sampleRateHz); ///< `stage` must outlive the worker

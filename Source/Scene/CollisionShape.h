@@ -32,8 +32,7 @@ private:
     std::vector<std::unique_ptr<btTriangleMesh>> meshes;
     std::vector<std::unique_ptr<btOptimizedBvh>> trees;
     std::vector<std::unique_ptr<btTriangleInfoMap>> edges;
-    std::vector<std::unique_ptr<btCollisionShape>>
-        shapes; ///< declared last, so that they are destroyed before the data they refer to
+    std::vector<std::unique_ptr<btCollisionShape>> shapes; ///< last: destroyed before their data
     btCollisionShape* root = nullptr;
 };
 

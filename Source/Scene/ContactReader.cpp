@@ -141,7 +141,7 @@ void ContactReader::addTouch(const Pressing& pressing,
 void ContactReader::addImpact(const Point& point) {
     const auto &first = *point.first->model, &second = *point.second->model;
     const double speed = point.approach > slowestBlow ? point.approach : point.speedChange();
-    // At the approach speed, the bodies met `depthMetres` ago.
+    // Since they met, the bodies have approached by the depth.
     const double sinceSeconds =
         point.approach > 0 ? std::min(point.depthMetres / point.approach, stepSeconds) : 0;
     Impact impact{.seconds = std::max(startSeconds - sinceSeconds, 0.0),

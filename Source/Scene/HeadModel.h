@@ -19,10 +19,9 @@ struct EarPath {
 
 /// The path of sound from a place to the listener.
 struct HeardPath {
-    std::array<EarPath, 2> ears; ///< of a sphere, left and right
-    Eigen::Vector3d direction =
-        Eigen::Vector3d::UnitX(); ///< along the head's axes: ahead, left, up
-    double gain = 0;              ///< 1 at one metre, ∝ 1/distance
+    std::array<EarPath, 2> ears;                          ///< of a sphere, left and right
+    Eigen::Vector3d direction = Eigen::Vector3d::UnitX(); ///< ahead, left and up of the head
+    double gain = 0;                                      ///< 1 at one metre, ∝ 1/distance
     /// Gain of the air at 10 kHz. At 20 °C and 50 % humidity, air absorbs 0.16 dB a metre (ISO
     /// 9613-1).
     double airGain = 1;

@@ -43,8 +43,7 @@ private:
 
     double rateHz;
     std::size_t lineSize;
-    std::vector<float>
-        line; ///< ring buffer of a power of two, followed by a copy of its first samples
+    std::vector<float> line;  ///< a ring of a power of two, then a copy of its first samples
     std::size_t position = 0; ///< of the next sample in the ring
     std::size_t quietSamples;
     bool isPlaced = false;

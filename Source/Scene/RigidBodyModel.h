@@ -32,15 +32,15 @@ struct RigidBodyModel {
     BoxSearch touchingFaces = {}; ///< for a surface: the work to build its shape
 };
 
-/// The maximum faces of an object whose form is `surface`.
+/// The maximum number of faces of an object whose form is `surface`.
 inline constexpr std::size_t mostSurfaceFaces = 100'000;
 /// The maximum work for all surfaces of a scene, which takes a second or two. Sound meshes have
 /// about ten pairs and under a hundred boxes per face.
 inline constexpr BoxSearch mostTouchingFaces{.pairs = 5'000'000, .boxes = 50'000'000};
 
-/// The error names the kind and the reason: an object without mass; an object too flat for the
-/// form; or, for a surface, no faces or too many. `likeSurface` may be null or a surface of the
-/// same object, whose check it reuses.
+/// The error names the kind and the reason. An object may have no mass or be too flat for its form.
+/// A surface may have no faces or too many. `likeSurface` may be null or a surface of the same
+/// object, whose check it reuses.
 Result<std::shared_ptr<const RigidBodyModel>>
 makeRigidBodyModel(const BodyTemplate& kind,
                    std::shared_ptr<const ModalObject> object,

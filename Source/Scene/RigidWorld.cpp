@@ -170,7 +170,7 @@ std::size_t RigidWorld::add(std::size_t kind, const BodyMotion& motion) {
     const btVector3 inertia = model.isFixed ? btVector3(0, 0, 0) : toBullet(model.inertiaKgM2);
     btRigidBody::btRigidBodyConstructionInfo info(model.isFixed ? 0 : model.massKg, nullptr,
                                                   all.shapes[kind].shape(), inertia);
-    // Bullet multiplies the values of both bodies.
+    // Bullet multiplies the values of both bodies, which then gives their geometric mean.
     info.m_friction = std::sqrt(model.friction);
     info.m_restitution = std::sqrt(model.restitution);
     info.m_startWorldTransform = toBullet(Eigen::Isometry3d(motion.pose * model.meshFromBody));

@@ -35,7 +35,7 @@ public:
 
 private:
     HeadModel head;
-    std::vector<std::unique_ptr<PlacedSource>> sources; ///< one a slot
+    std::vector<std::unique_ptr<PlacedSource>> sources; ///< one for each slot
 };
 
 } // namespace idiophone

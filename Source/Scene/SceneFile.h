@@ -13,9 +13,10 @@ namespace idiophone {
 /// folder. The error names the file and the place in it. Not for the audio thread.
 Result<Scene> readSceneFile(const std::filesystem::path& file);
 
-/// Returns the scene file that a project names by its absolute path, in UTF-8. If it is missing and
-/// its path lies in a settings folder ("/home/ann/.config/Idiophone/Scenes/coins.json"), returns
-/// the same file of this user's settings folder if that exists. Not for the audio thread.
+/// Returns the scene file that a project names by its absolute path, in UTF-8. If it is missing,
+/// its path may lie in the settings folder of another user or machine
+/// ("/home/ann/.config/Idiophone/Scenes/coins.json"). Then returns the same file in this user's
+/// settings folder if it exists. Not for the audio thread.
 std::filesystem::path sceneFileNamed(std::string_view name);
 
 } // namespace idiophone

@@ -161,8 +161,8 @@ void SceneRun::shareSlots(std::span<Coming> ofOneRole) {
     }
 }
 
-/// Starts the body at rest in a random orientation, so high that its lowest point meets the target
-/// at a speed that grows linearly with the note's velocity.
+/// Starts the body at rest in a random orientation. The height makes its lowest point hit the
+/// target at a speed that is linear in the note's velocity.
 BodyMotion SceneRun::falling(const SceneNote& note,
                              std::uint32_t number,
                              const LowestPoint& outer,

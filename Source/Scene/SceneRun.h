@@ -1,5 +1,5 @@
-// Runs the simulation of a scene: adds, throws and removes bodies as the file and the notes say,
-// and reports their impacts and contacts to the synthesiser.
+// Runs the simulation of a scene. It adds, throws and removes bodies as the file and the notes say.
+// It reports their impacts and contacts for the synthesiser.
 #pragma once
 
 #include "Scene/LowestPoint.h"
@@ -54,16 +54,16 @@ struct SceneCall {
 /// Returns the error for a scene whose run is crowded.
 Error crowdedFault(const Scene& scene);
 
-/// One thread at a time; not for the audio thread. The same cast and call give the same bits.
+/// One thread at a time; not for the audio thread. The same scene assets and call give the same
+/// bits.
 class SceneRun {
 public:
     explicit SceneRun(std::shared_ptr<const SceneCast> cast, SceneCall call = {});
 
     /// Returns the slots from which the synthesiser is made. Slots of removed bodies are reused.
     const std::vector<SynthesiserSlot>& slots() const { return allSlots; }
-    /// Returns the index of the slot's role in the cast.
+    /// Returns the index of the slot's role in the scene assets.
     std::size_t roleOf(std::size_t slot) const { return roleOfSlot[slot]; }
-    /// Returns whether the body of the slot never moves.
     bool isFixed(std::size_t slot) const {
         return cast->roles()[roleOfSlot[slot]].kind.model->isFixed;
     }

@@ -83,7 +83,7 @@ private:
     SceneEars ears;
     std::vector<Eigen::Vector3d> places;  ///< by slot
     std::vector<BodyPose> bodyPoses;      ///< by slot
-    CellStrikes crowded{crowdedCapacity}; ///< impacts that found no free strike
+    CellStrikes crowded{crowdedCapacity}; ///< impacts on slots with no free contact
     std::vector<PlacedBlow> recentBlows;
     bool areBlowsTaken = false;
     std::uint32_t ownNumber;

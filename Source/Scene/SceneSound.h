@@ -54,7 +54,7 @@ private:
     TouchVoices voices;
     AlignedVector<float> samples;  ///< [slots, 64]
     std::vector<CellOutput> cells; ///< views into `samples`
-    CellStrikes crowded;           ///< impacts that found no free strike
+    CellStrikes crowded;           ///< impacts on slots with no free contact
     double cellSeconds;
     double startSeconds;
     std::int64_t cellsBegun = 0;

@@ -21,10 +21,10 @@ Result<std::shared_ptr<const Instrument>> buildInstrument(const KeyMap& keyMap,
 /// Returns the pose of a slot's body for the window.
 BodyPose bodyPose(const SceneRun& run, std::size_t slot);
 
-/// Several notes sound at a time, each in a simulation of its own (an act). A fixed body has one
-/// slot in all of them; a moving body has one slot in each. If the scene has `notes`, every body
-/// hits after the same delay, the longest fall, so that a chord stays together. Otherwise a note
-/// restarts all moving bodies.
+/// Several notes sound at a time, each in a simulation of its own (an act in the code). A fixed
+/// body has one slot in all of them; a moving body has one slot in each. If the scene has `notes`,
+/// every body hits after the same delay, the longest fall, so that a chord stays together.
+/// Otherwise a note restarts all moving bodies.
 class SceneStage final : public Stage {
 public:
     static constexpr std::size_t mostActs = 8;
@@ -32,7 +32,7 @@ public:
     /// Maps the slots of one simulation to those of the synthesiser.
     using SlotMap = std::vector<std::size_t>;
 
-    /// The maximum bodies. No machine simulates more of them in real time.
+    /// The maximum number of bodies. No machine simulates more of them in real time.
     static constexpr std::size_t mostBodies = 500;
 
     /// Refuses more than `mostBodies` bodies, a crowded scene (RigidWorld::isCrowded) and one that

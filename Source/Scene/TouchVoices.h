@@ -35,7 +35,7 @@ public:
 
 private:
     struct Voice {
-        std::vector<ContactForce> slides, rolls; ///< one a surface
+        std::vector<ContactForce> slides, rolls; ///< one for each surface
         TouchState last;
         std::size_t surface = 0;
     };

@@ -118,7 +118,7 @@ TEST_CASE("The weights from a mode on equal those of all modes from there on") {
     }
 }
 
-TEST_CASE("A table of more than left and right returns the direction nearest to a listener") {
+TEST_CASE("A table with more than two directions returns the one nearest to a listener") {
     RadiationTable table;
     table.directions = {{1, 0, 0}, {0, 1, 0}};
     CHECK_FALSE(table.directionTowards({0, 0, 1}));

@@ -93,7 +93,7 @@ TEST_CASE("Reverb of an old sound keeps its level through automation and further
         REQUIRE_THAT(got.left[i], WithinAbs(wanted.left[i], 1e-7));
 }
 
-TEST_CASE("A level raised after a change leaves old reverb alone and is reached") {
+TEST_CASE("A level raised after a change does not raise old reverb and is reached") {
     PreparedStage stage, alone;
     const Stereo burst{sine(4800), sine(4800, 700)};
     const Stereo nothing{std::vector<float>(9600), std::vector<float>(9600)};

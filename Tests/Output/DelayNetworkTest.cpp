@@ -204,7 +204,7 @@ TEST_CASE("A change of decay time during a low tone makes no step") {
     }
 }
 
-TEST_CASE("A cleared network responds as a new one") {
+TEST_CASE("A cleared network responds like a new one") {
     auto network = prepared(48000, 5), fresh = prepared(48000, 0.7);
     Response rung{std::vector<float>(5000, 1.0f), std::vector<float>(5000, -0.5f)};
     process(network, rung, 480);

@@ -160,7 +160,7 @@ TEST_CASE("A room's reverb does not depend on the block size") {
         CHECK(inNewRoom(sound, 48000, values, blockSize) == expected);
 }
 
-TEST_CASE("A room falls silent, and then responds as a new one") {
+TEST_CASE("A room falls silent, and then responds like a new one") {
     Room room;
     room.prepare(48000, maximumBlock, rampSeconds);
     CHECK(room.silent());

@@ -13,8 +13,7 @@ TEST_CASE("The lowest of many points is exact to the bit in every orientation") 
     std::vector<Eigen::Vector3d> points;
     for (int k = 0; k < 2000; ++k) {
         const Eigen::Vector3d point(number(random), number(random), number(random));
-        points.push_back(k % 2 == 0 ? point.normalized()
-                                    : 0.3 * point); // points on a sphere and inside it
+        points.push_back(k % 2 == 0 ? point.normalized() : 0.3 * point); // on and in a sphere
     }
     points.insert(points.end(), 100, points.front());
     const LowestPoint lowest(points);

@@ -88,8 +88,7 @@ std::ptrdiff_t highest(const std::vector<float>& samples) {
 TEST_CASE("A measured sphere sounds like the spherical head at both ears from all directions") {
     const auto head = sphereAt(48000);
     std::vector<float> click(20 * cellSamples);
-    for (int i = 0; i < 12;
-         ++i) // below about 8 kHz, where the sphere's cubic interpolation is flat
+    for (int i = 0; i < 12; ++i) // below about 8 kHz, where the sphere's cubic is flat
         click[static_cast<std::size_t>(i)] =
             static_cast<float>(std::pow(std::sin(std::numbers::pi * (i + 0.5) / 12), 2));
     std::ptrdiff_t common = -1;

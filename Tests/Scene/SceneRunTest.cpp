@@ -232,7 +232,7 @@ TEST_CASE("A hand taps with (1 + e) times its tool's momentum and rubs at its ow
                               [](const TouchState& state) { return state.forceNewtons < 1e-6; }));
 }
 
-TEST_CASE("A run ends when bodies, or their parts, are crowded") {
+TEST_CASE("A simulation ends when bodies, or their parts, are crowded") {
     // Each of a ring's sixteen parts is near several parts of another ring in the same place.
     const auto [object, form, count] = GENERATE(table<const char*, BodyForm, int>(
         {{"die", BodyForm::hull, 10000}, {"small-ring", BodyForm::ring, 60}}));
@@ -254,7 +254,7 @@ TEST_CASE("A run ends when bodies, or their parts, are crowded") {
     CHECK(crowdedFault(cast->scene()).message.find("'Crowd'") != std::string::npos);
 }
 
-TEST_CASE("A run stops at its work limit or when another thread stops it") {
+TEST_CASE("A simulation stops at its work limit or when another thread stops it") {
     const auto cast = factoryCast("Cylinder off a table");
     SceneRun little(cast, {.mostWork = 100});
     little.advanceTo(1);

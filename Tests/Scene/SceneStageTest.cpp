@@ -118,7 +118,7 @@ TEST_CASE("An impact that is not waited for is late and is counted") {
         return std::ranges::any_of(sound, [](float x) { return x != 0; });
     };
     // This thread renders a second much faster than the worker simulates it. If the system suspends
-    // this thread meanwhile, it tries again.
+    // this thread meanwhile, the test tries again.
     for (int attempt = 0; attempt < 100 && player.lateBlows() == 0; ++attempt) {
         player.reset();
         isHeard = isHeardIn({{0, 72, 100}}, 1);

@@ -101,7 +101,7 @@ TEST_CASE(
     CHECK(rig.of(touch)->pair != pair);
     CHECK(rig.of(touch)->pair != rig.of(other)->pair);
     CHECK_THAT(rig.of(touch)->forceNewtons,
-               WithinAbs(2 * (1 - std::exp(-stepSeconds / 0.004)), 1e-12)); // not its former force
+               WithinAbs(2 * (1 - std::exp(-stepSeconds / 0.004)), 1e-12)); // starts again at 0
 }
 
 TEST_CASE("A contact that hardly moves has no voice") {
