@@ -16,7 +16,7 @@ namespace idiophone {
 class WavWriter {
 public:
     /// `bitDepth` is 16 or 24 for whole numbers, which clip at full scale, or 32 for floats, which
-    /// do not. A link keeps its target's path. The error names a file that cannot be written, for
+    /// do not. A link stays a link to the file. The error names a file that cannot be written, for
     /// example a device or a pipe.
     static Result<std::unique_ptr<WavWriter>>
     create(const std::filesystem::path& file, int sampleRateHz, int channelCount, int bitDepth);

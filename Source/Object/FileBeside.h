@@ -20,7 +20,7 @@ std::filesystem::path behindLinks(const std::filesystem::path& file);
 bool putInPlace(const std::filesystem::path& beside, const std::filesystem::path& file);
 
 /// Writes `file` by `write`, through a file beside it and `putInPlace`. Returns false and keeps the
-/// existing file if that fails. Writes devices and pipes directly. A link keeps its target's path.
+/// existing file if that fails. Writes devices and pipes directly. A link stays a link to the file.
 bool replaceFile(const std::filesystem::path& file,
                  const std::function<void(std::ostream&)>& write);
 

@@ -18,7 +18,7 @@ float gainOf(const ParameterValues& values) {
     return juce::Decibels::decibelsToGain(static_cast<float>(values[ParameterId::level]));
 }
 
-/// Avoids a branch for each sample.
+/// Has no branch for each sample.
 bool allFinite(std::span<const float> samples) {
     constexpr std::uint32_t exponent = 0x7f800000u;
     bool finite = true;

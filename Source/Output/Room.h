@@ -21,8 +21,8 @@ public:
         std::span<const float> left, right;
     };
 
-    /// A tail below this level (−100 dB of full scale) counts as silence. Rounding keeps the
-    /// longest tails at −110 dB forever.
+    /// A tail below this value (−100 dB of full scale, before the level) counts as silence.
+    /// Rounding keeps the longest tails at −110 dB forever.
     static constexpr float silence = 1e-5f;
 
     /// The minimum delay of the reverb.

@@ -194,7 +194,7 @@ TEST_CASE("A flat surface of fine faces pushes a rolling ball straight up") {
     CHECK(touches > 50);
 }
 
-TEST_CASE("A thin plate comes to rest also if it lies askew in its mesh") {
+TEST_CASE("A thin plate comes to rest even if it lies askew in its mesh") {
     const double thickness = 0.0006, side = 0.05;
     const double degrees = GENERATE(0.0, 5.0, 45.0);
     Mesh mesh = boxMesh({side, side, thickness}, {4, 4, 1});
