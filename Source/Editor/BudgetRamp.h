@@ -1,4 +1,4 @@
-// A bar chart of how the mode budget is shared among the sounding objects, loudest first. Each bar
+// A bar chart of how the mode budget is shared among the resonators, loudest first. Each bar
 // shows requested and granted modes; a line of slope S shows the entitlement.
 #pragma once
 

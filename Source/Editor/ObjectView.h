@@ -31,7 +31,7 @@ public:
 
     /// Follows the current instrument. The window's timer calls it.
     void refresh();
-    /// Lights up the sounding objects, and animates the object whose modes the frame has.
+    /// Lights up the resonators, and animates the object whose modes the frame has.
     void showSound(const SoundFrame& frame);
     /// Shows the shape of one mode of the last frame's object, or none.
     void showMode(std::optional<std::size_t> mode);
@@ -40,7 +40,7 @@ public:
     bool isOnStage() const { return onStage; }
 
     void setShowsVibration(bool shows);
-    /// Shows the nodal lines of the sounding object's strongest mode, or of its lowest mode in
+    /// Shows the nodal lines of the resonator's strongest mode, or of its lowest mode in
     /// silence.
     void setShowsNodes(bool shows);
     void setShowsPath(bool shows);

@@ -1,7 +1,7 @@
 #include "Synth/Synthesiser.h"
 
+#include "Synth/ModalResonator.h"
 #include "Synth/QualityScaling.h"
-#include "Synth/SoundingObject.h"
 
 #include <algorithm>
 #include <cmath>
@@ -65,7 +65,7 @@ SynthesisSettings corrected(SynthesisSettings wanted, const SynthesisSettings& p
 struct Synthesiser::Implementation {
     double sampleRate;
     std::unique_ptr<SynthesisScratch> scratch;
-    std::vector<SoundingObject> objects;
+    std::vector<ModalResonator> objects;
     SynthesisSettings settings;
     bool settingsChanged = false;
     std::int64_t nextCell = 0;
@@ -99,7 +99,7 @@ Synthesiser::Synthesiser(std::vector<SynthesiserSlot> slots,
         mostModes = std::max(mostModes, slot.object ? slot.object->modeCount() : 0);
     all.scratch = std::make_unique<SynthesisScratch>(mostModes, channels);
     all.objects.reserve(slots.size());
-    std::map<const ModalObject*, SoundingObject::ModeWeights>
+    std::map<const ModalObject*, ModalResonator::ModeWeights>
         known; // one for all slots of an object
     for (SynthesiserSlot& slot : slots) {
         auto& modeWeights = known[slot.object.get()];
@@ -210,7 +210,7 @@ void Synthesiser::Implementation::report() {
     std::fill(status.begin(), status.end(), SlotStatus{});
     for (const std::int32_t sounded : sounding) {
         const auto slot = static_cast<std::size_t>(sounded);
-        const SoundingObject& object = objects[slot];
+        const ModalResonator& object = objects[slot];
         status[slot] = {static_cast<float>(object.demand().amplitude),
                         object.modesRinging(),
                         object.modesMixed(),
@@ -233,7 +233,7 @@ std::int32_t Synthesiser::Implementation::allowance(std::size_t slot) const {
 /// Applies `act` to one resonator and updates the count of mixed modes for the others.
 template <class Act>
 bool Synthesiser::Implementation::on(std::size_t slot, Act act) {
-    SoundingObject& object = objects[slot];
+    ModalResonator& object = objects[slot];
     wasTouched[slot] = 1;
     const std::int32_t allowed = allowance(slot);
     mixedNow -= object.modesMixedNow();
@@ -247,7 +247,7 @@ bool Synthesiser::strike(std::size_t slot,
                          double sampleInCell,
                          const CellOutput& cell) noexcept {
     auto& all = *implementation;
-    return slot < slotCount() && all.on(slot, [&](SoundingObject& object, std::int32_t allowed) {
+    return slot < slotCount() && all.on(slot, [&](ModalResonator& object, std::int32_t allowed) {
         object.catchUp(all.settings);
         return object.strike(strike, sampleInCell, allowed, cell);
     });
@@ -261,7 +261,7 @@ bool Synthesiser::applyForce(std::size_t slot,
                              const ForceCell& force,
                              const CellOutput& cell) noexcept {
     auto& all = *implementation;
-    return slot < slotCount() && all.on(slot, [&](SoundingObject& object, std::int32_t allowed) {
+    return slot < slotCount() && all.on(slot, [&](ModalResonator& object, std::int32_t allowed) {
         return object.applyForce(force, allowed, cell);
     });
 }
@@ -302,7 +302,7 @@ const SynthesisSettings& Synthesiser::settings() const noexcept {
 bool Synthesiser::silent() const noexcept {
     const auto& objects = implementation->objects;
     return std::all_of(objects.begin(), objects.end(),
-                       [](const SoundingObject& object) { return object.silent(); });
+                       [](const ModalResonator& object) { return object.silent(); });
 }
 
 double Synthesiser::sampleRateHz() const noexcept {

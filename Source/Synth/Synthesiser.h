@@ -18,7 +18,7 @@
 
 namespace idiophone {
 
-class SoundingObject;
+class ModalResonator;
 
 /// Constructed and destroyed off the audio thread; every other member is for the audio thread and
 /// neither allocates, locks nor throws. The output is surface velocity in m/s (full scale 1), or

@@ -261,7 +261,7 @@ TEST_CASE("Muting during sound is repeatable and makes no click") {
     CHECK(roughest(sound.left) < 1.02f * roughest(plain.left));
 }
 
-TEST_CASE("The mode budget is shared among sounding objects, loudest first") {
+TEST_CASE("The mode budget is shared among resonators, loudest first") {
     Prepared prepared;
     auto& processor = prepared.processor;
     processor.changeParameter(ParameterId::modeBudget,

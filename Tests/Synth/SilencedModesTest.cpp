@@ -1,6 +1,6 @@
 // Tests modes that are muted and unmuted.
 #include "ModalReference.h"
-#include "Synth/SoundingObject.h"
+#include "Synth/ModalResonator.h"
 
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>

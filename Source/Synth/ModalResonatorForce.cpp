@@ -2,14 +2,14 @@
 // response. The states take in the effect of the force by the next grid point.
 #include "Synth/AllFinite.h"
 #include "Synth/ForceKernel.h"
-#include "Synth/SoundingObject.h"
+#include "Synth/ModalResonator.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace idiophone {
 
-bool SoundingObject::valid(const ForcePlace& place) const noexcept {
+bool ModalResonator::valid(const ForcePlace& place) const noexcept {
     const auto makesSense = [&](const ForcePoint& at) {
         return valid(at.point) && allFinite(at.direction);
     };
@@ -17,7 +17,7 @@ bool SoundingObject::valid(const ForcePlace& place) const noexcept {
            (place.way == 0 || makesSense(place.points[1]));
 }
 
-bool SoundingObject::applyForce(const ForceCell& force,
+bool ModalResonator::applyForce(const ForceCell& force,
                                 std::int32_t allowance,
                                 const CellOutput& cell) noexcept {
     const bool stays = force.start == force.end;
@@ -55,7 +55,7 @@ bool SoundingObject::applyForce(const ForceCell& force,
     return true;
 }
 
-void SoundingObject::admitForced(std::int32_t allowance) noexcept {
+void ModalResonator::admitForced(std::int32_t allowance) noexcept {
     if (allMixed())
         return;
     for (std::size_t b = 0; b < bank.blockCount(); ++b) {
@@ -69,7 +69,7 @@ void SoundingObject::admitForced(std::int32_t allowance) noexcept {
 }
 
 /// Computes the object's response between the two points by linear interpolation.
-void SoundingObject::answerAt(const ForcePlace& place,
+void ModalResonator::answerAt(const ForcePlace& place,
                               const Hearing& heard,
                               ForceResponses& known,
                               ModeResidues& residues,
@@ -99,7 +99,7 @@ void SoundingObject::answerAt(const ForcePlace& place,
 
 /// Returns the response at a point, from the cache if possible. A new one replaces the least
 /// recently used of the contact's four.
-const ForceResponse& SoundingObject::responseAt(const ForcePoint& at,
+const ForceResponse& ModalResonator::responseAt(const ForcePoint& at,
                                                 const Hearing& heard,
                                                 ForceResponses& known) noexcept {
     const auto isAnswer = [&](const ForceResponse& response) {
@@ -122,7 +122,7 @@ const ForceResponse& SoundingObject::responseAt(const ForcePoint& at,
     return *chosen;
 }
 
-void SoundingObject::answer(const ForcePoint& at,
+void ModalResonator::answer(const ForcePoint& at,
                             const Hearing& heard,
                             ForceResponse& response) noexcept {
     response.object = this;
@@ -156,7 +156,7 @@ void SoundingObject::answer(const ForcePoint& at,
             fadeByDamper(outputsOf(*sound), cellSamples);
 }
 
-void SoundingObject::soundForce(std::span<const float, cellSamples> impulses,
+void ModalResonator::soundForce(std::span<const float, cellSamples> impulses,
                                 const Answer& start,
                                 const Answer& end,
                                 const CellOutput& cell) const noexcept {

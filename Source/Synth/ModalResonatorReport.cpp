@@ -1,12 +1,12 @@
 // The report of a resonator's groups for display.
-#include "Synth/SoundingObject.h"
+#include "Synth/ModalResonator.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace idiophone {
 
-void SoundingObject::report(SoundingGroups& groups) const noexcept {
+void ModalResonator::report(SoundingGroups& groups) const noexcept {
     groups.law = law;
     groups.thicknessRatio = thicknessRatio;
     groups.tauPascals = tauPascals;
@@ -25,7 +25,7 @@ void SoundingObject::report(SoundingGroups& groups) const noexcept {
     }
 }
 
-GroupStanding SoundingObject::standing(std::size_t g) const noexcept {
+GroupStanding ModalResonator::standing(std::size_t g) const noexcept {
     const Block& block = blocks[g / modeBlock];
     if (isSet(block.mixed, g))
         return GroupStanding::sounding;
@@ -37,7 +37,7 @@ GroupStanding SoundingObject::standing(std::size_t g) const noexcept {
 }
 
 /// Returns the current amplitude; a resting block has decayed since it came to rest.
-float SoundingObject::amplitudeNow(std::size_t g) const noexcept {
+float ModalResonator::amplitudeNow(std::size_t g) const noexcept {
     const double held = std::sqrt(static_cast<double>(bank.energies()[g]));
     const Block& block = blocks[g / modeBlock];
     if (block.active || held == 0)

@@ -1,5 +1,5 @@
 // Contacts under way: their sound, and how they follow moving poles.
-#include "Synth/SoundingObject.h"
+#include "Synth/ModalResonator.h"
 
 #include <array>
 #include <cmath>
@@ -8,7 +8,7 @@
 namespace idiophone {
 
 /// Adds the forced motion of `modes`, with `factor` times the current residues, to the contact.
-void SoundingObject::hold(Contact& contact,
+void ModalResonator::hold(Contact& contact,
                           std::span<const ModeRun> modes,
                           double factor) noexcept {
     addMotion(modes, factor, contact.mixed);
@@ -18,7 +18,7 @@ void SoundingObject::hold(Contact& contact,
     }
 }
 
-void SoundingObject::addMotion(std::span<const ModeRun> modes,
+void ModalResonator::addMotion(std::span<const ModeRun> modes,
                                double factor,
                                ForcedMotion& motion) const noexcept {
     const ForcedAmplitudes parts = scratch.contact.amplitudes();
@@ -34,14 +34,14 @@ void SoundingObject::addMotion(std::span<const ModeRun> modes,
 }
 
 std::complex<double>
-SoundingObject::phaseAt(const Contact& contact, std::int64_t cell, double sample) const noexcept {
+ModalResonator::phaseAt(const Contact& contact, std::int64_t cell, double sample) const noexcept {
     const double cells = static_cast<double>(cell - contact.startCell);
     const double samples = cells * cellSamples + sample - contact.startSample;
     const double turns = samples / (sampleRate * contact.strike.durationSeconds);
     return std::polar(1.0, 2 * std::numbers::pi * turns);
 }
 
-double SoundingObject::shareOfResidues(const Contact& contact, const Contact& other) noexcept {
+double ModalResonator::shareOfResidues(const Contact& contact, const Contact& other) noexcept {
     const Hearing &own = contact.heard, &others = other.heard;
     if (own.farShare != others.farShare || contact.strike.point != other.strike.point ||
         own.nearGain * others.farGain != own.farGain * others.nearGain)
@@ -63,7 +63,7 @@ double SoundingObject::shareOfResidues(const Contact& contact, const Contact& ot
 
 /// Turns the forced parts of all contacts into free motion at the grid point, or takes them out of
 /// it again. It does so for every mode, as the ends of the contacts will.
-void SoundingObject::moveContacts(Forced become) noexcept {
+void ModalResonator::moveContacts(Forced become) noexcept {
     if (contacts.empty())
         return;
     bringRestingUpToDate(cellIndex);
@@ -86,7 +86,7 @@ void SoundingObject::moveContacts(Forced become) noexcept {
 }
 
 /// Does this for one contact, whose residues are `factor` times the current ones.
-void SoundingObject::moveContact(Contact& contact, double factor, Forced become) noexcept {
+void ModalResonator::moveContact(Contact& contact, double factor, Forced become) noexcept {
     const std::complex<double> phase = phaseAt(contact, cellIndex, 0);
     bank.forcedStates({.contactSeconds = contact.strike.durationSeconds,
                        .dampingPerSecond = damping,

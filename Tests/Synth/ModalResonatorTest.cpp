@@ -1,5 +1,5 @@
 // Tests which modes ring, which are mixed, and how they come and go.
-#include "Synth/SoundingObject.h"
+#include "Synth/ModalResonator.h"
 #include "ModalReference.h"
 
 #include <catch2/catch_test_macros.hpp>

@@ -1,4 +1,4 @@
-#include "Synth/SoundingObject.h"
+#include "Synth/ModalResonator.h"
 
 #include "Synth/ModeCompression.h"
 #include "Synth/TubeShares.h"
@@ -18,7 +18,7 @@ constexpr float faintEnergy = 1e-36f; // faintestVelocity²
 
 } // namespace
 
-SoundingObject::SoundingObject(SynthesiserSlot slot,
+ModalResonator::ModalResonator(SynthesiserSlot slot,
                                ModeWeights modeWeightsOfObject,
                                std::uint32_t seed,
                                std::size_t channels,
@@ -57,7 +57,7 @@ SoundingObject::SoundingObject(SynthesiserSlot slot,
     movePoles();
 }
 
-void SoundingObject::setDamping(double dampingPerSecond) noexcept {
+void ModalResonator::setDamping(double dampingPerSecond) noexcept {
     if (!(dampingPerSecond >= 0) || !std::isfinite(dampingPerSecond) ||
         dampingPerSecond == requestedDamping)
         return;
@@ -65,21 +65,21 @@ void SoundingObject::setDamping(double dampingPerSecond) noexcept {
     controlsChanged = true;
 }
 
-void SoundingObject::setFrequencyRatio(double newRatio) noexcept {
+void ModalResonator::setFrequencyRatio(double newRatio) noexcept {
     if (!(newRatio > 0) || !std::isfinite(newRatio) || newRatio == requestedFrequencyRatio)
         return;
     requestedFrequencyRatio = newRatio;
     controlsChanged = true;
 }
 
-void SoundingObject::setMaterial(const std::optional<LiveMaterial>& material) noexcept {
+void ModalResonator::setMaterial(const std::optional<LiveMaterial>& material) noexcept {
     if (material == requestedMaterial)
         return;
     requestedMaterial = material;
     controlsChanged = true;
 }
 
-void SoundingObject::setSilencedModes(std::span<const std::uint8_t> silenced) noexcept {
+void ModalResonator::setSilencedModes(std::span<const std::uint8_t> silenced) noexcept {
     const bool any = std::ranges::any_of(silenced, [](std::uint8_t is) { return is != 0; });
     if (any && silenced.size() != object->modeCount())
         return;
@@ -91,7 +91,7 @@ void SoundingObject::setSilencedModes(std::span<const std::uint8_t> silenced) no
     controlsChanged = true;
 }
 
-bool SoundingObject::beginSoundingCell(std::int64_t cell,
+bool ModalResonator::beginSoundingCell(std::int64_t cell,
                                        const SynthesisSettings& settings,
                                        bool settingsChanged) noexcept {
     takeInKicks(cell);
@@ -106,7 +106,7 @@ bool SoundingObject::beginSoundingCell(std::int64_t cell,
 
 // At t_c of Raghuvanshi & Lin 2006, eq. 14, the amplitude, which decays as e^{−αt}, reaches τ.
 // Comparing the two at every grid point finds it without a logarithm per struck mode.
-void SoundingObject::survey() noexcept {
+void ModalResonator::survey() noexcept {
     const EnergySurvey found = surveyEnergies(bank.energies(), bank.audibleWeights(), tauEnergy(),
                                               faintEnergy, activeBlocks, scratch.aboveTau.data());
     // During a contact the set of ringing modes stays fixed. During a continuous force modes may
@@ -129,7 +129,7 @@ void SoundingObject::survey() noexcept {
     demanded = {found.amplitudes, ringing};
 }
 
-void SoundingObject::chooseModes(std::int32_t share) noexcept {
+void ModalResonator::chooseModes(std::int32_t share) noexcept {
     const bool all = share >= demanded.modes;
     if (all && mixedIsRinging)
         return;
@@ -159,7 +159,7 @@ void SoundingObject::chooseModes(std::int32_t share) noexcept {
     retireBlocks(cellIndex);
 }
 
-void SoundingObject::selectStrongest(std::size_t most) noexcept {
+void ModalResonator::selectStrongest(std::size_t most) noexcept {
     scratch.candidates.clear();
     for (const std::int32_t number : activeBlocks) {
         const auto b = static_cast<std::size_t>(number);
@@ -172,7 +172,7 @@ void SoundingObject::selectStrongest(std::size_t most) noexcept {
             static_cast<std::uint16_t>(1u << (static_cast<std::size_t>(g) % modeBlock));
 }
 
-void SoundingObject::keepLoudest(std::vector<std::int32_t>& modes,
+void ModalResonator::keepLoudest(std::vector<std::int32_t>& modes,
                                  const float* energies,
                                  std::size_t most) noexcept {
     if (modes.size() <= most)
@@ -184,7 +184,7 @@ void SoundingObject::keepLoudest(std::vector<std::int32_t>& modes,
     modes.erase(cut, modes.end());
 }
 
-void SoundingObject::listMixed() noexcept {
+void ModalResonator::listMixed() noexcept {
     mixedModes.clear();
     for (const std::int32_t number : activeBlocks) {
         const auto b = static_cast<std::size_t>(number);
@@ -194,7 +194,7 @@ void SoundingObject::listMixed() noexcept {
     ++responseVersion;
 }
 
-void SoundingObject::retireBlocks(std::int64_t grid) noexcept {
+void ModalResonator::retireBlocks(std::int64_t grid) noexcept {
     std::erase_if(activeBlocks, [&](std::int32_t number) {
         Block& block = blocks[static_cast<std::size_t>(number)];
         if ((block.rings | block.mixed) != 0)
@@ -207,7 +207,7 @@ void SoundingObject::retireBlocks(std::int64_t grid) noexcept {
 }
 
 /// Returns whether the block holds anything but zeros.
-bool SoundingObject::bringUpToDate(std::size_t b, std::int64_t grid) noexcept {
+bool ModalResonator::bringUpToDate(std::size_t b, std::int64_t grid) noexcept {
     if (!(bank.energyOfLoudest(b) > 0))
         return false;
     Block& block = blocks[b];
@@ -219,7 +219,7 @@ bool SoundingObject::bringUpToDate(std::size_t b, std::int64_t grid) noexcept {
 }
 
 /// Activates all blocks that hold something above τ; the next survey finds the ringing modes.
-void SoundingObject::wakeBlocks() noexcept {
+void ModalResonator::wakeBlocks() noexcept {
     const float tau = tauEnergy();
     for (std::size_t b = 0; b < bank.blockCount(); ++b)
         if (!blocks[b].active && bank.energyOfLoudest(b) > tau && bringUpToDate(b, cellIndex) &&
@@ -227,7 +227,7 @@ void SoundingObject::wakeBlocks() noexcept {
             activate(b);
 }
 
-void SoundingObject::activate(std::size_t b) noexcept {
+void ModalResonator::activate(std::size_t b) noexcept {
     if (blocks[b].active)
         return;
     blocks[b].active = true;
@@ -236,7 +236,7 @@ void SoundingObject::activate(std::size_t b) noexcept {
     activeBlocks.insert(std::lower_bound(activeBlocks.begin(), activeBlocks.end(), number), number);
 }
 
-void SoundingObject::mix(std::int32_t share, const CellOutput& cell) noexcept {
+void ModalResonator::mix(std::int32_t share, const CellOutput& cell) noexcept {
     // During a contact or a force the mixed modes stay, whatever the share.
     if (contacts.empty() && forcedCell != cellIndex - 1)
         chooseModes(share);
@@ -256,7 +256,7 @@ void SoundingObject::mix(std::int32_t share, const CellOutput& cell) noexcept {
     soundClicks(cell);
 }
 
-void SoundingObject::renderCell(const ChannelOutputs& outputs) noexcept {
+void ModalResonator::renderCell(const ChannelOutputs& outputs) noexcept {
     const double fallen = damping > 0 ? std::exp(-damping * cellSeconds) : 1;
     const ChannelOutputs tube = outputsOf(scratch.tubeSound);
     if (tubesPulse())
@@ -272,7 +272,7 @@ void SoundingObject::renderCell(const ChannelOutputs& outputs) noexcept {
 }
 
 /// Applies the damper's decay to the first `count` samples.
-void SoundingObject::fadeByDamper(const ChannelOutputs& sound, std::size_t count) const noexcept {
+void ModalResonator::fadeByDamper(const ChannelOutputs& sound, std::size_t count) const noexcept {
     const double fall = std::exp(-damping / sampleRate);
     double factor = 1;
     for (std::size_t k = 0; k < count; ++k) {
@@ -283,7 +283,7 @@ void SoundingObject::fadeByDamper(const ChannelOutputs& sound, std::size_t count
 }
 
 /// Adds `count` samples to the cell from sample `from` on. A mono sound goes to both channels.
-void SoundingObject::addToCell(const ChannelOutputs& sound,
+void ModalResonator::addToCell(const ChannelOutputs& sound,
                                std::size_t from,
                                std::size_t count,
                                const CellOutput& cell) const noexcept {
@@ -297,7 +297,7 @@ void SoundingObject::addToCell(const ChannelOutputs& sound,
 
 /// Removes the part of `tube` that the discs block; the cell holds the sound of open discs. States
 /// ignore the discs, so that no gain steps.
-void SoundingObject::closeTubes(CellSound& tube,
+void ModalResonator::closeTubes(CellSound& tube,
                                 std::size_t from,
                                 std::size_t count,
                                 const CellOutput& cell) const noexcept {
@@ -309,7 +309,7 @@ void SoundingObject::closeTubes(CellSound& tube,
 
 /// Returns the tube's parts of the modes in ascending runs, valid until the next call.
 std::span<const ModePart>
-SoundingObject::tubePartsOf(std::span<const ModeRun> runs) const noexcept {
+ModalResonator::tubePartsOf(std::span<const ModeRun> runs) const noexcept {
     scratch.tubeParts.clear();
     for (const ModePart& part : tubeParts) {
         while (!runs.empty() && runs.front().first + runs.front().count <= part.mode)
@@ -321,7 +321,7 @@ SoundingObject::tubePartsOf(std::span<const ModeRun> runs) const noexcept {
 }
 
 /// Returns the gain of a group by the discs at the grid point where the states hold.
-float SoundingObject::openingNow(std::size_t g) const noexcept {
+float ModalResonator::openingNow(std::size_t g) const noexcept {
     const auto mode = static_cast<std::int32_t>(g);
     const auto part = std::ranges::lower_bound(tubeParts, mode, {}, &ModePart::mode);
     return part != tubeParts.end() && part->mode == mode ? 1 + part->share * (scratch.tubesNow - 1)
@@ -329,13 +329,13 @@ float SoundingObject::openingNow(std::size_t g) const noexcept {
 }
 
 /// Fades modes out (share 1) or in (share −1). The discs hardly move during the 3 ms of a fade.
-void SoundingObject::fade(std::span<const std::int32_t> modes, float share) noexcept {
+void ModalResonator::fade(std::span<const std::int32_t> modes, float share) noexcept {
     for (std::size_t k = 0; k < modes.size(); ++k)
         scratch.fadingShares[k] = share * openingNow(static_cast<std::size_t>(modes[k]));
     fader.change(bank, modes, scratch.fadingShares);
 }
 
-void SoundingObject::reset() noexcept {
+void ModalResonator::reset() noexcept {
     bank.clear();
     bank.setChannels(1);
     std::fill(blocks.begin(), blocks.end(), Block{});

@@ -1,6 +1,6 @@
 // Groups of merged modes that follow the poles while they sound (docs/decisions/0015).
+#include "Synth/ModalResonator.h"
 #include "Synth/ModeCompression.h"
-#include "Synth/SoundingObject.h"
 
 #include <algorithm>
 #include <cmath>
@@ -27,7 +27,7 @@ double sum(std::span<const double> weights) noexcept {
 /// Changes the groups to those of `scratch.groupStarts` and keeps their sound. Each mode takes a
 /// fixed share of its group's state along, and modes that join a group add up, so that no velocity
 /// steps. Call `bank.movePoles` next.
-void SoundingObject::regroup(std::size_t groups) noexcept {
+void ModalResonator::regroup(std::size_t groups) noexcept {
     shareGroups(groups);
     nameGroups(groups);
     handOnFlags();
@@ -39,7 +39,7 @@ void SoundingObject::regroup(std::size_t groups) noexcept {
 
 /// Divides a group's state among its modes by their mean-square shapes, as if the object had been
 /// struck everywhere. The struck points are not stored.
-void SoundingObject::shareGroups(std::size_t groups) noexcept {
+void ModalResonator::shareGroups(std::size_t groups) noexcept {
     scratch.groupShares.clear();
     const std::span<const double> weights(*modeWeights);
     const auto& newStarts = scratch.groupStarts;
@@ -60,7 +60,7 @@ void SoundingObject::shareGroups(std::size_t groups) noexcept {
     }
 }
 
-void SoundingObject::nameGroups(std::size_t groups) noexcept {
+void ModalResonator::nameGroups(std::size_t groups) noexcept {
     lostSharesLaw.reset();
     std::copy_n(scratch.groupStarts.begin(), groups + 1, groupStarts.begin());
     for (std::size_t g = 0; g < groups; ++g) {
@@ -76,7 +76,7 @@ void SoundingObject::nameGroups(std::size_t groups) noexcept {
 }
 
 /// Modes that bar and tube share are separate groups.
-void SoundingObject::findTubeParts() noexcept {
+void ModalResonator::findTubeParts() noexcept {
     tubeParts.clear();
     for (std::size_t g = 0; !tubeShares.empty() && g < bank.size(); ++g) {
         const float share = tubeShares[static_cast<std::size_t>(groupStarts[g])];
@@ -87,7 +87,7 @@ void SoundingObject::findTubeParts() noexcept {
 
 /// Collects the flags of the new groups in `scratch`, as the fades still need the old ones. A new
 /// group rings or is mixed if any old part of it was.
-void SoundingObject::handOnFlags() noexcept {
+void ModalResonator::handOnFlags() noexcept {
     std::fill(scratch.aboveTau.begin(), scratch.aboveTau.end(), std::uint16_t{0});
     std::fill(scratch.wanted.begin(), scratch.wanted.end(), std::uint16_t{0});
     for (const ModeShare& taken : scratch.groupShares) {
@@ -106,7 +106,7 @@ void SoundingObject::handOnFlags() noexcept {
 
 /// Fades the changes, still with the old poles. Unmixed modes that join a mixed group fade in, and
 /// modes that become inaudible fade out.
-void SoundingObject::fadeChanges() noexcept {
+void ModalResonator::fadeChanges() noexcept {
     auto& fading = scratch.fadingShares;
     for (std::size_t g = 0; g < bank.size(); ++g)
         fading[g] = isSet(blocks[g / modeBlock].mixed, g) ? 1.0f : 0.0f;
@@ -125,7 +125,7 @@ void SoundingObject::fadeChanges() noexcept {
     fader.change(bank, scratch.leaving, fading);
 }
 
-void SoundingObject::rebuildBlocks() noexcept {
+void ModalResonator::rebuildBlocks() noexcept {
     activeBlocks.clear();
     for (std::size_t b = 0; b < blocks.size(); ++b) {
         const bool active = (scratch.aboveTau[b] | scratch.wanted[b]) != 0;

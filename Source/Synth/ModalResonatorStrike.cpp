@@ -1,7 +1,7 @@
 // Strikes and contacts of a resonator.
 #include "Synth/AllFinite.h"
 #include "Synth/ContactPulse.h"
-#include "Synth/SoundingObject.h"
+#include "Synth/ModalResonator.h"
 
 #include <algorithm>
 #include <bit>
@@ -22,7 +22,7 @@ int firstSampleFrom(double time) noexcept {
 
 } // namespace
 
-bool SoundingObject::valid(const StrikePoint& point) const noexcept {
+bool ModalResonator::valid(const StrikePoint& point) const noexcept {
     const auto rows = static_cast<std::int64_t>(object->shapeVertexCount());
     for (std::size_t k = 0; k < point.weights.size(); ++k) {
         const std::int64_t row = point.shapeRows[k];
@@ -35,14 +35,14 @@ bool SoundingObject::valid(const StrikePoint& point) const noexcept {
     return object->modeCount() > 0 && allFinite(point.weights) && allFinite(point.normal);
 }
 
-bool SoundingObject::valid(const Strike& strike, double sampleInCell) const noexcept {
+bool ModalResonator::valid(const Strike& strike, double sampleInCell) const noexcept {
     return valid(strike.point) && allFinite(strike.impulseNewtonSeconds) &&
            std::isfinite(strike.durationSeconds) && strike.durationSeconds >= 0 &&
            sampleInCell >= 0 && sampleInCell < cellSamples;
 }
 
 /// Updates groups and poles to the settings. A silent resonator starts again in one channel.
-void SoundingObject::prepareBank() noexcept {
+void ModalResonator::prepareBank() noexcept {
     if (silent())
         bank.setChannels(1);
     if (polesBehind)
@@ -50,7 +50,7 @@ void SoundingObject::prepareBank() noexcept {
 }
 
 /// Opens the second channel at the first strike that is heard far.
-void SoundingObject::widen(double farShare) noexcept {
+void ModalResonator::widen(double farShare) noexcept {
     if (!(farShare > 0) || outputChannels == 1 || bank.channels() == mostChannels)
         return;
     bank.setChannels(mostChannels);
@@ -63,7 +63,7 @@ void SoundingObject::widen(double farShare) noexcept {
         }
 }
 
-bool SoundingObject::computeForced(const Contact& contact) noexcept {
+bool ModalResonator::computeForced(const Contact& contact) noexcept {
     const bool reasonable = computeResidues(contact);
     bank.forcedStates(
         {.contactSeconds = contact.strike.durationSeconds, .dampingPerSecond = damping},
@@ -71,7 +71,7 @@ bool SoundingObject::computeForced(const Contact& contact) noexcept {
     return reasonable;
 }
 
-bool SoundingObject::strike(const Strike& asked,
+bool ModalResonator::strike(const Strike& asked,
                             double sampleInCell,
                             std::int32_t allowance,
                             const CellOutput& cell) noexcept {
@@ -117,7 +117,7 @@ bool SoundingObject::strike(const Strike& asked,
 }
 
 /// Starts the click of the rigid body, which is only heard far.
-void SoundingObject::addClick(const Contact& struck, const CellOutput& cell) noexcept {
+void ModalResonator::addClick(const Contact& struck, const CellOutput& cell) noexcept {
     if (!(struck.heard.farShare > 0) || !(rigidBody.massKg > 0) || clicks.size() == contactCapacity)
         return;
     Contact click = struck;
@@ -144,23 +144,23 @@ void SoundingObject::addClick(const Contact& struck, const CellOutput& cell) noe
         clicks.push_back(click);
 }
 
-void SoundingObject::soundClicks(const CellOutput& cell) noexcept {
+void ModalResonator::soundClicks(const CellOutput& cell) noexcept {
     std::erase_if(clicks,
                   [&](const Contact& click) { return addForced(click, cell) <= cellSamples; });
 }
 
-BeforeSample SoundingObject::beforeSample(double at) const noexcept {
+BeforeSample ModalResonator::beforeSample(double at) const noexcept {
     const double samples = firstSampleFrom(at) - at;
     return {samples, damping > 0 ? std::exp(-damping * samples / sampleRate) : 1};
 }
 
-KickMove SoundingObject::kickMove(double seconds) const noexcept {
+KickMove ModalResonator::kickMove(double seconds) const noexcept {
     return {seconds, seconds * sampleRate, damping * seconds * std::numbers::log2e};
 }
 
 /// Sets the increments to the contact's states, which hold at time `at`, moved to the next whole
 /// sample.
-void SoundingObject::startKicks(double sign, double at) noexcept {
+void ModalResonator::startKicks(double sign, double at) noexcept {
     const BeforeSample before = beforeSample(at);
     bank.startKicks(scratch.contact, scratch.groupResidues, {before.samples, sign * before.factor},
                     kicks);
@@ -168,12 +168,12 @@ void SoundingObject::startKicks(double sign, double at) noexcept {
 
 /// Sets the increments of a contact that started in this cell and ended at `end`, moved to the next
 /// whole sample.
-void SoundingObject::finishKicks(const Contact& contact, double end) noexcept {
+void ModalResonator::finishKicks(const Contact& contact, double end) noexcept {
     bank.finishKicks(scratch.contact, scratch.groupResidues, beforeSample(end),
                      kickMove(contact.strike.durationSeconds), kicks);
 }
 
-void SoundingObject::joinStruck(std::int32_t allowance) noexcept {
+void ModalResonator::joinStruck(std::int32_t allowance) noexcept {
     if (allMixed())
         return;
     surveyEnergies(kicks.energies.data(), bank.audibleWeights(), tauEnergy(), 0, bank.allBlocks(),
@@ -183,7 +183,7 @@ void SoundingObject::joinStruck(std::int32_t allowance) noexcept {
 
 /// Mixes the wanted modes. If the allowance is too small for all, takes those with the largest
 /// increments.
-void SoundingObject::admitWanted(std::int32_t allowance) noexcept {
+void ModalResonator::admitWanted(std::int32_t allowance) noexcept {
     // A ringing mode that the budget left out cannot join a contact under way, as its forced part
     // would step. A mode below τ can.
     for (std::size_t b = 0; b < bank.blockCount(); ++b) {
@@ -209,7 +209,7 @@ void SoundingObject::admitWanted(std::int32_t allowance) noexcept {
 }
 
 /// Lists the wanted modes in ascending order, at most the loudest `most` of them.
-void SoundingObject::listWanted(std::size_t most) noexcept {
+void ModalResonator::listWanted(std::size_t most) noexcept {
     scratch.joining.clear();
     for (std::size_t b = 0; b < bank.blockCount(); ++b)
         forEachMode(b, scratch.wanted[b], [&](std::int32_t g) { scratch.joining.push_back(g); });
@@ -220,7 +220,7 @@ void SoundingObject::listWanted(std::size_t most) noexcept {
 }
 
 /// Mixes a struck mode. Earlier motion that τ had cut stays cut.
-void SoundingObject::admit(std::size_t g) noexcept {
+void ModalResonator::admit(std::size_t g) noexcept {
     const std::size_t b = g / modeBlock;
     const auto bit = static_cast<std::uint16_t>(1u << (g % modeBlock));
     if (!blocks[b].active) {
@@ -235,7 +235,7 @@ void SoundingObject::admit(std::size_t g) noexcept {
     blocks[b].mixed |= bit;
 }
 
-double SoundingObject::addForced(const Contact& contact, const CellOutput& cell) const noexcept {
+double ModalResonator::addForced(const Contact& contact, const CellOutput& cell) const noexcept {
     const double cells = static_cast<double>(cellIndex - contact.startCell);
     const double end =
         contact.startSample + contact.strike.durationSeconds * sampleRate - cells * cellSamples;
@@ -255,7 +255,7 @@ double SoundingObject::addForced(const Contact& contact, const CellOutput& cell)
     return end;
 }
 
-void SoundingObject::soundForced(const Contact& contact,
+void ModalResonator::soundForced(const Contact& contact,
                                  const ForcedMotion& motion,
                                  int from,
                                  std::size_t samples,
@@ -268,7 +268,7 @@ void SoundingObject::soundForced(const Contact& contact,
 }
 
 /// Adds the sound of the increments, which hold at sample `from`, up to `until`.
-void SoundingObject::addKicks(int from, int until, const CellOutput& cell) noexcept {
+void ModalResonator::addKicks(int from, int until, const CellOutput& cell) noexcept {
     if (from >= until)
         return;
     const auto first = static_cast<std::size_t>(from);
@@ -293,12 +293,12 @@ void SoundingObject::addKicks(int from, int until, const CellOutput& cell) noexc
 
 /// Keeps the increments, which hold at sample `from`, until the next grid point. Joining them at
 /// once would make cells with many strikes too slow.
-void SoundingObject::keepKicks(int from) noexcept {
+void ModalResonator::keepKicks(int from) noexcept {
     keptKicks = kickMove((cellSamples - from) / sampleRate);
 }
 
 /// Adds pending increments to the states, which hold at `grid`, the end of their cell.
-void SoundingObject::takeInKicks(std::int64_t grid) noexcept {
+void ModalResonator::takeInKicks(std::int64_t grid) noexcept {
     if (!keptKicks)
         return;
     bringRestingUpToDate(grid);
@@ -309,7 +309,7 @@ void SoundingObject::takeInKicks(std::int64_t grid) noexcept {
 }
 
 /// Call it before adding to the states at a grid point.
-void SoundingObject::bringRestingUpToDate(std::int64_t grid) noexcept {
+void ModalResonator::bringRestingUpToDate(std::int64_t grid) noexcept {
     for (std::size_t b = 0; b < bank.blockCount(); ++b)
         if (!blocks[b].active && !bringUpToDate(b, grid)) {
             blocks[b].restsSince = grid;
@@ -318,7 +318,7 @@ void SoundingObject::bringRestingUpToDate(std::int64_t grid) noexcept {
 }
 
 /// Call it after adding to the states.
-void SoundingObject::listWhatRings() noexcept {
+void ModalResonator::listWhatRings() noexcept {
     surveyEnergies(bank.energies(), bank.audibleWeights(), tauEnergy(), 0, bank.allBlocks(),
                    scratch.aboveTau.data());
     for (std::size_t b = 0; b < bank.blockCount(); ++b) {
@@ -329,7 +329,7 @@ void SoundingObject::listWhatRings() noexcept {
     mixedIsRinging = false;
 }
 
-void SoundingObject::soundContacts(const CellOutput& cell) noexcept {
+void ModalResonator::soundContacts(const CellOutput& cell) noexcept {
     for (std::size_t c = 0; c < contacts.size();) {
         const Contact contact = contacts[c];
         const double end = addForced(contact, cell);

@@ -1,9 +1,9 @@
 // Computes the residue of each group of modes for a strike on a resonator.
 #include "Synth/AllFinite.h"
 #include "Synth/Listening.h"
+#include "Synth/ModalResonator.h"
 #include "Synth/ModeCompression.h"
 #include "Synth/PointShapes.h"
-#include "Synth/SoundingObject.h"
 
 #include <algorithm>
 
@@ -11,7 +11,7 @@ namespace idiophone {
 
 /// Computes the residues of all groups in each channel: near, far or a blend. If one of them is
 /// absurdly large, sets all to 0 and returns false.
-bool SoundingObject::computeResidues(const Contact& contact) noexcept {
+bool ModalResonator::computeResidues(const Contact& contact) noexcept {
     const StrikePoint& struck = contact.strike.point;
     projectShapes(pointShapes(*object, struck), contact.strike.impulseNewtonSeconds,
                   listeningDirection(struck), object->modeCount(), scratch.struckGains.data(),
@@ -65,7 +65,7 @@ bool SoundingObject::computeResidues(const Contact& contact) noexcept {
 }
 
 /// Merges the residues of modes in `scratch` into those of groups.
-void SoundingObject::mergeResidues(ChannelResidues& residues) noexcept {
+void ModalResonator::mergeResidues(ChannelResidues& residues) noexcept {
     const std::span<const std::complex<float>> modes(scratch.modeResidues);
     const auto set = [&residues](std::size_t g, std::complex<float> residue) {
         residues.re[g] = residue.real();
@@ -91,7 +91,7 @@ void SoundingObject::mergeResidues(ChannelResidues& residues) noexcept {
 
 /// Blends near into far residues by magnitude and phase, so that no mode cancels between the two.
 /// It blends groups, whose sums do not depend on the basis of equal poles.
-void SoundingObject::blendNear(float farShare, ChannelResidues& residues) const noexcept {
+void ModalResonator::blendNear(float farShare, ChannelResidues& residues) const noexcept {
     for (std::size_t g = 0; g < bank.size(); ++g) {
         const auto between = phasorBetween({scratch.nearResidues.re[g], scratch.nearResidues.im[g]},
                                            {residues.re[g], residues.im[g]}, farShare);
@@ -100,7 +100,7 @@ void SoundingObject::blendNear(float farShare, ChannelResidues& residues) const 
     }
 }
 
-void SoundingObject::findLost() noexcept {
+void ModalResonator::findLost() noexcept {
     lostSharesLaw = law;
     std::span<float> shares(lostShares);
     for (std::size_t g = 0; g < bank.size(); ++g) {
@@ -116,7 +116,7 @@ void SoundingObject::findLost() noexcept {
 
 /// Reads the table if frequency, size, direction or imperfection has changed. A mono output gets
 /// the mean of both directions.
-void SoundingObject::findRadiation(std::int32_t heardFrom) noexcept {
+void ModalResonator::findRadiation(std::int32_t heardFrom) noexcept {
     if (radiationRatio == wantedRadiationRatio && radiationHeardFrom == heardFrom)
         return;
     radiationRatio = wantedRadiationRatio;

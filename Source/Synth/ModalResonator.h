@@ -30,7 +30,7 @@ namespace idiophone {
 /// Memory is reserved by the constructor; every other member is for the audio thread. The current
 /// cell is the one begun last. States of active blocks hold at its start; after `mix` they hold at
 /// its end.
-class SoundingObject {
+class ModalResonator {
 public:
     static constexpr std::size_t contactCapacity = 64;
 
@@ -41,7 +41,7 @@ public:
     /// `modeWeights` [M] are the object's `summedSquareShapes`, shared by all its slots. `seed`
     /// draws its imperfection. `scratch` has room for this object and outlives it; resonators on
     /// one thread share it.
-    SoundingObject(SynthesiserSlot slot,
+    ModalResonator(SynthesiserSlot slot,
                    ModeWeights modeWeights,
                    std::uint32_t seed,
                    std::size_t channels,
@@ -145,7 +145,7 @@ private:
         double restsAtDampingLog = 0;
     };
 
-    // SoundingObject.cpp: the sets of ringing and mixed modes.
+    // ModalResonator.cpp: the sets of ringing and mixed modes.
     bool beginSoundingCell(std::int64_t cell,
                            const SynthesisSettings& settings,
                            bool settingsChanged) noexcept;
@@ -168,11 +168,11 @@ private:
     void activate(std::size_t block) noexcept;
     bool bringUpToDate(std::size_t block, std::int64_t grid) noexcept;
 
-    // SoundingObjectReport.cpp
+    // ModalResonatorReport.cpp
     GroupStanding standing(std::size_t g) const noexcept;
     float amplitudeNow(std::size_t g) const noexcept;
 
-    // SoundingObjectConditions.cpp: poles, damping, truncation.
+    // ModalResonatorConditions.cpp: poles, damping, truncation.
     void applySettings(const SynthesisSettings& settings) noexcept;
     void movePoles() noexcept;
     void takeSilences() noexcept;
@@ -187,7 +187,7 @@ private:
     double dampingLog(std::int64_t grid) const noexcept;
     float tauEnergy() const noexcept { return static_cast<float>(tauPascals * tauPascals); }
 
-    // SoundingObjectGroups.cpp: groups that follow the poles.
+    // ModalResonatorGroups.cpp: groups that follow the poles.
     void regroup(std::size_t groups) noexcept;
     void nameGroups(std::size_t groups) noexcept;
     void shareGroups(std::size_t groups) noexcept;
@@ -196,7 +196,7 @@ private:
     void fadeChanges() noexcept;
     void rebuildBlocks() noexcept;
 
-    // SoundingObjectStrike.cpp: from a strike to state increments and contacts.
+    // ModalResonatorStrike.cpp: from a strike to state increments and contacts.
     bool valid(const StrikePoint& point) const noexcept;
     bool valid(const Strike& strike, double sampleInCell) const noexcept;
     void prepareBank() noexcept;
@@ -234,14 +234,14 @@ private:
     void bringRestingUpToDate(std::int64_t grid) noexcept;
     void listWhatRings() noexcept;
 
-    // SoundingObjectResidues.cpp: the residues of each group.
+    // ModalResonatorResidues.cpp: the residues of each group.
     bool computeResidues(const Contact& contact) noexcept;
     void mergeResidues(ChannelResidues& residues) noexcept;
     void blendNear(float farShare, ChannelResidues& residues) const noexcept;
     void findLost() noexcept;
     void findRadiation(std::int32_t heardFrom) noexcept;
 
-    // SoundingObjectContact.cpp: contacts under way.
+    // ModalResonatorContact.cpp: contacts under way.
     void hold(Contact& contact, std::span<const ModeRun> modes, double factor) noexcept;
     void
     addMotion(std::span<const ModeRun> modes, double factor, ForcedMotion& motion) const noexcept;
@@ -254,7 +254,7 @@ private:
     std::complex<double>
     phaseAt(const Contact& contact, std::int64_t cell, double sample) const noexcept;
 
-    // SoundingObjectForce.cpp: continuous contact.
+    // ModalResonatorForce.cpp: continuous contact.
     /// The object's response within a cell.
     struct Answer {
         alignas(64) CellSound sound;

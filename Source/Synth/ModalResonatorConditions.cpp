@@ -1,15 +1,15 @@
 // Applies the settings to a resonator: poles, damping and truncation.
 #include "Synth/Listening.h"
 #include "Synth/LiveConditions.h"
+#include "Synth/ModalResonator.h"
 #include "Synth/ModeCompression.h"
-#include "Synth/SoundingObject.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace idiophone {
 
-void SoundingObject::applySettings(const SynthesisSettings& settings) noexcept {
+void ModalResonator::applySettings(const SynthesisSettings& settings) noexcept {
     controlsChanged = false;
     SynthesisSettings own = settings;
     if (requestedMaterial)
@@ -63,7 +63,7 @@ void SoundingObject::applySettings(const SynthesisSettings& settings) noexcept {
         wakeBlocks();
 }
 
-void SoundingObject::catchUp(const SynthesisSettings& settings) noexcept {
+void ModalResonator::catchUp(const SynthesisSettings& settings) noexcept {
     if (!controlsChanged || !contacts.empty())
         return;
     takeInKicks(cellIndex + 1);
@@ -73,12 +73,12 @@ void SoundingObject::catchUp(const SynthesisSettings& settings) noexcept {
 }
 
 /// The groups follow in movePoles.
-void SoundingObject::takeSilences() noexcept {
+void ModalResonator::takeSilences() noexcept {
     silencesChange = false;
     silencedModes.assign(requestedSilences.begin(), requestedSilences.end());
 }
 
-void SoundingObject::movePoles() noexcept {
+void ModalResonator::movePoles() noexcept {
     polesBehind = false;
     ++responseVersion;
     // Bring resting states up to date with their old poles.
@@ -110,12 +110,12 @@ void SoundingObject::movePoles() noexcept {
                    highestSoundingShare * sampleRate, groupDampings, silencedGroups);
 }
 
-bool SoundingObject::inBand(std::size_t g) const noexcept {
+bool ModalResonator::inBand(std::size_t g) const noexcept {
     return soundsAt(law.pole(referenceEigenvalues[g]), sampleRate);
 }
 
 /// Modes that τ had cut or that were out of band may become audible with other poles.
-bool SoundingObject::holdsAboveTau() const noexcept {
+bool ModalResonator::holdsAboveTau() const noexcept {
     for (std::size_t b = 0; b < bank.blockCount(); ++b)
         if (bank.energyOfLoudest(b) > tauEnergy())
             return true;
@@ -124,7 +124,7 @@ bool SoundingObject::holdsAboveTau() const noexcept {
 
 /// Fades out newly inaudible modes, still with their old poles: beyond the band the new ones would
 /// alias.
-void SoundingObject::fadeInaudible() noexcept {
+void ModalResonator::fadeInaudible() noexcept {
     scratch.leaving.clear();
     for (const std::int32_t g : mixedModes) {
         const auto mode = static_cast<std::size_t>(g);
@@ -143,7 +143,7 @@ void SoundingObject::fadeInaudible() noexcept {
     retireBlocks(cellIndex);
 }
 
-double SoundingObject::dampingLog(std::int64_t grid) const noexcept {
+double ModalResonator::dampingLog(std::int64_t grid) const noexcept {
     return dampingLogBase + damping * cellSeconds * static_cast<double>(grid - dampingSince);
 }
 
