@@ -83,16 +83,16 @@ ordered_json describe(const SceneTally& tally, const Recording& recording) {
 }
 
 /// Returns the impacts in the format of docs/impulses.md.
-std::string impulseLines(const SceneCast& cast,
+std::string impulseLines(const SceneAssets& assets,
                          const std::vector<SceneBlow>& blows,
                          const std::filesystem::path& list) {
     std::vector<std::string> objects;
-    for (const auto& role : cast.roles())
+    for (const auto& role : assets.roles())
         objects.push_back(objectInList(role.object, list));
     std::string lines;
     for (const auto& blow : blows)
         lines += impulseLine(
-            objects[blow.role], cast.slotOf(blow.role).sizeRatio,
+            objects[blow.role], assets.slotOf(blow.role).sizeRatio,
             {.seconds = blow.seconds,
              .slot = blow.slot,
              .strike = blow.strike,
@@ -129,11 +129,11 @@ bool waitsForNotes(const Scene& scene) {
            });
 }
 
-std::vector<SynthesiserSlot> heardSlots(const SceneCast& cast) {
+std::vector<SynthesiserSlot> heardSlots(const SceneAssets& assets) {
     std::vector<SynthesiserSlot> slots;
-    for (std::size_t role = 0; role < cast.roles().size(); ++role)
-        if (cast.roles()[role].isHeard())
-            slots.push_back(cast.slotOf(role));
+    for (std::size_t role = 0; role < assets.roles().size(); ++role)
+        if (assets.roles()[role].isHeard())
+            slots.push_back(assets.slotOf(role));
     return slots;
 }
 
@@ -160,10 +160,10 @@ Result<void> perform(const Options& options) {
     if (!options.impulses.empty())
         if (auto writable = checkWritable(options.impulses); !writable)
             return writable;
-    const auto cast = SceneCast::make(std::move(*scene), ObjectLibrary::shared());
-    if (!cast)
-        return tl::unexpected(cast.error());
-    const auto slots = heardSlots(**cast);
+    const auto assets = SceneAssets::make(std::move(*scene), ObjectLibrary::shared());
+    if (!assets)
+        return tl::unexpected(assets.error());
+    const auto slots = heardSlots(**assets);
     const auto effect = assignedEffect(values, *assigned, {.by = PlayedBy::scene, .slots = slots});
     print(effect.warnings);
     values = effect.values;
@@ -177,16 +177,16 @@ Result<void> perform(const Options& options) {
     auto recording = Recording::start(options.format, values);
     if (!recording)
         return tl::unexpected(recording.error());
-    const auto tally = renderScene(*cast, head, song, values, options.format, **recording);
+    const auto tally = renderScene(*assets, head, song, values, options.format, **recording);
     if (!tally)
         return tl::unexpected(tally.error());
     if (!options.impulses.empty())
         if (auto done = writeTextFile(options.impulses,
-                                      impulseLines(**cast, tally->blows, options.impulses));
+                                      impulseLines(**assets, tally->blows, options.impulses));
             !done)
             return done;
-    if (options.midi.empty() && waitsForNotes((*cast)->scene()))
-        std::cerr << "warning: the bodies of " << inQuotes((*cast)->scene().name)
+    if (options.midi.empty() && waitsForNotes((*assets)->scene()))
+        std::cerr << "warning: the bodies of " << inQuotes((*assets)->scene().name)
                   << " fall on notes, which --midi gives" << std::endl;
     return report(*tally, **recording, options);
 }

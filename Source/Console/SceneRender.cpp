@@ -24,11 +24,11 @@ std::vector<SceneNote> notesOf(std::span<const SongEvent> song) {
 class ScenePerformance {
 public:
     ScenePerformance(SceneRun& moved,
-                     const SceneCast& cast,
+                     const SceneAssets& assets,
                      const std::shared_ptr<const HeadResponses>& head,
                      const ParameterValues& parameters,
                      double sampleRateHz)
-        : motion(moved), sound(cast, motion.slots(), sampleRateHz, cast.scene().seed, head) {
+        : motion(moved), sound(assets, motion.slots(), sampleRateHz, assets.scene().seed, head) {
         sound.setSettings(synthesisSettings(parameters));
         tally.notesLeftOut = motion.figures().notesLeftOut;
     }
@@ -82,7 +82,7 @@ private:
 
 } // namespace
 
-Result<SceneTally> renderScene(const std::shared_ptr<const SceneCast>& cast,
+Result<SceneTally> renderScene(const std::shared_ptr<const SceneAssets>& assets,
                                const std::shared_ptr<const HeadResponses>& head,
                                std::span<const SongEvent> song,
                                const ParameterValues& parameters,
@@ -90,20 +90,20 @@ Result<SceneTally> renderScene(const std::shared_ptr<const SceneCast>& cast,
                                Recording& recording) {
     const double rate = format.sampleRateHz;
     const double lastSeconds =
-        std::max(cast->scene().seconds, song.empty() ? 0 : song.back().seconds);
-    SceneRun motion(cast, {.notes = notesOf(song)});
-    if (auto bounded = boundedSlots(motion.slots(), inQuotes(cast->scene().name), "bodies");
+        std::max(assets->scene().seconds, song.empty() ? 0 : song.back().seconds);
+    SceneRun motion(assets, {.notes = notesOf(song)});
+    if (auto bounded = boundedSlots(motion.slots(), inQuotes(assets->scene().name), "bodies");
         !bounded)
         return tl::unexpected(bounded.error());
-    ScenePerformance performance(motion, *cast, head, parameters, rate);
+    ScenePerformance performance(motion, *assets, head, parameters, rate);
     if (auto done = renderTo(recording, format,
-                             {.name = cast->scene().name,
+                             {.name = assets->scene().name,
                               .lastSample = std::llround(std::ceil(lastSeconds * rate)) - 1,
                               .pieceSamples = cellSamples,
                               .render = [&](std::int64_t count) -> Result<StereoSpan> {
                                   const auto cell = performance.next();
                                   if (performance.isCrowded())
-                                      return tl::unexpected(crowdedFault(cast->scene()));
+                                      return tl::unexpected(crowdedFault(assets->scene()));
                                   return cell.subspan(0, static_cast<std::size_t>(count));
                               },
                               .finished = [&] { return performance.finished(); }});

@@ -130,7 +130,7 @@ void ActWorker::begin(Act& act) const {
     const auto& cue = act.cue;
     auto call = stage.callFor(cue.midiNote, cue.velocity, cue.seed);
     call.isStopped = &isStopping;
-    act.run = std::make_unique<SceneRun>(stage.cast(), std::move(call));
+    act.run = std::make_unique<SceneRun>(stage.assets(), std::move(call));
 }
 
 void ActWorker::fill(ActChunk& chunk, Act& act, const SceneStage::SlotMap& slots) const {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "Scene/Contact.h"
-#include "Scene/SceneCast.h"
+#include "Scene/SceneAssets.h"
 
 #include <cstddef>
 #include <optional>
@@ -15,7 +15,7 @@ class RecordedHand {
 public:
     /// The roles belong to the hand's kinds. All three arguments must outlive it. `played` must be
     /// a body that sounds.
-    RecordedHand(const Hand& hand, const SceneCast::Role& played, const SceneCast::Role& tool)
+    RecordedHand(const Hand& hand, const SceneAssets::Role& played, const SceneAssets::Role& tool)
         : recorded(hand), object(played), head(tool) {}
 
     /// Returns the contact of the tool at a time, or nothing. `body` and `handBody` number the
@@ -30,8 +30,8 @@ private:
     Eigen::Vector3d inwardAt(const Eigen::Vector3d& pointMetres) const;
 
     const Hand& recorded;
-    const SceneCast::Role& object;
-    const SceneCast::Role& head;
+    const SceneAssets::Role& object;
+    const SceneAssets::Role& head;
 };
 
 } // namespace idiophone

@@ -18,9 +18,9 @@ constexpr double ringingSeconds = 2;  // a removed body's slot is free after thi
 constexpr double lowestMetres = -100; // bodies below are removed
 constexpr std::uint32_t firstNote = 1u << 24, firstKick = 1u << 25; // numbers of random sequences
 
-std::vector<RigidWorld::Kind> kindsOf(const SceneCast& cast) {
+std::vector<RigidWorld::Kind> kindsOf(const SceneAssets& assets) {
     std::vector<RigidWorld::Kind> kinds;
-    for (const auto& role : cast.roles())
+    for (const auto& role : assets.roles())
         kinds.push_back(role.kind);
     return kinds;
 }
@@ -51,11 +51,11 @@ Error crowdedFault(const Scene& scene) {
             std::to_string(RigidWorld::mostPairs) + " pairs of them, or of their parts, meet"};
 }
 
-SceneRun::SceneRun(std::shared_ptr<const SceneCast> playedCast, SceneCall wanted)
-    : cast(std::move(playedCast)), scene(cast->scene()), call(std::move(wanted)),
+SceneRun::SceneRun(std::shared_ptr<const SceneAssets> playedAssets, SceneCall wanted)
+    : assets(std::move(playedAssets)), scene(assets->scene()), call(std::move(wanted)),
       seed(call.seed.value_or(scene.seed)),
-      rigid(kindsOf(*cast), scene.stepsPerSecond, scene.gravityMetresPerSecond2),
-      kicks(scene.kicks), tracker(cast, rigid.stepSeconds()),
+      rigid(kindsOf(*assets), scene.stepsPerSecond, scene.gravityMetresPerSecond2),
+      kicks(scene.kicks), tracker(assets, rigid.stepSeconds()),
       overSeconds(call.seconds.value_or(scene.seconds)) {
     standKeyboard();
     takeHand();
@@ -69,7 +69,7 @@ SceneRun::SceneRun(std::shared_ptr<const SceneCast> playedCast, SceneCall wanted
 }
 
 void SceneRun::standKeyboard() {
-    for (const auto& bar : cast->keyboard()) {
+    for (const auto& bar : assets->keyboard()) {
         slotOfBody.push_back(newSlot(bar.role));
         roleOfBody.push_back(bar.role);
         const auto body = rigid.add(bar.role, bar.motion);
@@ -82,9 +82,9 @@ void SceneRun::standKeyboard() {
 }
 
 std::size_t SceneRun::newSlot(std::size_t role) {
-    if (!cast->roles()[role].isHeard())
+    if (!assets->roles()[role].isHeard())
         return noSlot;
-    allSlots.push_back(cast->slotOf(role));
+    allSlots.push_back(assets->slotOf(role));
     roleOfSlot.push_back(role);
     slotPlaces.push_back(Eigen::Vector3d::Zero());
     slotPoses.emplace_back();
@@ -96,7 +96,7 @@ void SceneRun::planReleases() {
     for (const auto& release : scene.releases)
         for (int k = 0; k < release.count; ++k, ++number) {
             SceneRandom chance(seed, number);
-            const auto& model = *cast->roles()[release.kind].kind.model;
+            const auto& model = *assets->roles()[release.kind].kind.model;
             const double moves = model.isFixed ? 0 : 1;
             const Eigen::Vector3d place = chance.draw(release.positionMetres) +
                                           moves * call.raisedMetres * Eigen::Vector3d::UnitZ();
@@ -122,11 +122,11 @@ void SceneRun::planNotes() {
     const auto& drop = *scene.noteDrop;
     auto& notes = call.notes;
     std::ranges::stable_sort(notes, {}, &SceneNote::seconds);
-    const LowestPoint outer(outerVertices(*cast->roles()[drop.kind].kind.model));
+    const LowestPoint outer(outerVertices(*assets->roles()[drop.kind].kind.model));
     std::uint32_t number = firstNote;
     const auto first = std::ssize(coming);
     for (const auto& note : notes) {
-        if (!cast->target(note.note)) {
+        if (!assets->target(note.note)) {
             ++counted.notesLeftOut;
             continue;
         }
@@ -176,10 +176,10 @@ BodyMotion SceneRun::falling(const SceneNote& note,
 
     SceneRandom chance(seed, number);
     const auto turn = chance.turn();
-    auto place = *cast->target(note.note);
+    auto place = *assets->target(note.note);
     for (int axis = 0; axis < 2; ++axis)
         place(axis) += drop.reachMetres(axis) * chance.spread();
-    const auto& model = *cast->roles()[drop.kind].kind.model;
+    const auto& model = *assets->roles()[drop.kind].kind.model;
     const auto about = posed(model, Eigen::Vector3d::Zero(), turn);
     const double lowest = std::min(0.0, outer.metres(about)); // relative to its centre of mass
     place.z() += speed * fallSeconds / 2 - lowest;
@@ -239,7 +239,7 @@ void SceneRun::step() {
 void SceneRun::takeHand() {
     if (!scene.hand)
         return;
-    hand.emplace(*scene.hand, cast->roles()[scene.hand->kind], cast->roles()[scene.hand->tool]);
+    hand.emplace(*scene.hand, assets->roles()[scene.hand->kind], assets->roles()[scene.hand->tool]);
     handBody = rigid.addAbsent();
     slotOfBody.push_back(noSlot);
     roleOfBody.push_back(scene.hand->tool);
@@ -271,7 +271,7 @@ void SceneRun::letIn(double now) {
         auto motion = next.motion;
         const double late = now - next.seconds;
         const Eigen::Vector3d gravity(0, 0, -scene.gravityMetresPerSecond2);
-        if (!cast->roles()[next.role].kind.model->isFixed) {
+        if (!assets->roles()[next.role].kind.model->isFixed) {
             motion.pose.pretranslate(late * motion.velocity + late * late / 2 * gravity);
             motion.velocity += (late - rigid.stepSeconds() / 2) * gravity;
         }
@@ -315,7 +315,7 @@ void SceneRun::tell(const Impact& impact) {
     ++counted.impacts;
     if (slotOfBody[impact.body] == noSlot)
         return;
-    const auto& role = cast->roles()[roleOfBody[impact.body]];
+    const auto& role = assets->roles()[roleOfBody[impact.body]];
     const Eigen::Vector3d own = impact.pointMetres / role.kind.model->sizeRatio;
     SceneBlow blow{.seconds = impact.seconds - leadSeconds,
                    .slot = slotOfBody[impact.body],

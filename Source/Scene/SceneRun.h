@@ -4,7 +4,7 @@
 
 #include "Scene/LowestPoint.h"
 #include "Scene/RecordedHand.h"
-#include "Scene/SceneCast.h"
+#include "Scene/SceneAssets.h"
 #include "Scene/TouchTracker.h"
 
 #include <atomic>
@@ -58,14 +58,14 @@ Error crowdedFault(const Scene& scene);
 /// bits.
 class SceneRun {
 public:
-    explicit SceneRun(std::shared_ptr<const SceneCast> cast, SceneCall call = {});
+    explicit SceneRun(std::shared_ptr<const SceneAssets> assets, SceneCall call = {});
 
     /// Returns the slots from which the synthesiser is made. Slots of removed bodies are reused.
     const std::vector<SynthesiserSlot>& slots() const { return allSlots; }
     /// Returns the index of the slot's role in the scene assets.
     std::size_t roleOf(std::size_t slot) const { return roleOfSlot[slot]; }
     bool isFixed(std::size_t slot) const {
-        return cast->roles()[roleOfSlot[slot]].kind.model->isFixed;
+        return assets->roles()[roleOfSlot[slot]].kind.model->isFixed;
     }
 
     /// Steps until everything before `seconds` is known.
@@ -125,7 +125,7 @@ private:
     std::int32_t
     heardFrom(std::size_t slot, const Eigen::Isometry3d& pose, const Eigen::Vector3d& centre) const;
 
-    std::shared_ptr<const SceneCast> cast;
+    std::shared_ptr<const SceneAssets> assets;
     const Scene& scene;
     SceneCall call;
     std::uint32_t seed;

@@ -16,10 +16,10 @@ std::uint32_t nextNumber() noexcept {
 
 SceneShow::SceneShow(const SceneStage& playedStage, double sampleRateHz, std::uint64_t seed)
     : stage(playedStage), rate(sampleRateHz),
-      firstSeed(stage.cast()->scene().seed + static_cast<std::uint32_t>(seed - 1)),
+      firstSeed(stage.assets()->scene().seed + static_cast<std::uint32_t>(seed - 1)),
       worker(stage, sampleRateHz), acts(stage.actCount()),
-      voices(*stage.cast(), sampleRateHz, seed),
-      ears(stage.cast()->scene().listener, nullptr, stage.slots().size(), sampleRateHz),
+      voices(*stage.assets(), sampleRateHz, seed),
+      ears(stage.assets()->scene().listener, nullptr, stage.slots().size(), sampleRateHz),
       places(stage.places()), bodyPoses(stage.firstPoses().begin(), stage.firstPoses().end()),
       ownNumber(nextNumber()) {
     recentBlows.reserve(blowCapacity);

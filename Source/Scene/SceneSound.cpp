@@ -2,14 +2,14 @@
 
 namespace idiophone {
 
-SceneSound::SceneSound(const SceneCast& cast,
+SceneSound::SceneSound(const SceneAssets& assets,
                        std::vector<SynthesiserSlot> slots,
                        double sampleRateHz,
                        std::uint64_t seed,
                        const std::shared_ptr<const HeadResponses>& head)
     : synth(std::move(slots), sampleRateHz, 1),
-      ears(cast.scene().listener, head, synth.slotCount(), sampleRateHz),
-      voices(cast, sampleRateHz, seed), samples(synth.slotCount() * cellSamples),
+      ears(assets.scene().listener, head, synth.slotCount(), sampleRateHz),
+      voices(assets, sampleRateHz, seed), samples(synth.slotCount() * cellSamples),
       cells(cellsOfSlotsIn(samples)), crowded(crowdedCapacity),
       cellSeconds(cellSamples / sampleRateHz), startSeconds(-cellSeconds) {}
 

@@ -19,7 +19,7 @@ namespace idiophone {
 class SceneSound {
 public:
     /// `head`: the listener's measured head at that sample rate; null selects a sphere.
-    SceneSound(const SceneCast& cast,
+    SceneSound(const SceneAssets& assets,
                std::vector<SynthesiserSlot> slots,
                double sampleRateHz,
                std::uint64_t seed = 1,

@@ -37,15 +37,15 @@ Result<std::shared_ptr<const Instrument>> buildInstrument(const KeyMap& keyMap,
     auto scene = sceneNamed(keyMap.object);
     if (!scene)
         return tl::unexpected(scene.error());
-    auto cast = SceneCast::make(std::move(*scene), library);
-    if (!cast)
-        return tl::unexpected(cast.error());
-    const auto made = SceneStage::make(std::move(*cast));
+    auto assets = SceneAssets::make(std::move(*scene), library);
+    if (!assets)
+        return tl::unexpected(assets.error());
+    const auto made = SceneStage::make(std::move(*assets));
     if (!made)
         return tl::unexpected(made.error());
     const auto& stage = *made;
     if (stage->slots().empty())
-        return failure("nothing in the scene " + inQuotes(stage->cast()->scene().name) +
+        return failure("nothing in the scene " + inQuotes(stage->assets()->scene().name) +
                        " can sound");
     if (const auto bounded = boundedSlots(stage->slots(), inQuotes(keyMap.object), "bodies");
         !bounded)
@@ -65,8 +65,9 @@ BodyPose bodyPose(const SceneRun& run, std::size_t slot) {
             .turn = {turn.x(), turn.y(), turn.z(), turn.w()}};
 }
 
-Result<std::shared_ptr<const SceneStage>> SceneStage::make(std::shared_ptr<const SceneCast> cast) {
-    const std::shared_ptr<SceneStage> stage(new SceneStage(std::move(cast)));
+Result<std::shared_ptr<const SceneStage>>
+SceneStage::make(std::shared_ptr<const SceneAssets> assets) {
+    const std::shared_ptr<SceneStage> stage(new SceneStage(std::move(assets)));
     return stage->setUp().map([&] { return std::shared_ptr<const SceneStage>(stage); });
 }
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "Instrument/Instrument.h"
-#include "Scene/SceneCast.h"
+#include "Scene/SceneAssets.h"
 #include "Scene/SceneRun.h"
 
 #include <array>
@@ -37,7 +37,8 @@ public:
 
     /// Refuses more than `mostBodies` bodies, a crowded scene (RigidWorld::isCrowded) and one that
     /// takes too long to begin. The error names the scene.
-    static Result<std::shared_ptr<const SceneStage>> make(std::shared_ptr<const SceneCast> cast);
+    static Result<std::shared_ptr<const SceneStage>>
+    make(std::shared_ptr<const SceneAssets> assets);
 
     std::unique_ptr<StagePerformance> perform(double sampleRateHz,
                                               std::uint64_t seed) const override;
@@ -48,7 +49,7 @@ public:
     double delaySeconds() const override { return delay; }
     double lengthSeconds() const override;
 
-    const std::shared_ptr<const SceneCast>& cast() const { return played; }
+    const std::shared_ptr<const SceneAssets>& assets() const { return played; }
     const std::vector<SynthesiserSlot>& slots() const { return allSlots; }
     /// Returns the initial place of each slot's body.
     const std::vector<Eigen::Vector3d>& places() const { return firstPlaces; }
@@ -61,7 +62,7 @@ public:
     SceneCall callFor(int midiNote, int velocity, std::uint32_t seed) const;
 
 private:
-    explicit SceneStage(std::shared_ptr<const SceneCast> cast) : played(std::move(cast)) {}
+    explicit SceneStage(std::shared_ptr<const SceneAssets> assets) : played(std::move(assets)) {}
 
     Result<void> setUp();
     /// Returns the call of the note at middle velocity, limited to a few seconds of work.
@@ -70,7 +71,7 @@ private:
     /// limit.
     Result<double> firstBlowSeconds() const;
 
-    std::shared_ptr<const SceneCast> played;
+    std::shared_ptr<const SceneAssets> played;
     double delay = 0;
     std::vector<SynthesiserSlot> allSlots;
     std::vector<std::size_t> allRoles; ///< by slot

@@ -16,7 +16,7 @@ namespace {
 constexpr double fastestMetresPerSecond = 100;
 constexpr double fastestTurnsPerSecond = 100;
 constexpr int mostBodies = 10000;
-constexpr std::size_t mostKinds = 24; // SceneCast uses one bit for each
+constexpr std::size_t mostKinds = 24; // SceneAssets uses one bit for each
 constexpr std::size_t mostEntries = 10000;
 
 constexpr std::array<std::pair<std::string_view, BodyForm>, 6> formNames{{

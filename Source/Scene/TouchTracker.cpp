@@ -18,8 +18,8 @@ double loudness(const Touch& touch) {
 
 } // namespace
 
-TouchTracker::TouchTracker(std::shared_ptr<const SceneCast> playedCast, double stepSeconds)
-    : cast(std::move(playedCast)), share(-std::expm1(-stepSeconds / smoothingSeconds)),
+TouchTracker::TouchTracker(std::shared_ptr<const SceneAssets> playedAssets, double stepSeconds)
+    : assets(std::move(playedAssets)), share(-std::expm1(-stepSeconds / smoothingSeconds)),
       longestPauseSteps(longestPauseSeconds / stepSeconds) {}
 
 /// Returns the voice of the pair, or a free one, or `voiceCount`.
@@ -78,7 +78,7 @@ void TouchTracker::follow(std::span<const Touch> touches,
 void TouchTracker::move(std::size_t voice, const Touch& touch, std::span<const std::size_t> roles) {
     auto& state = now[voice];
     const auto role = [&](std::size_t side) { return roles[touch.bodies[side]]; };
-    const auto& all = cast->roles();
+    const auto& all = assets->roles();
     // The rougher surface sounds.
     state.soundRole =
         all[role(0)].sound.roughness > all[role(1)].sound.roughness ? role(0) : role(1);

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "Scene/Contact.h"
-#include "Scene/SceneCast.h"
+#include "Scene/SceneAssets.h"
 #include "Synth/ForceCell.h"
 
 #include <array>
@@ -31,7 +31,7 @@ public:
     static constexpr std::size_t voiceCount = 24;
     static_assert(voiceCount <= forceCapacity);
 
-    TouchTracker(std::shared_ptr<const SceneCast> cast, double stepSeconds);
+    TouchTracker(std::shared_ptr<const SceneAssets> assets, double stepSeconds);
 
     /// Takes the contacts of a step. `roles` and `slots` are indexed by body.
     void follow(std::span<const Touch> touches,
@@ -51,7 +51,7 @@ private:
     std::size_t voiceFor(const Touch& touch);
     void move(std::size_t voice, const Touch& touch, std::span<const std::size_t> roles);
 
-    std::shared_ptr<const SceneCast> cast;
+    std::shared_ptr<const SceneAssets> assets;
     double share; ///< smoothing factor of a step
     double longestPauseSteps;
     std::array<Voice, voiceCount> voices;

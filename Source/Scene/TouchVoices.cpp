@@ -6,9 +6,9 @@
 
 namespace idiophone {
 
-TouchVoices::TouchVoices(const SceneCast& cast, double sampleRateHz, std::uint64_t seed) {
+TouchVoices::TouchVoices(const SceneAssets& assets, double sampleRateHz, std::uint64_t seed) {
     std::vector<Surface> surfaces;
-    for (const auto& role : cast.roles()) {
+    for (const auto& role : assets.roles()) {
         auto known = std::ranges::find(surfaces, role.sound);
         if (known == surfaces.end())
             known = surfaces.insert(known, role.sound);

@@ -2,7 +2,7 @@
 // time.
 #pragma once
 
-#include "Scene/SceneCast.h"
+#include "Scene/SceneAssets.h"
 #include "Scene/TouchTracker.h"
 #include "Synth/ContactForce.h"
 #include "Synth/Synthesiser.h"
@@ -17,7 +17,7 @@ namespace idiophone {
 /// throw.
 class TouchVoices {
 public:
-    TouchVoices(const SceneCast& cast, double sampleRateHz, std::uint64_t seed);
+    TouchVoices(const SceneAssets& assets, double sampleRateHz, std::uint64_t seed);
 
     /// Sets a voice until the end of the current cell. The state's slots are the synthesiser's;
     /// `noSlot` and unknown slots are skipped.

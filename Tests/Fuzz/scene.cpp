@@ -42,10 +42,10 @@ void claimMotion(Scene scene) {
     scene.releases.resize(std::min(scene.releases.size(), mostReleases));
     for (auto& release : scene.releases)
         release.count = std::min(release.count, mostOfEach);
-    const auto cast = SceneCast::make(std::move(scene), ObjectLibrary::shared());
-    if (!cast)
-        return claimSentence(cast.error());
-    SceneRun run(*cast, {.notes = {{.note = 60, .velocity = 64}}, .mostWork = 1000});
+    const auto assets = SceneAssets::make(std::move(scene), ObjectLibrary::shared());
+    if (!assets)
+        return claimSentence(assets.error());
+    SceneRun run(*assets, {.notes = {{.note = 60, .velocity = 64}}, .mostWork = 1000});
     double before = -1;
     for (const double seconds : {0.001, 0.01, 0.1}) {
         run.advanceTo(seconds);

@@ -1,5 +1,5 @@
 // Tests the collision shapes of bodies by the bodies that hit them.
-#include "Scene/SceneCast.h"
+#include "Scene/SceneAssets.h"
 #include "Scene/TestBodies.h"
 
 #include <catch2/catch_test_macros.hpp>
@@ -308,9 +308,9 @@ TEST_CASE("The surfaces of a scene have a common limit") {
         Scene scene;
         scene.name = "Floors";
         scene.kinds.assign(kinds, surfaceKind());
-        CHECK(SceneCast::make(scene, library));
+        CHECK(SceneAssets::make(scene, library));
         scene.kinds.push_back(surfaceKind());
-        CHECK(SceneCast::make(scene, library).error().message ==
+        CHECK(SceneAssets::make(scene, library).error().message ==
               "the surfaces in the scene 'Floors' have too many faces together");
     };
     SECTION("of touching faces") {

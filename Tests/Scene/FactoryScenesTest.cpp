@@ -31,9 +31,9 @@ TEST_CASE("Every scene of the folder is in the program under a unique name") {
 TEST_CASE("Every factory scene loads, and a body is struck in its first second") {
     for (const auto& scene : factoryScenes()) {
         INFO(scene.name);
-        const auto cast = SceneCast::make(scene, ObjectLibrary::shared());
-        REQUIRE(cast);
-        SceneRun motion(*cast, {.notes = {{0.2, 72, 100}}});
+        const auto assets = SceneAssets::make(scene, ObjectLibrary::shared());
+        REQUIRE(assets);
+        SceneRun motion(*assets, {.notes = {{0.2, 72, 100}}});
         motion.advanceTo(1);
         CHECK(motion.takeBlow(1));
         CHECK(motion.figures().bodies > (scene.hand ? 0 : 1));

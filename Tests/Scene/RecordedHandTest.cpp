@@ -17,9 +17,9 @@ namespace {
 class BellUnderHand {
 public:
     BellUnderHand()
-        : cast(SceneCast::make(*findFactoryScene("Bell under a hand"), ObjectLibrary::shared())
-                   .value()),
-          recorded(*cast->scene().hand) {
+        : assets(SceneAssets::make(*findFactoryScene("Bell under a hand"), ObjectLibrary::shared())
+                     .value()),
+          recorded(*assets->scene().hand) {
         recorded.path = {{.seconds = 1, .pointMetres = {0, -0.07, 0}, .newtons = 2},
                          {.seconds = 3, .pointMetres = {0.04, -0.07, 0}, .newtons = 6},
                          {.seconds = 4, .pointMetres = {0.04, -0.07, 0}, .newtons = 0},
@@ -28,10 +28,10 @@ public:
                          {.seconds = 0.75, .pointMetres = {0, -0.07, 0}, .metresPerSecond = 32}};
     }
 
-    const SceneCast::Role& bell() const { return cast->roles()[recorded.kind]; }
-    const SceneCast::Role& tool() const { return cast->roles()[recorded.tool]; }
+    const SceneAssets::Role& bell() const { return assets->roles()[recorded.kind]; }
+    const SceneAssets::Role& tool() const { return assets->roles()[recorded.tool]; }
 
-    std::shared_ptr<const SceneCast> cast;
+    std::shared_ptr<const SceneAssets> assets;
     Hand recorded;
 };
 

@@ -16,16 +16,16 @@ using Catch::Matchers::WithinAbs;
 
 namespace {
 
-std::shared_ptr<const SceneCast> castOf(const Scene& scene) {
-    auto cast = SceneCast::make(scene, ObjectLibrary::shared());
-    REQUIRE(cast);
-    return *cast;
+std::shared_ptr<const SceneAssets> assetsOf(const Scene& scene) {
+    auto assets = SceneAssets::make(scene, ObjectLibrary::shared());
+    REQUIRE(assets);
+    return *assets;
 }
 
-std::shared_ptr<const SceneCast> factoryCast(const char* name) {
+std::shared_ptr<const SceneAssets> factoryAssets(const char* name) {
     const auto* scene = findFactoryScene(name);
     REQUIRE(scene != nullptr);
-    return castOf(*scene);
+    return assetsOf(*scene);
 }
 
 std::vector<SceneBlow> blowsUntil(SceneRun& motion, double seconds) {
@@ -52,8 +52,8 @@ TEST_CASE("Every note's die hits its bar within 2 ms of the score") {
         notes.push_back({3.0 + 0.13 * k, 72, 127});
     for (const int note : {72, 76, 79})
         notes.push_back({5, note, 1});
-    const auto cast = factoryCast("Dice on a xylophone");
-    SceneRun motion(cast, {.notes = notes});
+    const auto assets = factoryAssets("Dice on a xylophone");
+    SceneRun motion(assets, {.notes = notes});
     motion.advanceTo(5.5);
     CHECK_FALSE(motion.finished());
     const auto blows = blowsUntil(motion, 6.5);
@@ -62,7 +62,7 @@ TEST_CASE("Every note's die hits its bar within 2 ms of the score") {
     for (const auto& note : notes) {
         double nearest = 1;
         for (const auto& blow : blows) {
-            const auto& struck = *cast->roles()[blow.role].kind.model->object;
+            const auto& struck = *assets->roles()[blow.role].kind.model->object;
             if (struck.name == "xylophone-" + std::to_string(note.note))
                 nearest = std::min(nearest, std::abs(blow.seconds - note.seconds));
         }
@@ -73,9 +73,9 @@ TEST_CASE("Every note's die hits its bar within 2 ms of the score") {
 }
 
 TEST_CASE("A rotating body is heard from the side that faces the listener") {
-    const auto cast = factoryCast("Cylinder off a table");
-    const auto listener = cast->scene().listener.positionMetres;
-    SceneRun motion(cast);
+    const auto assets = factoryAssets("Cylinder off a table");
+    const auto listener = assets->scene().listener.positionMetres;
+    SceneRun motion(assets);
     std::map<std::int32_t, int> sides;
     const auto check = [&](std::size_t slot, const StrikePoint& point) {
         const auto& object = *motion.slots()[slot].object;
@@ -103,10 +103,10 @@ TEST_CASE("A rotating body is heard from the side that faces the listener") {
 }
 
 TEST_CASE("A higher velocity makes a die hit its bar harder") {
-    const auto cast = factoryCast("Dice on a xylophone");
+    const auto assets = factoryAssets("Dice on a xylophone");
     double before = 0;
     for (const int velocity : {1, 32, 64, 96, 127}) {
-        SceneRun motion(cast, {.notes = {{0.5, 72, velocity}}});
+        SceneRun motion(assets, {.notes = {{0.5, 72, velocity}}});
         const auto blows = blowsUntil(motion, 0.51);
         REQUIRE_FALSE(blows.empty());
         INFO(velocity);
@@ -118,38 +118,38 @@ TEST_CASE("A higher velocity makes a die hit its bar harder") {
 TEST_CASE("Kinds of one object share its surface") {
     auto scene = *findFactoryScene("Dice on a xylophone");
     scene.kinds.push_back(scene.kinds.front());
-    const auto cast = SceneCast::make(scene, ObjectLibrary::shared());
-    REQUIRE(cast);
-    const auto& roles = (*cast)->roles();
+    const auto assets = SceneAssets::make(scene, ObjectLibrary::shared());
+    REQUIRE(assets);
+    const auto& roles = (*assets)->roles();
     CHECK(roles[0].surface != nullptr);
     CHECK(roles[0].surface == roles[scene.kinds.size() - 1].surface);
     CHECK(roles[0].surface != roles.back().surface); // of a bar
 }
 
 TEST_CASE("Notes outside the keyboard are ignored and counted") {
-    SceneRun motion(factoryCast("Dice on a xylophone"),
+    SceneRun motion(factoryAssets("Dice on a xylophone"),
                     {.notes = {{1, 20, 100}, {1, 72, 100}, {2, 126, 9}}});
     CHECK(motion.figures().notesLeftOut == 2);
 }
 
 TEST_CASE("Dice of a long song reuse the slots of removed dice") {
-    const auto cast = factoryCast("Dice on a xylophone");
-    const auto standing = SceneRun(cast).slots().size();
-    const double apart = cast->scene().noteDrop->lifeSeconds + 5;
+    const auto assets = factoryAssets("Dice on a xylophone");
+    const auto standing = SceneRun(assets).slots().size();
+    const double apart = assets->scene().noteDrop->lifeSeconds + 5;
     std::vector<SceneNote> notes;
     for (int chord = 0; chord < 300; ++chord)
         for (int k = 0; k < 400; ++k)
             notes.push_back({apart * chord, 65 + k % 40, 1 + k % 127});
-    CHECK(SceneRun(cast, {.notes = notes}).slots().size() == standing + 400);
+    CHECK(SceneRun(assets, {.notes = notes}).slots().size() == standing + 400);
     // Takes time in proportion to the notes, not to their square.
     for (auto& note : notes)
         note.seconds = 1;
-    CHECK(SceneRun(cast, {.notes = notes}).slots().size() == standing + notes.size());
+    CHECK(SceneRun(assets, {.notes = notes}).slots().size() == standing + notes.size());
 }
 
 TEST_CASE("Impacts are in order of time, whatever the intervals of the queries") {
-    const auto cast = factoryCast("Shells in a room");
-    SceneRun whole(cast), bits(cast);
+    const auto assets = factoryAssets("Shells in a room");
+    SceneRun whole(assets), bits(assets);
     const auto expected = blowsUntil(whole, 2);
     std::vector<SceneBlow> found;
     for (double until = 0.00133; until < 2; until += 0.00133)
@@ -171,9 +171,9 @@ TEST_CASE("Impacts are in order of time, whatever the intervals of the queries")
 
 TEST_CASE("Another seed gives another performance") {
     auto scene = *findFactoryScene("Shells in a room");
-    SceneRun one(castOf(scene));
+    SceneRun one(assetsOf(scene));
     scene.seed += 1;
-    SceneRun other(castOf(scene));
+    SceneRun other(assetsOf(scene));
     const auto first = blowsUntil(one, 1), second = blowsUntil(other, 1);
     REQUIRE_FALSE(first.empty());
     REQUIRE_FALSE(second.empty());
@@ -181,9 +181,9 @@ TEST_CASE("Another seed gives another performance") {
 }
 
 TEST_CASE("Thrown bodies move again") {
-    const auto cast = factoryCast("Shells in a room");
-    const double kick = cast->scene().kicks.front().seconds;
-    SceneRun motion(cast);
+    const auto assets = factoryAssets("Shells in a room");
+    const double kick = assets->scene().kicks.front().seconds;
+    SceneRun motion(assets);
     blowsUntil(motion, kick - 0.5);
     CHECK(blowsUntil(motion, kick).size() < 30);
     CHECK(blowsUntil(motion, kick + 1).size() > 100);
@@ -193,8 +193,8 @@ TEST_CASE("A missing object or preset of a scene is named in the error") {
     const auto faultOf = [](auto change) {
         auto scene = *findFactoryScene("Dice on a xylophone");
         change(scene);
-        const auto cast = SceneCast::make(scene, ObjectLibrary::shared());
-        return cast ? "" : cast.error().message;
+        const auto assets = SceneAssets::make(scene, ObjectLibrary::shared());
+        return assets ? "" : assets.error().message;
     };
     CHECK(faultOf([](Scene& scene) {
               scene.kinds[0].object = "nothing.modal";
@@ -214,7 +214,7 @@ TEST_CASE("A hand taps with (1 + e) times its tool's momentum and rubs at its ow
                         {.seconds = 0.25, .pointMetres = {0, -0.07, 0.006}, .metresPerSecond = 2}};
     scene.hand->path = {{.seconds = 1, .pointMetres = {0, -0.067, 0.006}, .newtons = 3},
                         {.seconds = 2, .pointMetres = {0.03, -0.06, 0.006}, .newtons = 3}};
-    SceneRun motion(castOf(scene));
+    SceneRun motion(assetsOf(scene));
     const auto blows = blowsUntil(motion, 1.5);
     REQUIRE(blows.size() == 2);
     CHECK(blows[0].seconds == 0);
@@ -244,26 +244,26 @@ TEST_CASE("A simulation ends when bodies, or their parts, are crowded") {
     scene.kinds[0].object = object;
     scene.kinds[0].form = form;
     scene.releases[0].count = count;
-    const auto cast = castOf(scene);
-    SceneRun motion(cast);
+    const auto assets = assetsOf(scene);
+    SceneRun motion(assets);
     CHECK_FALSE(motion.isCrowded());
     motion.advanceTo(5);
     CHECK(motion.isCrowded());
     CHECK(motion.finished());
     CHECK(motion.figures().bodies < 400);
-    CHECK(crowdedFault(cast->scene()).message.find("'Crowd'") != std::string::npos);
+    CHECK(crowdedFault(assets->scene()).message.find("'Crowd'") != std::string::npos);
 }
 
 TEST_CASE("A simulation stops at its work limit or when another thread stops it") {
-    const auto cast = factoryCast("Cylinder off a table");
-    SceneRun little(cast, {.mostWork = 100});
+    const auto assets = factoryAssets("Cylinder off a table");
+    SceneRun little(assets, {.mostWork = 100});
     little.advanceTo(1);
     CHECK(little.isCutShort());
     CHECK(little.finished());
     CHECK_FALSE(little.takeBlow(1));
 
     std::atomic<bool> isStopped = false;
-    SceneRun stopped(cast, {.isStopped = &isStopped});
+    SceneRun stopped(assets, {.isStopped = &isStopped});
     CHECK_FALSE(blowsUntil(stopped, 0.5).empty());
     CHECK_FALSE(stopped.finished());
     isStopped = true;

@@ -24,9 +24,10 @@ struct Performance {
 };
 
 Performance perform(const Scene& scene, double seconds) {
-    const auto cast = SceneCast::make(scene, ObjectLibrary::shared()).value();
-    SceneRun motion(cast);
-    SceneSound sound(*cast, motion.slots(), rateHz), touchesAlone(*cast, motion.slots(), rateHz);
+    const auto assets = SceneAssets::make(scene, ObjectLibrary::shared()).value();
+    SceneRun motion(assets);
+    SceneSound sound(*assets, motion.slots(), rateHz),
+        touchesAlone(*assets, motion.slots(), rateHz);
     Performance result;
     alignas(64) std::array<float, cellSamples> left, right;
     const CellOutput cell(left, right);
@@ -91,9 +92,9 @@ double rms(const std::vector<float>& samples, double fromSeconds, double toSecon
 } // namespace
 
 TEST_CASE("A scene sounds from the sample of its first impact, the same each time") {
-    const auto cast =
-        SceneCast::make(*findFactoryScene("Pebble in a wok"), ObjectLibrary::shared()).value();
-    SceneRun motion(cast);
+    const auto assets =
+        SceneAssets::make(*findFactoryScene("Pebble in a wok"), ObjectLibrary::shared()).value();
+    SceneRun motion(assets);
     motion.advanceTo(1);
     const auto first = motion.takeBlow(1);
     REQUIRE(first);
@@ -110,14 +111,14 @@ TEST_CASE("A scene sounds from the sample of its first impact, the same each tim
 }
 
 TEST_CASE("Any number of simultaneous impacts on one body sounds") {
-    const auto cast =
-        SceneCast::make(*findFactoryScene("Pebble in a wok"), ObjectLibrary::shared()).value();
-    SceneRun motion(cast);
+    const auto assets =
+        SceneAssets::make(*findFactoryScene("Pebble in a wok"), ObjectLibrary::shared()).value();
+    SceneRun motion(assets);
     motion.advanceTo(1);
     auto blow = motion.takeBlow(1).value();
     blow.seconds = 0;
     const auto playedAtOnce = [&](int count) {
-        SceneSound sound(*cast, motion.slots(), rateHz);
+        SceneSound sound(*assets, motion.slots(), rateHz);
         alignas(64) std::array<float, cellSamples> left, right;
         const CellOutput cell(left, right);
         std::vector<float> samples;

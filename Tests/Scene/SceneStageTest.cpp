@@ -252,8 +252,8 @@ TEST_CASE("Bars without a note drop can be rolled over") {
     scene.noteDrop.reset();
     scene.kinds = {{.name = "ball", .object = "", .ball = SilentBall{0.01, "Steel"}}};
     scene.releases = {Release()}; // of the ball
-    const auto cast = SceneCast::make(scene, ObjectLibrary::shared()).value();
-    const auto stage = SceneStage::make(cast).value();
+    const auto assets = SceneAssets::make(scene, ObjectLibrary::shared()).value();
+    const auto stage = SceneStage::make(assets).value();
     const auto slots = stage->slotOfKey(0, 127);
     CHECK(slots[65] == 0);
     CHECK(slots[108] == 43);
@@ -272,7 +272,8 @@ TEST_CASE("Every factory scene is an instrument") {
 
 TEST_CASE("A scene that takes too long to begin is refused with a sentence, and soon") {
     const auto refusal = [](const Scene& scene) {
-        const auto made = SceneStage::make(SceneCast::make(scene, ObjectLibrary::shared()).value());
+        const auto made =
+            SceneStage::make(SceneAssets::make(scene, ObjectLibrary::shared()).value());
         REQUIRE_FALSE(made);
         CHECK(made.error().message.find("'Too much'") != std::string::npos);
         return made.error().message;
@@ -307,8 +308,8 @@ TEST_CASE("A scene whose first impact needs much work shows no delay") {
                             "test")
                      .value();
     const auto delay = [&] {
-        const auto cast = SceneCast::make(scene, ObjectLibrary::shared()).value();
-        return SceneStage::make(cast).value()->delaySeconds();
+        const auto assets = SceneAssets::make(scene, ObjectLibrary::shared()).value();
+        return SceneStage::make(assets).value()->delaySeconds();
     };
     CHECK(delay() > 0.4);
     scene.stepsPerSecond = 20000;

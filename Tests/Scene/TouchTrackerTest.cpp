@@ -16,7 +16,7 @@ constexpr std::size_t plate = 0, doubled = 1, ball = 2; // roles
 constexpr std::size_t bodyCount = 100;
 
 /// Loads two plates, the second twice as large and rougher, and a ball that is not heard.
-std::shared_ptr<const SceneCast> castOfThree() {
+std::shared_ptr<const SceneAssets> assetsOfThree() {
     Scene scene;
     scene.kinds = {{.name = "plate", .object = "plate", .surface = Surface{.roughness = 0.2}},
                    {.name = "doubled",
@@ -26,7 +26,7 @@ std::shared_ptr<const SceneCast> castOfThree() {
                    {.name = "ball",
                     .object = "",
                     .ball = SilentBall{.radiusMetres = 0.01, .material = "Steel"}}};
-    return SceneCast::make(scene, ObjectLibrary::shared()).value();
+    return SceneAssets::make(scene, ObjectLibrary::shared()).value();
 }
 
 /// Bodies that have the three roles in turn. Body k has slot 1000 + k.
@@ -53,8 +53,8 @@ public:
         return found == tracker.states().end() ? nullptr : &*found;
     }
 
-    std::shared_ptr<const SceneCast> cast = castOfThree();
-    TouchTracker tracker{cast, stepSeconds};
+    std::shared_ptr<const SceneAssets> assets = assetsOfThree();
+    TouchTracker tracker{assets, stepSeconds};
     std::vector<std::size_t> roles, slots;
 };
 
@@ -150,7 +150,7 @@ TEST_CASE("Contact points follow the size of each body and are updated after 2 m
     touch.pointMetres = {Eigen::Vector3d(0.02, 0.01, 0), Eigen::Vector3d(0.06, -0.02, 0)};
     rig.follow({touch});
     const auto onPlate = [&](double x, double y) {
-        return rig.cast->roles()[plate].surface->nearest({x, y, 0});
+        return rig.assets->roles()[plate].surface->nearest({x, y, 0});
     };
     const auto* state = rig.of(touch);
     CHECK(state->points[0].point == onPlate(0.02, 0.01));

@@ -17,8 +17,8 @@ constexpr double rateHz = 48000;
 class Rig {
 public:
     Rig()
-        : synthesiser({cast->slotOf(0), cast->slotOf(0)}, rateHz), cells(cellsOfSlotsIn(samples)),
-          voices(*cast, rateHz, 1) {}
+        : synthesiser({assets->slotOf(0), assets->slotOf(0)}, rateHz),
+          cells(cellsOfSlotsIn(samples)), voices(*assets, rateHz, 1) {}
 
     /// Renders the next cell under a state. Returns whether each slot sounds in it.
     std::array<bool, 2> press(const TouchState& state) {
@@ -30,8 +30,8 @@ public:
         return {sounds(0), sounds(1)};
     }
 
-    std::shared_ptr<const SceneCast> cast =
-        SceneCast::make(*findFactoryScene("Bell under a hand"), ObjectLibrary::shared()).value();
+    std::shared_ptr<const SceneAssets> assets =
+        SceneAssets::make(*findFactoryScene("Bell under a hand"), ObjectLibrary::shared()).value();
     Synthesiser synthesiser;
     alignas(64) std::array<float, 2 * cellSamples> samples{};
     std::vector<CellOutput> cells;

@@ -1,4 +1,4 @@
-#include "Scene/SceneCast.h"
+#include "Scene/SceneAssets.h"
 
 #include "Geometry/ObjectMesh.h"
 #include "Geometry/ParametricMesh.h"
@@ -70,17 +70,17 @@ double topMetres(const ModalObject& object) {
 
 } // namespace
 
-Result<std::shared_ptr<const SceneCast>> SceneCast::make(Scene scene, ObjectLibrary& library) {
-    const std::shared_ptr<SceneCast> cast(new SceneCast(std::move(scene)));
-    return cast->castKinds(library).and_then([&] { return cast->castKeyboard(library); }).map([&] {
-        return std::shared_ptr<const SceneCast>(cast);
-    });
+Result<std::shared_ptr<const SceneAssets>> SceneAssets::make(Scene scene, ObjectLibrary& library) {
+    const std::shared_ptr<SceneAssets> assets(new SceneAssets(std::move(scene)));
+    return assets->loadKinds(library)
+        .and_then([&] { return assets->loadKeyboard(library); })
+        .map([&] { return std::shared_ptr<const SceneAssets>(assets); });
 }
 
-Result<void> SceneCast::addRole(const BodyTemplate& kind,
-                                const std::shared_ptr<const ModalObject>& object,
-                                int group,
-                                int collidesWith) {
+Result<void> SceneAssets::addRole(const BodyTemplate& kind,
+                                  const std::shared_ptr<const ModalObject>& object,
+                                  int group,
+                                  int collidesWith) {
     const RigidBodyModel* likeSurface = nullptr;
     std::shared_ptr<const ObjectSurface> surface;
     for (const auto& role : allRoles) {
@@ -102,7 +102,7 @@ Result<void> SceneCast::addRole(const BodyTemplate& kind,
         });
 }
 
-Result<void> SceneCast::castKinds(ObjectLibrary& library) {
+Result<void> SceneAssets::loadKinds(ObjectLibrary& library) {
     BoxSearch touching;
     for (std::size_t k = 0; k < played.kinds.size(); ++k) {
         const auto& kind = played.kinds[k];
@@ -122,7 +122,7 @@ Result<void> SceneCast::castKinds(ObjectLibrary& library) {
     return {};
 }
 
-Result<void> SceneCast::castKeyboard(ObjectLibrary& library) {
+Result<void> SceneAssets::loadKeyboard(ObjectLibrary& library) {
     if (!played.keyboard) {
         if (played.noteDrop)
             targets.fill(played.noteDrop->positionMetres);
@@ -163,7 +163,7 @@ Result<void> SceneCast::castKeyboard(ObjectLibrary& library) {
     return {};
 }
 
-SynthesiserSlot SceneCast::slotOf(std::size_t role) const {
+SynthesiserSlot SceneAssets::slotOf(std::size_t role) const {
     const auto& model = *allRoles[role].kind.model;
     return {.object = model.object, .sizeRatio = model.sizeRatio};
 }

@@ -17,7 +17,7 @@
 namespace idiophone {
 
 /// Immutable, so that any number of performances share it.
-class SceneCast {
+class SceneAssets {
 public:
     struct Role {
         RigidWorld::Kind kind;
@@ -37,7 +37,7 @@ public:
 
     /// Loads the objects and presets of a scene. The error names the kind, object or preset at
     /// fault.
-    static Result<std::shared_ptr<const SceneCast>> make(Scene scene, ObjectLibrary& library);
+    static Result<std::shared_ptr<const SceneAssets>> make(Scene scene, ObjectLibrary& library);
 
     const Scene& scene() const { return played; }
     /// Returns the scene's kinds in their order, then the keyboard's bars.
@@ -50,15 +50,15 @@ public:
     SynthesiserSlot slotOf(std::size_t role) const;
 
 private:
-    explicit SceneCast(Scene scene) : played(std::move(scene)) {}
+    explicit SceneAssets(Scene scene) : played(std::move(scene)) {}
 
     /// Adds a role whose object is `object`; `kind.object` is its name in the library.
     Result<void> addRole(const BodyTemplate& kind,
                          const std::shared_ptr<const ModalObject>& object,
                          int group,
                          int collidesWith);
-    Result<void> castKinds(ObjectLibrary& library);
-    Result<void> castKeyboard(ObjectLibrary& library);
+    Result<void> loadKinds(ObjectLibrary& library);
+    Result<void> loadKeyboard(ObjectLibrary& library);
 
     Scene played;
     std::vector<Role> allRoles;
