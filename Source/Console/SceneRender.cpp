@@ -23,7 +23,7 @@ std::vector<SceneNote> notesOf(std::span<const SongEvent> song) {
 /// Simulates and renders a scene, one cell at a time.
 class ScenePerformance {
 public:
-    ScenePerformance(SceneRun& moved,
+    ScenePerformance(SceneSimulation& moved,
                      const SceneAssets& assets,
                      const std::shared_ptr<const HeadResponses>& head,
                      const ParameterValues& parameters,
@@ -74,7 +74,7 @@ private:
         }
     }
 
-    SceneRun& motion;
+    SceneSimulation& motion;
     SceneSound sound;
     alignas(64) std::array<float, cellSamples> left{}, right{};
     std::int64_t impactsBefore = 0;
@@ -91,7 +91,7 @@ Result<SceneTally> renderScene(const std::shared_ptr<const SceneAssets>& assets,
     const double rate = format.sampleRateHz;
     const double lastSeconds =
         std::max(assets->scene().seconds, song.empty() ? 0 : song.back().seconds);
-    SceneRun motion(assets, {.notes = notesOf(song)});
+    SceneSimulation motion(assets, {.notes = notesOf(song)});
     if (auto bounded = boundedSlots(motion.slots(), inQuotes(assets->scene().name), "bodies");
         !bounded)
         return tl::unexpected(bounded.error());

@@ -4,7 +4,7 @@
 #include "Console/MidiSong.h"
 #include "Console/Recording.h"
 #include "Scene/HeadResponses.h"
-#include "Scene/SceneRun.h"
+#include "Scene/SceneSimulation.h"
 
 #include <cstdint>
 #include <memory>

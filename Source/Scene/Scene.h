@@ -1,6 +1,6 @@
 // A scene as its file describes it: kinds of bodies, where they start, how they move, and who
-// listens. Plain data. SceneText reads it and SceneRun moves it. Lengths are in metres; z points
-// up.
+// listens. Plain data. SceneText reads it and SceneSimulation moves it. Lengths are in metres; z
+// points up.
 #pragma once
 
 #include "Parameters/ParameterTable.h"

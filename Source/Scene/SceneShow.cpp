@@ -17,7 +17,7 @@ std::uint32_t nextNumber() noexcept {
 SceneShow::SceneShow(const SceneStage& playedStage, double sampleRateHz, std::uint64_t seed)
     : stage(playedStage), rate(sampleRateHz),
       firstSeed(stage.assets()->scene().seed + static_cast<std::uint32_t>(seed - 1)),
-      worker(stage, sampleRateHz), acts(stage.actCount()),
+      worker(stage, sampleRateHz), simulations(stage.actCount()),
       voices(*stage.assets(), sampleRateHz, seed),
       ears(stage.assets()->scene().listener, nullptr, stage.slots().size(), sampleRateHz),
       places(stage.places()), bodyPoses(stage.firstPoses().begin(), stage.firstPoses().end()),
@@ -26,22 +26,22 @@ SceneShow::SceneShow(const SceneStage& playedStage, double sampleRateHz, std::ui
 }
 
 void SceneShow::cue(int midiNote, int velocity, std::int64_t cell, double sampleInCell) noexcept {
-    const auto index = nextAct;
-    const ActCue wanted{.act = static_cast<std::uint32_t>(index),
-                        .number = cuesEver + 1,
-                        .midiNote = midiNote,
-                        .velocity = velocity,
-                        .seed = firstSeed + cueCount};
+    const auto index = nextSimulation;
+    const SimulationCue wanted{.simulation = static_cast<std::uint32_t>(index),
+                               .number = cuesEver + 1,
+                               .midiNote = midiNote,
+                               .velocity = velocity,
+                               .seed = firstSeed + cueCount};
     if (!worker.cue(wanted))
         return;
     ++cuesEver;
     ++cueCount;
-    nextAct = (nextAct + 1) % acts.size();
-    auto& act = acts[index];
-    clear(act);
-    act.number = wanted.number;
-    act.startCell = cell;
-    act.startSample = sampleInCell;
+    nextSimulation = (nextSimulation + 1) % simulations.size();
+    auto& simulation = simulations[index];
+    clear(simulation);
+    simulation.number = wanted.number;
+    simulation.startCell = cell;
+    simulation.startSample = sampleInCell;
 }
 
 void SceneShow::sound(std::int64_t cell,
@@ -49,25 +49,25 @@ void SceneShow::sound(std::int64_t cell,
                       std::span<const CellOutput> cellsOfSlots) noexcept {
     if (std::exchange(areBlowsTaken, false))
         recentBlows.clear();
-    takeChunks();
+    takeBlocks();
     const BegunCell begun{synthesiser, cellsOfSlots, cell};
     if (!paused)
-        playActs(begun);
+        playSimulations(begun);
     else {
         release(synthesiser, cellsOfSlots);
-        for (auto& act : acts)
-            ++act.startCell;
+        for (auto& simulation : simulations)
+            ++simulation.startCell;
     }
     crowded.strikeBefore(cellSamples, begun);
 }
 
-void SceneShow::playActs(const BegunCell& cell) noexcept {
+void SceneShow::playSimulations(const BegunCell& cell) noexcept {
     isPressed.fill(false);
     if (mayWait)
         waitFor(cell.index);
-    for (auto& act : acts)
-        if (act.number != 0)
-            play(act, cell);
+    for (auto& simulation : simulations)
+        if (simulation.number != 0)
+            play(simulation, cell);
     releaseOthers(cell.synthesiser, cell.cellsOfSlots);
 }
 
@@ -90,56 +90,58 @@ void SceneShow::hear(std::span<const CellOutput> cellsOfSlots, const CellOutput&
 }
 
 /// Gives back the simulation's blocks and resets it.
-void SceneShow::clear(Act& act) noexcept {
-    while (act.count > 0)
-        drop(act);
-    act.number = 0;
-    act.knownCells = 0;
-    act.isAllKnown = act.isPlaced = false;
+void SceneShow::clear(Simulation& simulation) noexcept {
+    while (simulation.count > 0)
+        drop(simulation);
+    simulation.number = 0;
+    simulation.knownCells = 0;
+    simulation.isAllKnown = simulation.isPlaced = false;
 }
 
-void SceneShow::drop(Act& act) noexcept {
-    worker.giveBack(act.chunks[act.first]);
-    act.first = (act.first + 1) % chunkCapacity;
-    --act.count;
-    act.blowsDone = 0;
+void SceneShow::drop(Simulation& simulation) noexcept {
+    worker.giveBack(simulation.blocks[simulation.first]);
+    simulation.first = (simulation.first + 1) % blockCapacity;
+    --simulation.count;
+    simulation.blowsDone = 0;
 }
 
-void SceneShow::takeChunks() noexcept {
-    while (auto* chunk = worker.take()) {
-        auto& act = acts[chunk->act];
-        if (chunk->number != act.number || act.count == chunkCapacity) {
-            worker.giveBack(chunk);
+void SceneShow::takeBlocks() noexcept {
+    while (auto* block = worker.take()) {
+        auto& simulation = simulations[block->simulation];
+        if (block->number != simulation.number || simulation.count == blockCapacity) {
+            worker.giveBack(block);
             continue;
         }
-        act.chunks[(act.first + act.count++) % chunkCapacity] = chunk;
-        act.knownCells = chunk->endCell();
-        act.isAllKnown = chunk->isLast;
+        simulation.blocks[(simulation.first + simulation.count++) % blockCapacity] = block;
+        simulation.knownCells = block->endCell();
+        simulation.isAllKnown = block->isLast;
     }
 }
 
 /// Waits until everything before the cell's end is known.
 void SceneShow::waitFor(std::int64_t cell) noexcept {
-    const auto isKnown = [&](const Act& act) {
-        return act.number == 0 || act.isAllKnown || act.knownCells > cell - act.startCell;
+    const auto isKnown = [&](const Simulation& simulation) {
+        return simulation.number == 0 || simulation.isAllKnown ||
+               simulation.knownCells > cell - simulation.startCell;
     };
-    while (!std::ranges::all_of(acts, isKnown)) {
+    while (!std::ranges::all_of(simulations, isKnown)) {
         const bool more = worker.help();
-        takeChunks();
+        takeBlocks();
         if (!more)
             return; // no more blocks will come
     }
 }
 
-void SceneShow::play(Act& act, const BegunCell& cell) noexcept {
+void SceneShow::play(Simulation& simulation, const BegunCell& cell) noexcept {
     // The simulation's cells lie between those of the sound. This cell ends within its cell `now`.
-    const auto now = cell.index - act.startCell;
-    const double startSeconds = (static_cast<double>(now * cellSamples) - act.startSample) / rate;
+    const auto now = cell.index - simulation.startCell;
+    const double startSeconds =
+        (static_cast<double>(now * cellSamples) - simulation.startSample) / rate;
     const double endSeconds = startSeconds + cellSamples / rate;
-    while (act.count > 0) {
-        auto& chunk = act.front();
-        for (; act.blowsDone < chunk.blows.size(); ++act.blowsDone) {
-            const auto& blow = chunk.blows[act.blowsDone];
+    while (simulation.count > 0) {
+        auto& block = simulation.front();
+        for (; simulation.blowsDone < block.blows.size(); ++simulation.blowsDone) {
+            const auto& blow = block.blows[simulation.blowsDone];
             if (blow.seconds >= endSeconds)
                 break;
             const double sample = (blow.seconds - startSeconds) * rate;
@@ -147,18 +149,18 @@ void SceneShow::play(Act& act, const BegunCell& cell) noexcept {
                 ++lateCount;
             strike(blow, sample, cell);
         }
-        for (const auto& touched : chunk.touches)
+        for (const auto& touched : block.touches)
             if (touched.cell == now - 1)
                 press(touched.state, cell);
-        place(act, chunk.endCell() - now);
-        if (now < chunk.endCell())
+        place(simulation, block.endCell() - now);
+        if (now < block.endCell())
             return;
-        for (const auto& placed : chunk.places)
+        for (const auto& placed : block.places)
             bodyPoses[placed.slot] = placed.pose;
-        const bool isOver = chunk.isLast;
-        drop(act);
+        const bool isOver = block.isLast;
+        drop(simulation);
         if (isOver) {
-            clear(act);
+            clear(simulation);
             return;
         }
     }
@@ -197,19 +199,19 @@ void SceneShow::press(const TouchState& state, const BegunCell& cell) noexcept {
 }
 
 /// Moves places evenly to those of the first block, or at once for a new simulation.
-void SceneShow::place(Act& act, std::int64_t cellsLeft) noexcept {
+void SceneShow::place(Simulation& simulation, std::int64_t cellsLeft) noexcept {
     const double share =
-        act.isPlaced ? 1.0 / static_cast<double>(std::max<std::int64_t>(cellsLeft, 1)) : 1;
-    for (const auto& placed : act.front().places)
+        simulation.isPlaced ? 1.0 / static_cast<double>(std::max<std::int64_t>(cellsLeft, 1)) : 1;
+    for (const auto& placed : simulation.front().places)
         places[placed.slot] += share * (placed.metres - places[placed.slot]);
-    act.isPlaced = true;
+    simulation.isPlaced = true;
 }
 
 void SceneShow::stop() noexcept {
-    for (std::size_t index = 0; index < acts.size(); ++index) {
-        if (acts[index].number != 0)
-            worker.cue({.act = static_cast<std::uint32_t>(index)});
-        clear(acts[index]);
+    for (std::size_t index = 0; index < simulations.size(); ++index) {
+        if (simulations[index].number != 0)
+            worker.cue({.simulation = static_cast<std::uint32_t>(index)});
+        clear(simulations[index]);
     }
     std::ranges::copy(stage.firstPoses(), bodyPoses.begin());
     crowded.clear();
@@ -219,7 +221,7 @@ void SceneShow::stop() noexcept {
 
 void SceneShow::reset() noexcept {
     stop();
-    nextAct = 0;
+    nextSimulation = 0;
     cueCount = 0;
     lateCount = 0;
     voices.reset();
@@ -230,7 +232,8 @@ void SceneShow::reset() noexcept {
 
 bool SceneShow::silent() const noexcept {
     return ears.silent() && crowded.empty() &&
-           std::ranges::all_of(acts, [](const Act& act) { return act.number == 0; }) &&
+           std::ranges::all_of(
+               simulations, [](const Simulation& simulation) { return simulation.number == 0; }) &&
            std::ranges::all_of(pairOfVoice, [](std::uint32_t pair) { return pair == 0; });
 }
 

@@ -4,9 +4,9 @@
 
 #include "Instrument/CellStrikes.h"
 #include "Instrument/Stage.h"
-#include "Scene/ActWorker.h"
 #include "Scene/SceneEars.h"
 #include "Scene/SceneStage.h"
+#include "Scene/SimulationThread.h"
 #include "Scene/TouchVoices.h"
 
 #include <array>
@@ -39,42 +39,42 @@ public:
     std::span<const BodyPose> poses() const noexcept override { return bodyPoses; }
 
 private:
-    static constexpr std::size_t chunkCapacity = 128; // more than the worker runs ahead
+    static constexpr std::size_t blockCapacity = 128; // more than the worker runs ahead
     static constexpr std::size_t blowCapacity = 1024; // between two calls of takeBlows
     static constexpr std::size_t crowdedCapacity = 1024;
 
     /// A note's simulation while it sounds: a ring of the blocks received so far.
-    struct Act {
+    struct Simulation {
         std::uint32_t number = 0; ///< of its cue; 0: idle
         std::int64_t startCell = 0;
         double startSample = 0; ///< within that cell
-        std::array<ActChunk*, chunkCapacity> chunks{};
+        std::array<SimulationBlock*, blockCapacity> blocks{};
         std::size_t first = 0, count = 0;
         std::size_t blowsDone = 0; ///< of the first block
         std::int64_t knownCells = 0;
         bool isAllKnown = false;
         bool isPlaced = false;
 
-        ActChunk& front() { return *chunks[first]; }
+        SimulationBlock& front() { return *blocks[first]; }
     };
 
-    void clear(Act& act) noexcept;
-    void drop(Act& act) noexcept;
-    void takeChunks() noexcept;
+    void clear(Simulation& simulation) noexcept;
+    void drop(Simulation& simulation) noexcept;
+    void takeBlocks() noexcept;
     void waitFor(std::int64_t cell) noexcept;
-    void playActs(const BegunCell& cell) noexcept;
+    void playSimulations(const BegunCell& cell) noexcept;
     void releaseOthers(Synthesiser& synthesiser, std::span<const CellOutput> cellsOfSlots) noexcept;
-    void play(Act& act, const BegunCell& cell) noexcept;
+    void play(Simulation& simulation, const BegunCell& cell) noexcept;
     void strike(const SceneBlow& blow, double sample, const BegunCell& cell) noexcept;
     void press(const TouchState& state, const BegunCell& cell) noexcept;
-    void place(Act& act, std::int64_t cellsLeft) noexcept;
+    void place(Simulation& simulation, std::int64_t cellsLeft) noexcept;
 
     const SceneStage& stage;
     double rate;
     std::uint32_t firstSeed;
-    ActWorker worker;
-    std::vector<Act> acts;
-    std::size_t nextAct = 0;
+    SimulationThread worker;
+    std::vector<Simulation> simulations;
+    std::size_t nextSimulation = 0;
     std::uint32_t cueCount = 0;
     std::uint32_t cuesEver = 0; ///< identifies blocks from before a reset
     TouchVoices voices;

@@ -4,7 +4,7 @@
 
 #include "Instrument/CellStrikes.h"
 #include "Scene/SceneEars.h"
-#include "Scene/SceneRun.h"
+#include "Scene/SceneSimulation.h"
 #include "Scene/TouchVoices.h"
 #include "Synth/AlignedVector.h"
 #include "Synth/Synthesiser.h"

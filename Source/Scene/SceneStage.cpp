@@ -54,7 +54,7 @@ Result<std::shared_ptr<const Instrument>> buildInstrument(const KeyMap& keyMap,
                                stage->slotOfKey(keyMap.lowestNote, keyMap.highestNote), stage);
 }
 
-BodyPose bodyPose(const SceneRun& run, std::size_t slot) {
+BodyPose bodyPose(const SceneSimulation& run, std::size_t slot) {
     const auto& pose = run.pose(slot);
     if (!pose)
         return {};
@@ -86,7 +86,7 @@ Result<void> SceneStage::setUp() {
     int note = 0;
     while (note < 127 && !played->target(note))
         ++note;
-    SceneRun prototype(played, rehearsalCall(note));
+    SceneSimulation prototype(played, rehearsalCall(note));
     prototype.advanceTo(0);
     if (prototype.isCrowded())
         return tl::unexpected(crowdedFault(scene));
@@ -95,13 +95,14 @@ Result<void> SceneStage::setUp() {
                        " fall for too long, or too many bodies do");
     const auto& slots = prototype.slots();
     const auto moves = [&](std::size_t slot) { return !prototype.isFixed(slot); };
-    const std::size_t acts =
-        moving == 0 ? mostActs : std::clamp<std::size_t>(mostMovingSlots / moving, 1, mostActs);
-    for (std::size_t act = 0; act < acts; ++act) {
+    const std::size_t simulations =
+        moving == 0 ? maximumSimulations
+                    : std::clamp<std::size_t>(mostMovingSlots / moving, 1, maximumSimulations);
+    for (std::size_t simulation = 0; simulation < simulations; ++simulation) {
         SlotMap own;
         for (std::size_t slot = 0; slot < slots.size(); ++slot) {
-            if (act > 0 && !moves(slot)) {
-                own.push_back(slotsOfActs[0][slot]);
+            if (simulation > 0 && !moves(slot)) {
+                own.push_back(slotsOfSimulations[0][slot]);
                 continue;
             }
             if (moves(slot) && !firstMovingSlot)
@@ -112,7 +113,7 @@ Result<void> SceneStage::setUp() {
             firstPlaces.push_back(prototype.places()[slot]);
             posesAtFirst.push_back(moves(slot) ? BodyPose() : bodyPose(prototype, slot));
         }
-        slotsOfActs.push_back(std::move(own));
+        slotsOfSimulations.push_back(std::move(own));
     }
     if (const auto& drop = scene.noteDrop) {
         delay = std::sqrt(2 * std::max(drop->softestMetres, drop->hardestMetres) /
@@ -128,7 +129,7 @@ double SceneStage::lengthSeconds() const {
 }
 
 Result<double> SceneStage::firstBlowSeconds() const {
-    SceneRun rehearsal(played, rehearsalCall(0));
+    SceneSimulation rehearsal(played, rehearsalCall(0));
     const double longest = std::min(longestRehearsalSeconds, played->scene().seconds);
     for (double seconds = 0; seconds < longest && !rehearsal.isCutShort(); seconds += 0.01) {
         rehearsal.advanceTo(seconds);

@@ -3,7 +3,7 @@
 
 #include "Instrument/Instrument.h"
 #include "Scene/SceneAssets.h"
-#include "Scene/SceneRun.h"
+#include "Scene/SceneSimulation.h"
 
 #include <array>
 #include <cstdint>
@@ -19,15 +19,15 @@ Result<std::shared_ptr<const Instrument>> buildInstrument(const KeyMap& keyMap,
                                                           ObjectLibrary& library);
 
 /// Returns the pose of a slot's body for the window.
-BodyPose bodyPose(const SceneRun& run, std::size_t slot);
+BodyPose bodyPose(const SceneSimulation& run, std::size_t slot);
 
-/// Several notes sound at a time, each in a simulation of its own (an act in the code). A fixed
+/// Several notes sound at a time, each in a simulation of its own. A fixed
 /// body has one slot in all of them; a moving body has one slot in each. If the scene has `notes`,
 /// every body hits after the same delay, the longest fall, so that a chord stays together.
 /// Otherwise a note restarts all moving bodies.
 class SceneStage final : public Stage {
 public:
-    static constexpr std::size_t mostActs = 8;
+    static constexpr std::size_t maximumSimulations = 8;
 
     /// Maps the slots of one simulation to those of the synthesiser.
     using SlotMap = std::vector<std::size_t>;
@@ -53,8 +53,10 @@ public:
     const std::vector<SynthesiserSlot>& slots() const { return allSlots; }
     /// Returns the initial place of each slot's body.
     const std::vector<Eigen::Vector3d>& places() const { return firstPlaces; }
-    std::size_t actCount() const { return slotsOfActs.size(); }
-    const SlotMap& slotsOfAct(std::size_t act) const { return slotsOfActs[act]; }
+    std::size_t actCount() const { return slotsOfSimulations.size(); }
+    const SlotMap& slotsOfSimulation(std::size_t simulation) const {
+        return slotsOfSimulations[simulation];
+    }
     /// Returns the slot that shows each note in the window, −1 for notes without effect.
     std::array<int, 128> slotOfKey(int lowestNote, int highestNote) const;
 
@@ -77,7 +79,7 @@ private:
     std::vector<std::size_t> allRoles; ///< by slot
     std::vector<Eigen::Vector3d> firstPlaces;
     std::vector<BodyPose> posesAtFirst;
-    std::vector<SlotMap> slotsOfActs;
+    std::vector<SlotMap> slotsOfSimulations;
     std::optional<int> firstMovingSlot;
 };
 

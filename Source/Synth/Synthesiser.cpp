@@ -84,8 +84,8 @@ struct Synthesiser::Implementation {
     void listSounding();
     void report();
     std::int32_t allowance(std::size_t slot) const;
-    template <class Act>
-    bool on(std::size_t slot, Act act);
+    template <class Simulation>
+    bool on(std::size_t slot, Simulation act);
 };
 
 Synthesiser::Synthesiser(std::vector<SynthesiserSlot> slots,
@@ -231,8 +231,8 @@ std::int32_t Synthesiser::Implementation::allowance(std::size_t slot) const {
 }
 
 /// Applies `act` to one resonator and updates the count of mixed modes for the others.
-template <class Act>
-bool Synthesiser::Implementation::on(std::size_t slot, Act act) {
+template <class Simulation>
+bool Synthesiser::Implementation::on(std::size_t slot, Simulation act) {
     ModalResonator& object = objects[slot];
     wasTouched[slot] = 1;
     const std::int32_t allowed = allowance(slot);

@@ -112,7 +112,7 @@ TEST_CASE("In real time a scene sounds as in a bounce if its worker is not late"
         sound = render(processor, 480, 480, midi);
         juce::Thread::sleep(milliseconds);
         sound.append(render(processor, rate - 480, 480, {}));
-        processor.setNonRealtime(true); // waits for late chunks, which are then counted
+        processor.setNonRealtime(true); // waits for late blocks, which are then counted
         render(processor, 480, 480, {});
         milliseconds *= 2;
     } while (processor.takeStatus().lateBlows > 0 && milliseconds < 60'000);

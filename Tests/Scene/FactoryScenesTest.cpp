@@ -2,7 +2,7 @@
 #include "Scene/FactoryScenes.h"
 
 #include "Scene/SceneFile.h"
-#include "Scene/SceneRun.h"
+#include "Scene/SceneSimulation.h"
 
 #include <catch2/catch_test_macros.hpp>
 #include <filesystem>
@@ -33,7 +33,7 @@ TEST_CASE("Every factory scene loads, and a body is struck in its first second")
         INFO(scene.name);
         const auto assets = SceneAssets::make(scene, ObjectLibrary::shared());
         REQUIRE(assets);
-        SceneRun motion(*assets, {.notes = {{0.2, 72, 100}}});
+        SceneSimulation motion(*assets, {.notes = {{0.2, 72, 100}}});
         motion.advanceTo(1);
         CHECK(motion.takeBlow(1));
         CHECK(motion.figures().bodies > (scene.hand ? 0 : 1));

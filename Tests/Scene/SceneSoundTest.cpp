@@ -25,7 +25,7 @@ struct Performance {
 
 Performance perform(const Scene& scene, double seconds) {
     const auto assets = SceneAssets::make(scene, ObjectLibrary::shared()).value();
-    SceneRun motion(assets);
+    SceneSimulation motion(assets);
     SceneSound sound(*assets, motion.slots(), rateHz),
         touchesAlone(*assets, motion.slots(), rateHz);
     Performance result;
@@ -94,7 +94,7 @@ double rms(const std::vector<float>& samples, double fromSeconds, double toSecon
 TEST_CASE("A scene sounds from the sample of its first impact, the same each time") {
     const auto assets =
         SceneAssets::make(*findFactoryScene("Pebble in a wok"), ObjectLibrary::shared()).value();
-    SceneRun motion(assets);
+    SceneSimulation motion(assets);
     motion.advanceTo(1);
     const auto first = motion.takeBlow(1);
     REQUIRE(first);
@@ -113,7 +113,7 @@ TEST_CASE("A scene sounds from the sample of its first impact, the same each tim
 TEST_CASE("Any number of simultaneous impacts on one body sounds") {
     const auto assets =
         SceneAssets::make(*findFactoryScene("Pebble in a wok"), ObjectLibrary::shared()).value();
-    SceneRun motion(assets);
+    SceneSimulation motion(assets);
     motion.advanceTo(1);
     auto blow = motion.takeBlow(1).value();
     blow.seconds = 0;

@@ -2,7 +2,7 @@
 #include "Scene/TouchVoices.h"
 
 #include "Scene/FactoryScenes.h"
-#include "Scene/SceneRun.h"
+#include "Scene/SceneSimulation.h"
 
 #include <algorithm>
 #include <catch2/catch_test_macros.hpp>

@@ -1,8 +1,8 @@
 // Simulates the bodies of a scene instrument ahead of their sound, on a thread of its own.
 #pragma once
 
-#include "Scene/ActChunk.h"
 #include "Scene/SceneStage.h"
+#include "Scene/SimulationBlock.h"
 
 #include <atomic>
 #include <boost/lockfree/spsc_queue.hpp>
@@ -18,57 +18,59 @@ namespace idiophone {
 /// filled blocks and used blocks. The filled blocks of a simulation are in order of time. If memory
 /// runs out, a simulation ends early: no exception leaves the thread. The worker polls for cues
 /// every few milliseconds, because the audio thread may not notify it.
-class ActWorker {
+class SimulationThread {
 public:
-    ActWorker(const SceneStage& stage, double sampleRateHz); ///< `stage` must outlive the worker
-    ~ActWorker();
-    ActWorker(const ActWorker&) = delete;
-    ActWorker& operator=(const ActWorker&) = delete;
+    SimulationThread(const SceneStage& stage,
+                     double sampleRateHz); ///< `stage` must outlive the worker
+    ~SimulationThread();
+    SimulationThread(const SimulationThread&) = delete;
+    SimulationThread& operator=(const SimulationThread&) = delete;
 
     /// [audio thread] Sends a cue. Returns false and drops it if the queue is full.
-    bool cue(const ActCue& cue) noexcept { return cues.push(cue); }
+    bool cue(const SimulationCue& cue) noexcept { return cues.push(cue); }
     /// [audio thread] Returns the next block or nullptr. The caller gives it back.
-    ActChunk* take() noexcept;
-    void giveBack(ActChunk* chunk) noexcept { used.push(chunk); }
+    SimulationBlock* take() noexcept;
+    void giveBack(SimulationBlock* block) noexcept { used.push(block); }
     /// [audio thread, offline] Fills one block on the calling thread, after the worker's current
     /// one. Allocates. Returns false if there is nothing to do.
     bool help() noexcept;
 
 private:
     /// The worker runs at most this many blocks ahead of the sound, about a second.
-    static constexpr std::size_t chunksAhead = 96;
-    static constexpr std::size_t chunkCapacity = SceneStage::mostActs * chunksAhead;
+    static constexpr std::size_t blocksAhead = 96;
+    static constexpr std::size_t blockCapacity = SceneStage::maximumSimulations * blocksAhead;
 
-    struct Act {
-        ActCue cue;
-        bool begins = false;           ///< its run has not been created yet
-        std::unique_ptr<SceneRun> run; ///< null while the simulation is idle
+    struct Simulation {
+        SimulationCue cue;
+        bool begins = false;                  ///< its run has not been created yet
+        std::unique_ptr<SceneSimulation> run; ///< null while the simulation is idle
         std::int64_t cellsDone = 0;
-        std::size_t chunksOut = 0; ///< blocks that have not been given back
+        std::size_t blocksOut = 0; ///< blocks that have not been given back
     };
 
     void runThread() noexcept;
     bool workOnce() noexcept;
     void takeUsed();
     void takeCues();
-    bool hasFreeChunk() noexcept;
-    void begin(Act& act) const;
-    void fill(ActChunk& chunk, Act& act, const SceneStage::SlotMap& slots) const;
+    bool hasFreeBlock() noexcept;
+    void begin(Simulation& simulation) const;
+    void
+    fill(SimulationBlock& block, Simulation& simulation, const SceneStage::SlotMap& slots) const;
 
     const SceneStage& stage;
     double cellSeconds;
 
     template <class Message, std::size_t room>
     using Queue = boost::lockfree::spsc_queue<Message, boost::lockfree::capacity<room>>;
-    Queue<ActCue, 256> cues;
-    Queue<ActChunk*, chunkCapacity> ready, used;
+    Queue<SimulationCue, 256> cues;
+    Queue<SimulationBlock*, blockCapacity> ready, used;
 
     std::mutex working; ///< its owner does the worker's job
     std::condition_variable stopped;
     std::atomic<bool> isStopping{false};
-    std::vector<Act> acts;
-    std::vector<std::unique_ptr<ActChunk>> allChunks;
-    std::vector<ActChunk*> freeChunks;
+    std::vector<Simulation> simulations;
+    std::vector<std::unique_ptr<SimulationBlock>> allBlocks;
+    std::vector<SimulationBlock*> freeBlocks;
     std::thread thread; ///< last member, because it uses the others
 };
 

@@ -56,9 +56,9 @@ Error crowdedFault(const Scene& scene);
 
 /// One thread at a time; not for the audio thread. The same scene assets and call give the same
 /// bits.
-class SceneRun {
+class SceneSimulation {
 public:
-    explicit SceneRun(std::shared_ptr<const SceneAssets> assets, SceneCall call = {});
+    explicit SceneSimulation(std::shared_ptr<const SceneAssets> assets, SceneCall call = {});
 
     /// Returns the slots from which the synthesiser is made. Slots of removed bodies are reused.
     const std::vector<SynthesiserSlot>& slots() const { return allSlots; }

@@ -1,5 +1,5 @@
 // Tests simulations of scenes: songs as falling dice, slots and random numbers.
-#include "Scene/SceneRun.h"
+#include "Scene/SceneSimulation.h"
 #include "Scene/FactoryScenes.h"
 #include "Scene/SceneText.h"
 
@@ -28,7 +28,7 @@ std::shared_ptr<const SceneAssets> factoryAssets(const char* name) {
     return assetsOf(*scene);
 }
 
-std::vector<SceneBlow> blowsUntil(SceneRun& motion, double seconds) {
+std::vector<SceneBlow> blowsUntil(SceneSimulation& motion, double seconds) {
     motion.advanceTo(seconds);
     std::vector<SceneBlow> blows;
     while (const auto blow = motion.takeBlow(seconds))
@@ -53,7 +53,7 @@ TEST_CASE("Every note's die hits its bar within 2 ms of the score") {
     for (const int note : {72, 76, 79})
         notes.push_back({5, note, 1});
     const auto assets = factoryAssets("Dice on a xylophone");
-    SceneRun motion(assets, {.notes = notes});
+    SceneSimulation motion(assets, {.notes = notes});
     motion.advanceTo(5.5);
     CHECK_FALSE(motion.finished());
     const auto blows = blowsUntil(motion, 6.5);
@@ -75,7 +75,7 @@ TEST_CASE("Every note's die hits its bar within 2 ms of the score") {
 TEST_CASE("A rotating body is heard from the side that faces the listener") {
     const auto assets = factoryAssets("Cylinder off a table");
     const auto listener = assets->scene().listener.positionMetres;
-    SceneRun motion(assets);
+    SceneSimulation motion(assets);
     std::map<std::int32_t, int> sides;
     const auto check = [&](std::size_t slot, const StrikePoint& point) {
         const auto& object = *motion.slots()[slot].object;
@@ -106,7 +106,7 @@ TEST_CASE("A higher velocity makes a die hit its bar harder") {
     const auto assets = factoryAssets("Dice on a xylophone");
     double before = 0;
     for (const int velocity : {1, 32, 64, 96, 127}) {
-        SceneRun motion(assets, {.notes = {{0.5, 72, velocity}}});
+        SceneSimulation motion(assets, {.notes = {{0.5, 72, velocity}}});
         const auto blows = blowsUntil(motion, 0.51);
         REQUIRE_FALSE(blows.empty());
         INFO(velocity);
@@ -127,29 +127,29 @@ TEST_CASE("Kinds of one object share its surface") {
 }
 
 TEST_CASE("Notes outside the keyboard are ignored and counted") {
-    SceneRun motion(factoryAssets("Dice on a xylophone"),
-                    {.notes = {{1, 20, 100}, {1, 72, 100}, {2, 126, 9}}});
+    SceneSimulation motion(factoryAssets("Dice on a xylophone"),
+                           {.notes = {{1, 20, 100}, {1, 72, 100}, {2, 126, 9}}});
     CHECK(motion.figures().notesLeftOut == 2);
 }
 
 TEST_CASE("Dice of a long song reuse the slots of removed dice") {
     const auto assets = factoryAssets("Dice on a xylophone");
-    const auto standing = SceneRun(assets).slots().size();
+    const auto standing = SceneSimulation(assets).slots().size();
     const double apart = assets->scene().noteDrop->lifeSeconds + 5;
     std::vector<SceneNote> notes;
     for (int chord = 0; chord < 300; ++chord)
         for (int k = 0; k < 400; ++k)
             notes.push_back({apart * chord, 65 + k % 40, 1 + k % 127});
-    CHECK(SceneRun(assets, {.notes = notes}).slots().size() == standing + 400);
+    CHECK(SceneSimulation(assets, {.notes = notes}).slots().size() == standing + 400);
     // Takes time in proportion to the notes, not to their square.
     for (auto& note : notes)
         note.seconds = 1;
-    CHECK(SceneRun(assets, {.notes = notes}).slots().size() == standing + notes.size());
+    CHECK(SceneSimulation(assets, {.notes = notes}).slots().size() == standing + notes.size());
 }
 
 TEST_CASE("Impacts are in order of time, whatever the intervals of the queries") {
     const auto assets = factoryAssets("Shells in a room");
-    SceneRun whole(assets), bits(assets);
+    SceneSimulation whole(assets), bits(assets);
     const auto expected = blowsUntil(whole, 2);
     std::vector<SceneBlow> found;
     for (double until = 0.00133; until < 2; until += 0.00133)
@@ -171,9 +171,9 @@ TEST_CASE("Impacts are in order of time, whatever the intervals of the queries")
 
 TEST_CASE("Another seed gives another performance") {
     auto scene = *findFactoryScene("Shells in a room");
-    SceneRun one(assetsOf(scene));
+    SceneSimulation one(assetsOf(scene));
     scene.seed += 1;
-    SceneRun other(assetsOf(scene));
+    SceneSimulation other(assetsOf(scene));
     const auto first = blowsUntil(one, 1), second = blowsUntil(other, 1);
     REQUIRE_FALSE(first.empty());
     REQUIRE_FALSE(second.empty());
@@ -183,7 +183,7 @@ TEST_CASE("Another seed gives another performance") {
 TEST_CASE("Thrown bodies move again") {
     const auto assets = factoryAssets("Shells in a room");
     const double kick = assets->scene().kicks.front().seconds;
-    SceneRun motion(assets);
+    SceneSimulation motion(assets);
     blowsUntil(motion, kick - 0.5);
     CHECK(blowsUntil(motion, kick).size() < 30);
     CHECK(blowsUntil(motion, kick + 1).size() > 100);
@@ -214,7 +214,7 @@ TEST_CASE("A hand taps with (1 + e) times its tool's momentum and rubs at its ow
                         {.seconds = 0.25, .pointMetres = {0, -0.07, 0.006}, .metresPerSecond = 2}};
     scene.hand->path = {{.seconds = 1, .pointMetres = {0, -0.067, 0.006}, .newtons = 3},
                         {.seconds = 2, .pointMetres = {0.03, -0.06, 0.006}, .newtons = 3}};
-    SceneRun motion(assetsOf(scene));
+    SceneSimulation motion(assetsOf(scene));
     const auto blows = blowsUntil(motion, 1.5);
     REQUIRE(blows.size() == 2);
     CHECK(blows[0].seconds == 0);
@@ -245,7 +245,7 @@ TEST_CASE("A simulation ends when bodies, or their parts, are crowded") {
     scene.kinds[0].form = form;
     scene.releases[0].count = count;
     const auto assets = assetsOf(scene);
-    SceneRun motion(assets);
+    SceneSimulation motion(assets);
     CHECK_FALSE(motion.isCrowded());
     motion.advanceTo(5);
     CHECK(motion.isCrowded());
@@ -256,14 +256,14 @@ TEST_CASE("A simulation ends when bodies, or their parts, are crowded") {
 
 TEST_CASE("A simulation stops at its work limit or when another thread stops it") {
     const auto assets = factoryAssets("Cylinder off a table");
-    SceneRun little(assets, {.mostWork = 100});
+    SceneSimulation little(assets, {.mostWork = 100});
     little.advanceTo(1);
     CHECK(little.isCutShort());
     CHECK(little.finished());
     CHECK_FALSE(little.takeBlow(1));
 
     std::atomic<bool> isStopped = false;
-    SceneRun stopped(assets, {.isStopped = &isStopped});
+    SceneSimulation stopped(assets, {.isStopped = &isStopped});
     CHECK_FALSE(blowsUntil(stopped, 0.5).empty());
     CHECK_FALSE(stopped.finished());
     isStopped = true;

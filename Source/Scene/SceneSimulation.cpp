@@ -1,4 +1,4 @@
-#include "Scene/SceneRun.h"
+#include "Scene/SceneSimulation.h"
 
 #include "Object/OneLine.h"
 #include "Scene/SceneRandom.h"
@@ -51,7 +51,7 @@ Error crowdedFault(const Scene& scene) {
             std::to_string(RigidWorld::mostPairs) + " pairs of them, or of their parts, meet"};
 }
 
-SceneRun::SceneRun(std::shared_ptr<const SceneAssets> playedAssets, SceneCall wanted)
+SceneSimulation::SceneSimulation(std::shared_ptr<const SceneAssets> playedAssets, SceneCall wanted)
     : assets(std::move(playedAssets)), scene(assets->scene()), call(std::move(wanted)),
       seed(call.seed.value_or(scene.seed)),
       rigid(kindsOf(*assets), scene.stepsPerSecond, scene.gravityMetresPerSecond2),
@@ -68,7 +68,7 @@ SceneRun::SceneRun(std::shared_ptr<const SceneAssets> playedAssets, SceneCall wa
                       rigid.stepSeconds();
 }
 
-void SceneRun::standKeyboard() {
+void SceneSimulation::standKeyboard() {
     for (const auto& bar : assets->keyboard()) {
         slotOfBody.push_back(newSlot(bar.role));
         roleOfBody.push_back(bar.role);
@@ -81,7 +81,7 @@ void SceneRun::standKeyboard() {
     }
 }
 
-std::size_t SceneRun::newSlot(std::size_t role) {
+std::size_t SceneSimulation::newSlot(std::size_t role) {
     if (!assets->roles()[role].isHeard())
         return noSlot;
     allSlots.push_back(assets->slotOf(role));
@@ -91,7 +91,7 @@ std::size_t SceneRun::newSlot(std::size_t role) {
     return allSlots.size() - 1;
 }
 
-void SceneRun::planReleases() {
+void SceneSimulation::planReleases() {
     std::uint32_t number = 0;
     for (const auto& release : scene.releases)
         for (int k = 0; k < release.count; ++k, ++number) {
@@ -116,7 +116,7 @@ void SceneRun::planReleases() {
         }
 }
 
-void SceneRun::planNotes() {
+void SceneSimulation::planNotes() {
     if (!scene.noteDrop)
         return;
     const auto& drop = *scene.noteDrop;
@@ -146,7 +146,7 @@ void SceneRun::planNotes() {
 }
 
 /// Gives each body the first slot that is free when it enters.
-void SceneRun::shareSlots(std::span<Coming> ofOneRole) {
+void SceneSimulation::shareSlots(std::span<Coming> ofOneRole) {
     using Leaving = std::pair<double, std::size_t>; // time, slot
     std::priority_queue<Leaving, std::vector<Leaving>, std::greater<>> taken;
     std::priority_queue<std::size_t, std::vector<std::size_t>, std::greater<>> free;
@@ -163,10 +163,10 @@ void SceneRun::shareSlots(std::span<Coming> ofOneRole) {
 
 /// Starts the body at rest in a random orientation. The height makes its lowest point hit the
 /// target at a speed that is linear in the note's velocity.
-BodyMotion SceneRun::falling(const SceneNote& note,
-                             std::uint32_t number,
-                             const LowestPoint& outer,
-                             double& fallSeconds) {
+BodyMotion SceneSimulation::falling(const SceneNote& note,
+                                    std::uint32_t number,
+                                    const LowestPoint& outer,
+                                    double& fallSeconds) {
     const auto& drop = *scene.noteDrop;
     const double gravity = std::max(scene.gravityMetresPerSecond2, 1e-3);
     const double slowest = std::sqrt(2 * gravity * drop.softestMetres);
@@ -187,14 +187,14 @@ BodyMotion SceneRun::falling(const SceneNote& note,
 }
 
 // A step that begins at t reports impacts since t minus one step.
-void SceneRun::advanceTo(double seconds) {
+void SceneSimulation::advanceTo(double seconds) {
     while (!isCrowded() && !isCutShort() &&
            rigid.seconds() - leadSeconds < seconds + rigid.stepSeconds())
         step();
     follow();
 }
 
-void SceneRun::follow() {
+void SceneSimulation::follow() {
     for (const auto& one : present)
         if (const auto slot = slotOfBody[one.body]; slot != noSlot) {
             slotPlaces[slot] = rigid.centre(one.body);
@@ -215,9 +215,9 @@ void SceneRun::follow() {
 }
 
 /// Returns the side of a slot's object that faces the listener: see StrikePoint::heardFrom.
-std::int32_t SceneRun::heardFrom(std::size_t slot,
-                                 const Eigen::Isometry3d& pose,
-                                 const Eigen::Vector3d& centre) const {
+std::int32_t SceneSimulation::heardFrom(std::size_t slot,
+                                        const Eigen::Isometry3d& pose,
+                                        const Eigen::Vector3d& centre) const {
     const Eigen::Vector3f own =
         (pose.linear().transpose() * (scene.listener.positionMetres - centre)).cast<float>();
     const auto nearest =
@@ -225,7 +225,7 @@ std::int32_t SceneRun::heardFrom(std::size_t slot,
     return nearest ? static_cast<std::int32_t>(*nearest) : -1;
 }
 
-void SceneRun::step() {
+void SceneSimulation::step() {
     const double now = rigid.seconds() - leadSeconds;
     takeAway(now);
     letIn(now);
@@ -236,7 +236,7 @@ void SceneRun::step() {
     tracker.follow(withHand(now, rigid.seconds() - leadSeconds), roleOfBody, slotOfBody);
 }
 
-void SceneRun::takeHand() {
+void SceneSimulation::takeHand() {
     if (!scene.hand)
         return;
     hand.emplace(*scene.hand, assets->roles()[scene.hand->kind], assets->roles()[scene.hand->tool]);
@@ -246,7 +246,7 @@ void SceneRun::takeHand() {
 }
 
 /// Returns the contacts of a step, including the hand's, and reports the hand's taps.
-std::span<const Touch> SceneRun::withHand(double from, double until) {
+std::span<const Touch> SceneSimulation::withHand(double from, double until) {
     const auto played = std::ranges::find_if(present, [&](const Present& one) {
         return hand && roleOfBody[one.body] == scene.hand->kind;
     });
@@ -264,7 +264,7 @@ std::span<const Touch> SceneRun::withHand(double from, double until) {
 
 /// Adds the bodies that are due. One due between two steps is moved to where it is now. Half a step
 /// of gravity ahead makes the fall exact at every step.
-void SceneRun::letIn(double now) {
+void SceneSimulation::letIn(double now) {
     for (; nextComing < coming.size() && coming[nextComing].seconds <= now && !isCrowded();
          ++nextComing) {
         const auto& next = coming[nextComing];
@@ -283,7 +283,7 @@ void SceneRun::letIn(double now) {
     }
 }
 
-void SceneRun::kick(double now) {
+void SceneSimulation::kick(double now) {
     for (; nextKick < kicks.size() && kicks[nextKick].seconds <= now; ++nextKick) {
         const auto& kick = kicks[nextKick];
         for (const auto& [body, ignored] : present) {
@@ -298,7 +298,7 @@ void SceneRun::kick(double now) {
     }
 }
 
-void SceneRun::takeAway(double now) {
+void SceneSimulation::takeAway(double now) {
     std::erase_if(present, [&](const Present& one) {
         const bool stays = now < one.lastsUntil && rigid.centre(one.body).z() > lowestMetres;
         if (!stays) {
@@ -311,7 +311,7 @@ void SceneRun::takeAway(double now) {
     });
 }
 
-void SceneRun::tell(const Impact& impact) {
+void SceneSimulation::tell(const Impact& impact) {
     ++counted.impacts;
     if (slotOfBody[impact.body] == noSlot)
         return;
@@ -332,7 +332,7 @@ void SceneRun::tell(const Impact& impact) {
     blows.insert(after, blow);
 }
 
-std::optional<SceneBlow> SceneRun::takeBlow(double beforeSeconds) {
+std::optional<SceneBlow> SceneSimulation::takeBlow(double beforeSeconds) {
     if (blows.empty() || !(blows.front().seconds < beforeSeconds))
         return std::nullopt;
     const auto blow = blows.front();
@@ -340,13 +340,13 @@ std::optional<SceneBlow> SceneRun::takeBlow(double beforeSeconds) {
     return blow;
 }
 
-bool SceneRun::finished() const {
+bool SceneSimulation::finished() const {
     // One more step, so that bodies due for removal are gone.
     return isCrowded() || isCutShort() ||
            rigid.seconds() - leadSeconds > overSeconds + rigid.stepSeconds();
 }
 
-bool SceneRun::isCutShort() const {
+bool SceneSimulation::isCutShort() const {
     return rigid.work() > call.mostWork || (call.isStopped != nullptr && *call.isStopped);
 }
 

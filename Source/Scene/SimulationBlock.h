@@ -3,7 +3,7 @@
 #pragma once
 
 #include "Instrument/Stage.h"
-#include "Scene/SceneRun.h"
+#include "Scene/SceneSimulation.h"
 #include "Scene/TouchTracker.h"
 
 #include <Eigen/Core>
@@ -13,9 +13,9 @@
 
 namespace idiophone {
 
-/// Starts a note in simulation `act`. `number` is unique, from 1 on; 0 ends the simulation.
-struct ActCue {
-    std::uint32_t act = 0;
+/// Starts a note in a simulation. `number` is unique, from 1 on; 0 ends the simulation.
+struct SimulationCue {
+    std::uint32_t simulation = 0;
     std::uint32_t number = 0;
     int midiNote = 0;
     int velocity = 0; ///< 1 to 127
@@ -24,7 +24,7 @@ struct ActCue {
 
 /// A few cells of one note's simulation. Times are in seconds and cells since the note began. Slots
 /// are the synthesiser's.
-struct ActChunk {
+struct SimulationBlock {
     static constexpr std::int64_t cells = 8;
 
     struct Touched {
@@ -37,7 +37,7 @@ struct ActChunk {
         BodyPose pose;
     };
 
-    std::uint32_t act = 0;
+    std::uint32_t simulation = 0;
     std::uint32_t number = 0; ///< number of the cue
     std::int64_t firstCell = 0;
     bool isLast = false;
@@ -48,8 +48,8 @@ struct ActChunk {
     std::int64_t endCell() const { return firstCell + cells; }
 
     /// Makes this an empty block that starts at a cell. Keeps its memory.
-    void clear(std::uint32_t ofAct, std::uint32_t ofCue, std::int64_t fromCell) noexcept {
-        act = ofAct;
+    void clear(std::uint32_t ofSimulation, std::uint32_t ofCue, std::int64_t fromCell) noexcept {
+        simulation = ofSimulation;
         number = ofCue;
         firstCell = fromCell;
         isLast = false;

@@ -1,0 +1,167 @@
+#include "Scene/SimulationThread.h"
+
+#include <algorithm>
+#include <cfenv>
+#include <chrono>
+#include <exception>
+#include <new>
+#include <utility>
+
+namespace idiophone {
+namespace {
+
+constexpr std::chrono::milliseconds betweenLooks{4};
+constexpr double faintNewtons = 1e-9;
+
+/// Makes the pairs of all simulations distinct.
+std::uint32_t pairOf(std::uint32_t number, std::uint32_t pair) {
+    return std::max(number * 0x9e3779b1u + pair, 1u);
+}
+
+/// Sets the default floating-point mode: a thread started by the audio thread inherits its flushing
+/// of denormals.
+class DefaultFloatingPoint {
+public:
+    DefaultFloatingPoint() {
+        std::fegetenv(&before);
+        std::fesetenv(FE_DFL_ENV);
+    }
+    ~DefaultFloatingPoint() { std::fesetenv(&before); }
+    DefaultFloatingPoint(const DefaultFloatingPoint&) = delete;
+    DefaultFloatingPoint& operator=(const DefaultFloatingPoint&) = delete;
+
+private:
+    std::fenv_t before{};
+};
+
+} // namespace
+
+SimulationThread::SimulationThread(const SceneStage& playedStage, double sampleRateHz)
+    : stage(playedStage), cellSeconds(cellSamples / sampleRateHz), simulations(stage.actCount()),
+      thread([this] { runThread(); }) {}
+
+SimulationThread::~SimulationThread() {
+    isStopping = true;
+    stopped.notify_all(); // if the thread is not waiting yet, it notices after one polling interval
+    thread.join();
+}
+
+SimulationBlock* SimulationThread::take() noexcept {
+    SimulationBlock* block = nullptr;
+    ready.pop(block);
+    return block;
+}
+
+bool SimulationThread::help() noexcept {
+    const std::lock_guard lock(working);
+    return workOnce();
+}
+
+void SimulationThread::runThread() noexcept {
+    while (!isStopping) {
+        std::unique_lock lock(working);
+        if (!workOnce())
+            stopped.wait_for(lock, betweenLooks, [this] { return isStopping.load(); });
+    }
+}
+
+/// Fills the most urgent block. Returns false if there is nothing to do or no free block.
+bool SimulationThread::workOnce() noexcept {
+    const DefaultFloatingPoint sameOnEveryThread;
+    takeUsed();
+    takeCues();
+    Simulation* next = nullptr;
+    for (Simulation& simulation : simulations)
+        if ((simulation.begins || simulation.run != nullptr) &&
+            simulation.blocksOut < blocksAhead &&
+            (next == nullptr || simulation.blocksOut < next->blocksOut))
+            next = &simulation;
+    if (next == nullptr || !hasFreeBlock())
+        return false;
+    auto* block = freeBlocks.back();
+    freeBlocks.pop_back();
+    block->clear(next->cue.simulation, next->cue.number, next->cellsDone);
+    try {
+        if (std::exchange(next->begins, false))
+            begin(*next);
+        fill(*block, *next, stage.slotsOfSimulation(next->cue.simulation));
+    } catch (const std::exception&) {
+        block->clear(next->cue.simulation, next->cue.number, next->cellsDone);
+        block->isLast = true;
+    }
+    ++next->blocksOut;
+    if (block->isLast)
+        next->run.reset();
+    ready.push(block); // always fits: the queue holds every block
+    return true;
+}
+
+/// Allocates a block if none is free. On failure the simulation waits for used ones.
+bool SimulationThread::hasFreeBlock() noexcept {
+    if (!freeBlocks.empty())
+        return true;
+    try {
+        freeBlocks.reserve(allBlocks.size() + 1); // so that taking blocks back never allocates
+        allBlocks.push_back(std::make_unique<SimulationBlock>());
+    } catch (const std::bad_alloc&) {
+        return false;
+    }
+    freeBlocks.push_back(allBlocks.back().get());
+    return true;
+}
+
+void SimulationThread::takeUsed() {
+    used.consume_all([this](SimulationBlock* block) {
+        --simulations[block->simulation].blocksOut;
+        freeBlocks.push_back(block);
+    });
+}
+
+void SimulationThread::takeCues() {
+    cues.consume_all([this](const SimulationCue& cue) {
+        auto& simulation = simulations[cue.simulation];
+        simulation.cue = cue;
+        simulation.cellsDone = 0;
+        simulation.run.reset();
+        simulation.begins = cue.number != 0;
+    });
+}
+
+void SimulationThread::begin(Simulation& simulation) const {
+    const auto& cue = simulation.cue;
+    auto call = stage.callFor(cue.midiNote, cue.velocity, cue.seed);
+    call.isStopped = &isStopping;
+    simulation.run = std::make_unique<SceneSimulation>(stage.assets(), std::move(call));
+}
+
+void SimulationThread::fill(SimulationBlock& block,
+                            Simulation& simulation,
+                            const SceneStage::SlotMap& slots) const {
+    auto& run = *simulation.run;
+    const auto ofStage = [&](std::size_t slot) { return slot == noSlot ? noSlot : slots[slot]; };
+    for (std::int64_t cell = block.firstCell; cell < block.endCell(); ++cell) {
+        const double end = static_cast<double>(cell + 1) * cellSeconds;
+        run.advanceTo(end);
+        while (auto blow = run.takeBlow(end)) {
+            blow->slot = ofStage(blow->slot);
+            block.blows.push_back(*blow);
+        }
+        for (const auto& state : run.touches()) {
+            if (!(state.forceNewtons > faintNewtons))
+                continue;
+            block.touches.push_back({.cell = cell, .state = state});
+            auto& told = block.touches.back().state;
+            told.pair = pairOf(simulation.cue.number, state.pair);
+            for (auto& slot : told.slots)
+                slot = ofStage(slot);
+        }
+    }
+    simulation.cellsDone = block.endCell();
+    for (std::size_t slot = 0; slot < slots.size(); ++slot)
+        if (!run.isFixed(slot))
+            block.places.push_back(
+                {.slot = slots[slot], .metres = run.places()[slot], .pose = bodyPose(run, slot)});
+    block.isLast = run.finished();
+}
+
+} // namespace idiophone
