@@ -6,7 +6,6 @@
 #include "Editor/SettingsFolder.h"
 #include "Instrument/DecayBounds.h"
 #include "Output/OutputStage.h"
-#include "Plugin/AwaitingKeys.h"
 #include "Plugin/BlockPieces.h"
 #include "Plugin/GuardedTimer.h"
 #include "Plugin/Handoff.h"
@@ -17,6 +16,7 @@
 #include "Plugin/ModeSilencer.h"
 #include "Plugin/NoteQueue.h"
 #include "Plugin/ObjectWorkshop.h"
+#include "Plugin/PendingKeys.h"
 #include "Plugin/PlayerCrossfade.h"
 #include "Plugin/PresetCollection.h"
 #include "Plugin/SharedFigures.h"
@@ -325,7 +325,7 @@ private:
     // Owned by the audio thread.
     BlockPieces pieces;
     PlayerCrossfade sound{handoff};
-    AwaitingKeys awaitingKeys;
+    PendingKeys awaitingKeys;
     HostTransport transport;
     std::int64_t programRequests = 0;
     MovesAtRequest atProgramChange;          ///< values at the last program change

@@ -1,4 +1,4 @@
-#include "Plugin/AwaitingKeys.h"
+#include "Plugin/PendingKeys.h"
 
 #include "Instrument/MidiControllers.h"
 
@@ -7,16 +7,16 @@
 
 namespace idiophone {
 
-bool AwaitingKeys::isAwaited(std::span<const std::uint8_t> message) const noexcept {
+bool PendingKeys::isAwaited(std::span<const std::uint8_t> message) const noexcept {
     return message.size() >= 2 && (message[0] & 0xf0) == 0xc0 && (message[1] & 0x7f) < programs;
 }
 
-void AwaitingKeys::follow(std::span<const MidiEvent> messages) noexcept {
+void PendingKeys::follow(std::span<const MidiEvent> messages) noexcept {
     for (const auto& event : messages)
         follow(event);
 }
 
-void AwaitingKeys::follow(const MidiEvent& event) noexcept {
+void PendingKeys::follow(const MidiEvent& event) noexcept {
     const int kind = event.bytes[0] & 0xf0;
     if (isAwaited(event.bytes)) {
         program = event.bytes[1] & 0x7f;
@@ -36,7 +36,7 @@ void AwaitingKeys::follow(const MidiEvent& event) noexcept {
         count = 0;
 }
 
-void AwaitingKeys::release(const MidiEvent& event) noexcept {
+void PendingKeys::release(const MidiEvent& event) noexcept {
     const auto kept =
         std::remove_if(noteOns.begin(), noteOns.begin() + count, [&](const auto& noteOn) {
             const int differing = noteOn.bytes[0] ^ event.bytes[0];
@@ -45,7 +45,7 @@ void AwaitingKeys::release(const MidiEvent& event) noexcept {
     count = static_cast<std::size_t>(kept - noteOns.begin());
 }
 
-std::span<const MidiEvent> AwaitingKeys::take() noexcept {
+std::span<const MidiEvent> PendingKeys::take() noexcept {
     isWaiting = false;
     return std::span(noteOns).first(std::exchange(count, 0));
 }

@@ -1,4 +1,4 @@
-#include "Plugin/AwaitingKeys.h"
+#include "Plugin/PendingKeys.h"
 
 #include <catch2/catch_test_macros.hpp>
 #include <vector>
@@ -20,7 +20,7 @@ struct Struck {
     bool operator==(const Struck&) const = default;
 };
 
-std::vector<Struck> taken(AwaitingKeys& keys) {
+std::vector<Struck> taken(PendingKeys& keys) {
     std::vector<Struck> result;
     for (const auto& event : keys.take()) {
         CHECK(event.isNoteOn());
@@ -31,7 +31,7 @@ std::vector<Struck> taken(AwaitingKeys& keys) {
 }
 
 std::vector<Struck> takenAfter(std::initializer_list<MidiEvent> messages) {
-    AwaitingKeys keys(programs);
+    PendingKeys keys(programs);
     keys.follow(std::vector(messages));
     return taken(keys);
 }
@@ -56,7 +56,7 @@ TEST_CASE("Without a request for an existing program nothing is struck again") {
 }
 
 TEST_CASE("The last requested program that exists is returned once") {
-    AwaitingKeys keys(programs);
+    PendingKeys keys(programs);
     CHECK_FALSE(keys.takeProgram());
     keys.follow(std::vector{message(0xc0, 0), message(0xc3, 2), message(0xc9, programs),
                             message(0x90, 1, 1), message(0xb0, 1, 1)});
@@ -65,7 +65,7 @@ TEST_CASE("The last requested program that exists is returned once") {
 }
 
 TEST_CASE("After take, no key is pending") {
-    AwaitingKeys keys(programs);
+    PendingKeys keys(programs);
     const std::vector messages{change, message(0x90, 60, 100)};
     keys.follow(messages);
     CHECK(taken(keys).size() == 1);
@@ -75,7 +75,7 @@ TEST_CASE("After take, no key is pending") {
 }
 
 TEST_CASE("After forgetKeys, later keys are still pending") {
-    AwaitingKeys keys(programs);
+    PendingKeys keys(programs);
     keys.follow(std::vector{change, message(0x90, 60, 100)});
     keys.forgetKeys();
     keys.follow(std::vector{message(0x90, 62, 90)});
@@ -91,7 +91,7 @@ TEST_CASE("A second program change and All Notes Off clear the pending keys") {
 }
 
 TEST_CASE("If the queue of pending keys is full, the first keys are kept") {
-    AwaitingKeys keys(programs);
+    PendingKeys keys(programs);
     keys.follow(std::vector{change});
     for (int channel = 0; channel < 16; ++channel)
         for (int note = 0; note < 128; ++note)

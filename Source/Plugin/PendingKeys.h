@@ -13,10 +13,10 @@
 namespace idiophone {
 
 /// [audio thread] throughout; neither allocates, locks nor throws.
-class AwaitingKeys {
+class PendingKeys {
 public:
     /// Follows changes to programs 0 to `programCount` - 1 and ignores others.
-    explicit AwaitingKeys(int programCount) : programs(programCount) {}
+    explicit PendingKeys(int programCount) : programs(programCount) {}
 
     /// Returns whether a MIDI message changes to a program below the count.
     bool isAwaited(std::span<const std::uint8_t> message) const noexcept;
