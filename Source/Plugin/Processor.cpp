@@ -54,7 +54,7 @@ void Processor::processBlock(juce::AudioBuffer<float>& buffer, juce::MidiBuffer&
     }
     hand.playOn(sound.player());
     if (isAnswer || refusedRequest == awaitedRequest) {
-        const auto keys = awaitingKeys.take();
+        const auto keys = pendingKeys.take();
         if (isAnswer && !keys.empty())       // otherwise they sound at their own samples
             sound.process({}, keys, values); // struck at the first sample
     }
@@ -68,8 +68,8 @@ void Processor::processBlock(juce::AudioBuffer<float>& buffer, juce::MidiBuffer&
             tuner.retune(piece->systemExclusive);
             tuner.tune(sound.player());
         }
-        awaitingKeys.follow(piece->events);
-        if (const auto program = awaitingKeys.takeProgram())
+        pendingKeys.follow(piece->events);
+        if (const auto program = pendingKeys.takeProgram())
             requestProgram(*program);
         sound.process(rendered, piece->events, values);
         if (auto* player = sound.player()) {
@@ -94,7 +94,7 @@ void Processor::processBlock(juce::AudioBuffer<float>& buffer, juce::MidiBuffer&
 /// process. Call when all keys are up. A requested program stays pending.
 void Processor::forgetEvents() noexcept {
     pieces.reset();
-    awaitingKeys.forgetKeys();
+    pendingKeys.forgetKeys();
     editorNotes.clear();
     hand.clear();
 }
@@ -106,7 +106,7 @@ void Processor::followControllers(const juce::MidiBuffer& midi) noexcept {
     for (auto message = midi.begin(); message != midi.end();) {
         const auto metadata = *message;
         ++message;
-        if (awaitingKeys.isAwaited(std::span(metadata.data, std::size_t(metadata.numBytes))))
+        if (pendingKeys.isAwaited(std::span(metadata.data, std::size_t(metadata.numBytes))))
             behind = message;
     }
     controllers.follow(midi.begin(), behind, parameters);
@@ -182,7 +182,7 @@ void Processor::report(std::span<float* const> channels, int count) noexcept {
 
 Processor::Processor()
     : AudioProcessor(BusesProperties().withOutput("Output", juce::AudioChannelSet::stereo(), true)),
-      parameters(*this), awaitingKeys(static_cast<int>(factoryPresets().size())) {
+      parameters(*this), pendingKeys(static_cast<int>(factoryPresets().size())) {
     setCurrentProgram(0);
     soundToTell = movedToTell = 0; // the host has not asked yet
     looks.emplace(lookMilliseconds, [this] { look(); });
@@ -214,7 +214,7 @@ void Processor::prepareToPlay(double sampleRateHz, int) {
     handoff.collect();
     forgetEvents();
     if (requestedProgram == noRequest) // no pending player would answer it
-        awaitingKeys.take();
+        pendingKeys.take();
     transport.forget();
     tempo = 0;
     resetRequested = false;

@@ -325,7 +325,7 @@ private:
     // Owned by the audio thread.
     BlockPieces pieces;
     PlayerCrossfade sound{handoff};
-    PendingKeys awaitingKeys;
+    PendingKeys pendingKeys;
     HostTransport transport;
     std::int64_t programRequests = 0;
     MovesAtRequest atProgramChange;          ///< values at the last program change
