@@ -16,11 +16,11 @@ namespace {
 constexpr const char* presetName = "Rosewood Xylophone";
 
 /// Adds a key's strike as the player makes it: place, strength and number of contacts.
-void addBlow(const SongEvent& event,
-             const Instrument& instrument,
-             const ParameterValues& parameters,
-             std::uint32_t number,
-             std::vector<SceneStrike>& strikes) {
+void addImpact(const SongEvent& event,
+               const Instrument& instrument,
+               const ParameterValues& parameters,
+               std::uint32_t number,
+               std::vector<SceneStrike>& strikes) {
     const Key& key = instrument.key(event.bytes[1]);
     if (key.slot < 0)
         return;
@@ -49,7 +49,7 @@ Result<void> addSong(const std::filesystem::path& file, BenchContent& content) {
     std::uint32_t number = 0;
     for (const SongEvent& event : *events)
         if (event.isNoteOn())
-            addBlow(event, **instrument, preset->parameters, number++, content.song);
+            addImpact(event, **instrument, preset->parameters, number++, content.song);
     if (content.song.empty())
         return failure(file.string() + ": the rosewood xylophone has none of its notes");
     std::ranges::stable_sort(content.song, {}, &SceneStrike::seconds);

@@ -67,7 +67,7 @@ ordered_json describe(const SceneTally& tally, const Recording& recording) {
     const auto frameCount = static_cast<double>(tally.frames.size());
     report["bodies_most"] = mostOf(tally, &FrameFigures::bodies);
     report["impacts"] = sumOf(tally, &FrameFigures::impacts);
-    report["impacts_left_out"] = tally.blowsLeftOut;
+    report["impacts_left_out"] = tally.impactsLeftOut;
     report["notes_left_out"] = tally.notesLeftOut;
     report["audio_frames_per_second"] = frameCount / tally.soundSeconds;
     report["motion_frames_per_second"] = frameCount / tally.motionSeconds;
@@ -84,19 +84,19 @@ ordered_json describe(const SceneTally& tally, const Recording& recording) {
 
 /// Returns the impacts in the format of docs/impulses.md.
 std::string impulseLines(const SceneAssets& assets,
-                         const std::vector<SceneBlow>& blows,
+                         const std::vector<SceneImpact>& impacts,
                          const std::filesystem::path& list) {
     std::vector<std::string> objects;
     for (const auto& role : assets.roles())
         objects.push_back(objectInList(role.object, list));
     std::string lines;
-    for (const auto& blow : blows)
-        lines += impulseLine(
-            objects[blow.role], assets.slotOf(blow.role).sizeRatio,
-            {.seconds = blow.seconds,
-             .slot = blow.slot,
-             .strike = blow.strike,
-             .pointMetres = {blow.pointMetres.x(), blow.pointMetres.y(), blow.pointMetres.z()}});
+    for (const auto& impact : impacts)
+        lines += impulseLine(objects[impact.role], assets.slotOf(impact.role).sizeRatio,
+                             {.seconds = impact.seconds,
+                              .slot = impact.slot,
+                              .strike = impact.strike,
+                              .pointMetres = {impact.pointMetres.x(), impact.pointMetres.y(),
+                                              impact.pointMetres.z()}});
     return lines;
 }
 
@@ -115,8 +115,8 @@ Result<void> report(const SceneTally& tally, const Recording& recording, const O
     if (tally.notesLeftOut > 0)
         std::cerr << "warning: " << options.midi.string() << ": " << tally.notesLeftOut
                   << " of its notes hit nothing" << std::endl;
-    if (tally.blowsLeftOut > 0)
-        std::cerr << "warning: " << tally.blowsLeftOut
+    if (tally.impactsLeftOut > 0)
+        std::cerr << "warning: " << tally.impactsLeftOut
                   << " impacts were left out, because their figures are not finite" << std::endl;
     return {};
 }
@@ -182,7 +182,7 @@ Result<void> perform(const Options& options) {
         return tl::unexpected(tally.error());
     if (!options.impulses.empty())
         if (auto done = writeTextFile(options.impulses,
-                                      impulseLines(**assets, tally->blows, options.impulses));
+                                      impulseLines(**assets, tally->impacts, options.impulses));
             !done)
             return done;
     if (options.midi.empty() && waitsForNotes((*assets)->scene()))

@@ -40,11 +40,11 @@ public:
         motion.advanceTo(sound.nextCellEndSeconds());
         const auto moved = std::chrono::steady_clock::now();
         sound.beginCell();
-        while (const auto blow = motion.takeBlow(sound.cellEndSeconds())) {
-            if (sound.strike(*blow))
-                tally.blows.push_back(*blow);
+        while (const auto impact = motion.takeImpact(sound.cellEndSeconds())) {
+            if (sound.strike(*impact))
+                tally.impacts.push_back(*impact);
             else
-                ++tally.blowsLeftOut;
+                ++tally.impactsLeftOut;
         }
         sound.touch(motion.touches());
         sound.finishCell(motion.places(), cell);

@@ -24,10 +24,10 @@ struct FrameFigures {
 
 struct SceneTally {
     std::vector<FrameFigures> frames;
-    std::vector<SceneBlow> blows;  ///< struck impacts, in order of time
-    std::int64_t notesLeftOut = 0; ///< notes without a target
-    std::int64_t blowsLeftOut = 0; ///< impacts whose figures are not finite
-    double soundSeconds = 0;       ///< measured, like motionSeconds
+    std::vector<SceneImpact> impacts; ///< struck impacts, in order of time
+    std::int64_t notesLeftOut = 0;    ///< notes without a target
+    std::int64_t impactsLeftOut = 0;  ///< impacts whose figures are not finite
+    double soundSeconds = 0;          ///< measured, like motionSeconds
     double motionSeconds = 0;
 };
 

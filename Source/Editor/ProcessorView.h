@@ -27,10 +27,10 @@ public:
     struct Status {
         std::string sentence; ///< the loaded sound, or the last error
         bool isError = false;
-        std::int64_t modesMixed = 0; ///< in the last rendered cell
-        double delaySeconds = 0;     ///< on a stage: from a key to its sound; otherwise 0
-        std::int64_t lateBlows = 0;  ///< on a stage: impacts known too late to sound in time
-        float peak = 0;              ///< output peak since the last call; full scale is 1
+        std::int64_t modesMixed = 0;  ///< in the last rendered cell
+        double delaySeconds = 0;      ///< on a stage: from a key to its sound; otherwise 0
+        std::int64_t lateImpacts = 0; ///< on a stage: impacts known too late to sound in time
+        float peak = 0;               ///< output peak since the last call; full scale is 1
     };
 
     struct KeyRange {

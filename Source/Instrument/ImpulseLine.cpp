@@ -22,13 +22,13 @@ std::string objectInList(const std::string& nameOrFile, const std::filesystem::p
     return name;
 }
 
-std::string impulseLine(const std::string& object, double sizeRatio, const PlacedBlow& blow) {
-    nlohmann::ordered_json line{{"time", blow.seconds},
+std::string impulseLine(const std::string& object, double sizeRatio, const PlacedImpact& impact) {
+    nlohmann::ordered_json line{{"time", impact.seconds},
                                 {"object", object},
-                                {"body", blow.slot},
-                                {"point", blow.pointMetres},
-                                {"impulse", blow.strike.impulseNewtonSeconds},
-                                {"contact_time", blow.strike.durationSeconds}};
+                                {"body", impact.slot},
+                                {"point", impact.pointMetres},
+                                {"impulse", impact.strike.impulseNewtonSeconds},
+                                {"contact_time", impact.strike.durationSeconds}};
     if (sizeRatio != 1)
         line["size"] = sizeRatio;
     // A path that is not UTF-8 cannot be written in a list; keep the rest of the line.

@@ -1,7 +1,7 @@
 // Writes a strike as a line of a list of impulses (docs/impulses.md).
 #pragma once
 
-#include "Instrument/PlacedBlow.h"
+#include "Instrument/PlacedImpact.h"
 
 #include <filesystem>
 #include <string>
@@ -15,6 +15,6 @@ std::string objectInList(const std::string& nameOrFile, const std::filesystem::p
 
 /// Returns the line with its line break. `object` comes from `objectInList` and is struck at
 /// `sizeRatio`. The slot identifies the body. Any thread; allocates.
-std::string impulseLine(const std::string& object, double sizeRatio, const PlacedBlow& blow);
+std::string impulseLine(const std::string& object, double sizeRatio, const PlacedImpact& impact);
 
 } // namespace idiophone

@@ -123,10 +123,10 @@ void PhrasePrediction::beginObject() noexcept {
     if (held)
         beginForce(parameters, settings);
     else
-        beginBlows(parameters);
+        beginStrikes(parameters);
 }
 
-void PhrasePrediction::beginBlows(const ParameterValues& values) noexcept {
+void PhrasePrediction::beginStrikes(const ParameterValues& values) noexcept {
     for (std::size_t note = firstNote; note < endNote; ++note) {
         const auto& noteKey = phrase->notes[note].key;
         const auto place = aimedPlace(noteKey.along, values);

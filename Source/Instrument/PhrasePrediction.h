@@ -2,7 +2,6 @@
 // LoudnessMatch.h uses it.
 #pragma once
 
-#include "Instrument/BlowSpectrum.h"
 #include "Instrument/HeldContacts.h"
 #include "Instrument/HeldForceSpectrum.h"
 #include "Instrument/Instrument.h"
@@ -10,6 +9,7 @@
 #include "Instrument/NearModes.h"
 #include "Instrument/PhraseMeter.h"
 #include "Instrument/StiffMotion.h"
+#include "Instrument/StrikeSpectrum.h"
 #include "Parameters/ParameterTable.h"
 #include "Synth/AccelerationNoise.h"
 #include "Synth/LiveConditions.h"
@@ -74,7 +74,7 @@ private:
     static constexpr std::size_t levels = velocities.size();
 
     void beginObject() noexcept;
-    void beginBlows(const ParameterValues& parameters) noexcept;
+    void beginStrikes(const ParameterValues& parameters) noexcept;
     RigidClick clickOf(const Strike& strike) const noexcept;
     void addClick(const RingingMode<levels>& mode, double weighting) noexcept;
     void beginForce(const ParameterValues& parameters, const SynthesisSettings& settings) noexcept;

@@ -122,7 +122,7 @@ void Player::process(const StereoSpan& output,
         if (cellPosition == cellSamples)
             beginCell(placeAt(position));
         else if (!performance && (!striking.empty() || !late.empty() || !surfaceStrikes.empty()))
-            prepareBlows();
+            prepareStrikes();
         strikeWaiting();
         for (const auto& event : striking)
             strikeFor(event);
@@ -208,7 +208,7 @@ void Player::beginCell(std::optional<double> beats) {
 
 /// Within a cell: gives the new notes' slots their pitch and lifts their dampers before they
 /// strike.
-void Player::prepareBlows() {
+void Player::prepareStrikes() {
     slotTuning.applyToPlayed(bend, synth);
     updateDampers();
 }
@@ -278,8 +278,8 @@ void Player::resetStage() noexcept {
         performance->stop();
 }
 
-std::span<const PlacedBlow> Player::takeBlows() noexcept {
-    return performance ? performance->takeBlows() : std::span<const PlacedBlow>();
+std::span<const PlacedImpact> Player::takeImpacts() noexcept {
+    return performance ? performance->takeImpacts() : std::span<const PlacedImpact>();
 }
 
 std::uint32_t Player::performanceNumber() const noexcept {
@@ -290,8 +290,8 @@ std::span<const BodyPose> Player::bodyPoses() const noexcept {
     return performance ? performance->poses() : std::span<const BodyPose>();
 }
 
-std::int64_t Player::lateBlows() const noexcept {
-    return performance ? performance->lateBlows() : 0;
+std::int64_t Player::lateImpacts() const noexcept {
+    return performance ? performance->lateImpacts() : 0;
 }
 
 void Player::prepare(const ParameterValues& parameters, int awaitedWheel) {

@@ -126,13 +126,13 @@ public:
     void resetStage() noexcept;
     /// Returns the impacts of the stage's bodies since the last call; valid until the next
     /// `process`.
-    std::span<const PlacedBlow> takeBlows() noexcept;
+    std::span<const PlacedImpact> takeImpacts() noexcept;
     std::uint32_t performanceNumber() const noexcept; ///< StagePerformance::number, or 0
     /// Returns where the bodies of the slots are; empty without a stage.
     std::span<const BodyPose> bodyPoses() const noexcept;
     /// Returns the number of impacts of a stage's bodies that became known too late to act at their
     /// time.
-    std::int64_t lateBlows() const noexcept;
+    std::int64_t lateImpacts() const noexcept;
 
     /// Sets the host's tempo from the next cell on; 0 if it gives none.
     void setTempo(double beatsPerMinute) { tempo = beatsPerMinute; }
@@ -188,7 +188,7 @@ private:
     void schedule(std::size_t slot, double sample, const Strike& strike);
     void strikePendingBefore(double sampleInCell);
     void beginCell(std::optional<double> beats);
-    void prepareBlows();
+    void prepareStrikes();
     SynthesisSettings settingsNow() const;
     void soundCell(const CellOutput& mixed, std::span<const CellOutput> cellsOfSlots);
     void forgetSilenced();

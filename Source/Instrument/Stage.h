@@ -2,7 +2,7 @@
 // objects. The module Scene implements it for players.
 #pragma once
 
-#include "Instrument/PlacedBlow.h"
+#include "Instrument/PlacedImpact.h"
 #include "Synth/CellOutput.h"
 #include "Synth/Synthesiser.h"
 
@@ -63,10 +63,10 @@ public:
 
     /// Returns whether nothing moves, and no sound is on its way to the listener.
     virtual bool silent() const noexcept = 0;
-    virtual std::int64_t lateBlows() const noexcept = 0;
+    virtual std::int64_t lateImpacts() const noexcept = 0;
     /// Returns the impacts since the last call, in seconds since the first cell. The next `sound`
     /// forgets them.
-    virtual std::span<const PlacedBlow> takeBlows() noexcept = 0;
+    virtual std::span<const PlacedImpact> takeImpacts() noexcept = 0;
     /// Returns a number unique in the process, which changes with every `stop` and `reset`. Times
     /// of impacts are comparable only under the same number.
     virtual std::uint32_t number() const noexcept = 0;

@@ -1,7 +1,7 @@
 #include "Instrument/StartingLevel.h"
 
 #include "Instrument/ContactLaw.h"
-#include "Instrument/LoudestBlow.h"
+#include "Instrument/LoudestStrike.h"
 #include "Instrument/LoudnessPhrase.h"
 #include "Instrument/PhrasePrediction.h"
 #include "Object/Mallet.h"
@@ -14,7 +14,7 @@
 namespace idiophone {
 namespace {
 
-constexpr double hardestBlowDecibels = -3;
+constexpr double hardestStrikeDecibels = -3;
 
 double lufsOf(const Phrase& phrase, const ParameterValues& values) {
     return predictedLoudness(phrase, values)[PhrasePrediction::middleVelocity];
@@ -70,8 +70,8 @@ double highestLevel(const std::shared_ptr<const Instrument>& instrument,
                     const Surface& surface,
                     double sampleRateHz,
                     const ParameterValues& values) {
-    const double peak = loudestBlowPeak(instrument, surface, sampleRateHz, values);
-    return hardestBlowDecibels - 20 * std::log10(peak);
+    const double peak = loudestStrikePeak(instrument, surface, sampleRateHz, values);
+    return hardestStrikeDecibels - 20 * std::log10(peak);
 }
 
 double startingLevel(const std::shared_ptr<const Instrument>& instrument,

@@ -18,8 +18,8 @@ constexpr double noteSeconds = 0.05;
 constexpr int firstObjectNote = 36;
 constexpr double usualVelocityCurve = 1.5; // default of the parameter
 
-double newtonSecondsOf(const PlacedBlow& blow) {
-    const auto& impulse = blow.strike.impulseNewtonSeconds;
+double newtonSecondsOf(const PlacedImpact& impact) {
+    const auto& impulse = impact.strike.impulseNewtonSeconds;
     return std::hypot(double(impulse[0]), double(impulse[1]), double(impulse[2]));
 }
 
@@ -48,21 +48,21 @@ std::vector<int> notesOf(const Instrument& instrument) {
 } // namespace
 
 void StageCapture::take(Player& player) noexcept {
-    for (const auto& blow : player.takeBlows())
+    for (const auto& impact : player.takeImpacts())
         messages.push({.instrument = player.instrument().serialNumber(),
                        .performance = player.performanceNumber(),
-                       .blow = blow});
+                       .impact = impact});
 }
 
 /// Returns the impacts by time, counted from the first. Impacts of one cell arrive in the order of
 /// their simulations.
-std::vector<PlacedBlow> StageCapture::inOrder() const {
-    auto blows = kept;
-    std::ranges::stable_sort(blows, {}, &PlacedBlow::seconds);
-    if (!blows.empty())
-        for (const double first = blows.front().seconds; auto& blow : blows)
-            blow.seconds -= first;
-    return blows;
+std::vector<PlacedImpact> StageCapture::inOrder() const {
+    auto impacts = kept;
+    std::ranges::stable_sort(impacts, {}, &PlacedImpact::seconds);
+    if (!impacts.empty())
+        for (const double first = impacts.front().seconds; auto& impact : impacts)
+            impact.seconds -= first;
+    return impacts;
 }
 
 void StageCapture::follow(const std::shared_ptr<const Instrument>& instrument) {
@@ -75,8 +75,8 @@ void StageCapture::follow(const std::shared_ptr<const Instrument>& instrument) {
             return;
         if (std::exchange(performance, message.performance) != message.performance)
             clear();
-        if (kept.size() < mostBlows)
-            kept.push_back(message.blow);
+        if (kept.size() < maximumImpacts)
+            kept.push_back(message.impact);
     });
 }
 
@@ -86,23 +86,23 @@ Result<void> StageCapture::writeMidi(const std::filesystem::path& file,
         return failure("nothing has been struck yet");
     const auto notes = notesOf(*played);
     double hardest = 0;
-    for (const auto& blow : kept)
-        hardest = std::max(hardest, newtonSecondsOf(blow));
+    for (const auto& impact : kept)
+        hardest = std::max(hardest, newtonSecondsOf(impact));
     juce::MidiMessageSequence track;
     track.addEvent(juce::MidiMessage::tempoMetaEvent(juce::roundToInt(6e7 / beatsPerMinute)));
     const auto ticks = [&](double seconds) {
         return std::round(seconds * beatsPerMinute / 60 * ticksPerBeat);
     };
-    for (const auto& blow : inOrder()) {
-        const int note = notes[blow.slot];
+    for (const auto& impact : inOrder()) {
+        const int note = notes[impact.slot];
         if (note < 0)
             continue;
-        const double share = hardest > 0 ? newtonSecondsOf(blow) / hardest : 1;
+        const double share = hardest > 0 ? newtonSecondsOf(impact) / hardest : 1;
         const int velocity =
             juce::jlimit(1, 127, juce::roundToInt(127 * std::pow(share, 1 / usualVelocityCurve)));
         track.addEvent(juce::MidiMessage::noteOn(1, note, static_cast<juce::uint8>(velocity)),
-                       ticks(blow.seconds));
-        track.addEvent(juce::MidiMessage::noteOff(1, note), ticks(blow.seconds + noteSeconds));
+                       ticks(impact.seconds));
+        track.addEvent(juce::MidiMessage::noteOff(1, note), ticks(impact.seconds + noteSeconds));
     }
     track.updateMatchedPairs();
     juce::MidiFile midi;
@@ -121,8 +121,8 @@ Result<void> StageCapture::writeImpulses(const std::filesystem::path& file) cons
     for (std::size_t slot = 0; slot < played->slots().size(); ++slot)
         objects.push_back(objectInList(played->stage()->objectOf(slot), file));
     std::string lines;
-    for (const auto& blow : inOrder())
-        lines += impulseLine(objects[blow.slot], played->slots()[blow.slot].sizeRatio, blow);
+    for (const auto& impact : inOrder())
+        lines += impulseLine(objects[impact.slot], played->slots()[impact.slot].sizeRatio, impact);
     return writeWhole(fileOf(file), std::as_bytes(std::span(lines)));
 }
 

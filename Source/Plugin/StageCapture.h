@@ -16,7 +16,7 @@ namespace idiophone {
 class StageCapture {
 public:
     /// Further impacts are not recorded.
-    static constexpr std::size_t mostBlows = 200'000;
+    static constexpr std::size_t maximumImpacts = 200'000;
 
     /// [audio thread] Queues the impacts of a player's bodies. Neither allocates, locks nor throws.
     /// Impacts not read in time are lost.
@@ -35,18 +35,18 @@ public:
     Result<void> writeImpulses(const std::filesystem::path& file) const;
 
 private:
-    std::vector<PlacedBlow> inOrder() const;
+    std::vector<PlacedImpact> inOrder() const;
 
     struct Message {
         std::uint64_t instrument = 0; ///< its serial number
         std::uint32_t performance = 0;
-        PlacedBlow blow;
+        PlacedImpact impact;
     };
 
     OneWayQueue<Message, 1024> messages;
     std::shared_ptr<const Instrument> played;
     std::uint32_t performance = 0; ///< performance number of `kept`
-    std::vector<PlacedBlow> kept;
+    std::vector<PlacedImpact> kept;
 };
 
 } // namespace idiophone

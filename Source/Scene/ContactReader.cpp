@@ -11,7 +11,7 @@ namespace {
 
 /// Slower approaches belong to a lasting contact: 5 mm/s is a fall of 1.3 µm. So does the speed
 /// that two steps of gravity add.
-constexpr double slowestBlowMetresPerSecond = 0.005;
+constexpr double slowestStrikeMetresPerSecond = 0.005;
 constexpr double stepsOfRest = 2;
 /// An impact passed on through bodies in contact changes their speed by at least this many steps of
 /// gravity. The weight of resting bodies changes it by less.
@@ -53,11 +53,11 @@ struct ContactReader::Pressing {
 
 ContactReader::ContactReader(double step, double gravityMetresPerSecond2)
     : stepSeconds(step), restingSpeed(gravityMetresPerSecond2 * step),
-      slowestBlow(std::max(slowestBlowMetresPerSecond, stepsOfRest * restingSpeed)) {}
+      slowestStrike(std::max(slowestStrikeMetresPerSecond, stepsOfRest * restingSpeed)) {}
 
 void ContactReader::begin(double seconds) {
     startSeconds = seconds;
-    blows.clear();
+    collected.clear();
     lasting.clear();
 }
 
@@ -75,7 +75,7 @@ void ContactReader::read(const btPersistentManifold& manifold, std::span<const B
         if (contact.getDistance() > 0 || !(contact.getAppliedImpulse() > 0))
             continue;
         const auto point = pointOf(contact, bodies, firstNumber, secondNumber);
-        if (point.approach > slowestBlow || point.speedChange() > stepsOfGravity * restingSpeed)
+        if (point.approach > slowestStrike || point.speedChange() > stepsOfGravity * restingSpeed)
             addImpact(point);
         else
             pressing.add(point);
@@ -140,7 +140,7 @@ void ContactReader::addTouch(const Pressing& pressing,
 
 void ContactReader::addImpact(const Point& point) {
     const auto &first = *point.first->model, &second = *point.second->model;
-    const double speed = point.approach > slowestBlow ? point.approach : point.speedChange();
+    const double speed = point.approach > slowestStrike ? point.approach : point.speedChange();
     // Since they met, the bodies have approached by the depth.
     const double sinceSeconds =
         point.approach > 0 ? std::min(point.depthMetres / point.approach, stepSeconds) : 0;
@@ -152,15 +152,15 @@ void ContactReader::addImpact(const Point& point) {
                       point.first->worldFromMesh.linear().transpose() * point.impulse,
                   .contactSeconds = contactSeconds(first, second, point.effectiveMassKg, speed),
                   .speedMetresPerSecond = speed};
-    blows.push_back(impact);
+    collected.push_back(impact);
     std::swap(impact.body, impact.other);
     impact.pointMetres = point.second->worldFromMesh.inverse() * point.place;
     impact.impulseNewtonSeconds = point.second->worldFromMesh.linear().transpose() * -point.impulse;
-    blows.push_back(impact);
+    collected.push_back(impact);
 }
 
 void ContactReader::finish() {
-    std::ranges::stable_sort(blows, {}, [](const Impact& impact) {
+    std::ranges::stable_sort(collected, {}, [](const Impact& impact) {
         return std::tuple(impact.seconds, impact.body, impact.other);
     });
     std::ranges::stable_sort(lasting, {}, &Touch::bodies);

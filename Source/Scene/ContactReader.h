@@ -36,7 +36,7 @@ public:
     void read(const btPersistentManifold& manifold, std::span<const BodyInStep> bodies);
     void finish(); ///< sorts the results
 
-    std::span<const Impact> impacts() const { return blows; }
+    std::span<const Impact> impacts() const { return collected; }
     std::span<const Touch> touches() const { return lasting; }
 
 private:
@@ -54,10 +54,10 @@ private:
                   std::size_t secondNumber);
 
     double stepSeconds;
-    double restingSpeed; ///< speed that gravity adds in a step
-    double slowestBlow;  ///< m/s
+    double restingSpeed;  ///< speed that gravity adds in a step
+    double slowestStrike; ///< m/s
     double startSeconds = 0;
-    std::vector<Impact> blows;
+    std::vector<Impact> collected;
     std::vector<Touch> lasting;
 };
 

@@ -22,7 +22,7 @@ SceneShow::SceneShow(const SceneStage& playedStage, double sampleRateHz, std::ui
       ears(stage.assets()->scene().listener, nullptr, stage.slots().size(), sampleRateHz),
       places(stage.places()), bodyPoses(stage.firstPoses().begin(), stage.firstPoses().end()),
       ownNumber(nextNumber()) {
-    recentBlows.reserve(blowCapacity);
+    recentImpacts.reserve(impactCapacity);
 }
 
 void SceneShow::cue(int midiNote, int velocity, std::int64_t cell, double sampleInCell) noexcept {
@@ -47,8 +47,8 @@ void SceneShow::cue(int midiNote, int velocity, std::int64_t cell, double sample
 void SceneShow::sound(std::int64_t cell,
                       Synthesiser& synthesiser,
                       std::span<const CellOutput> cellsOfSlots) noexcept {
-    if (std::exchange(areBlowsTaken, false))
-        recentBlows.clear();
+    if (std::exchange(areImpactsTaken, false))
+        recentImpacts.clear();
     takeBlocks();
     const BegunCell begun{synthesiser, cellsOfSlots, cell};
     if (!paused)
@@ -102,7 +102,7 @@ void SceneShow::drop(Simulation& simulation) noexcept {
     worker.giveBack(simulation.blocks[simulation.first]);
     simulation.first = (simulation.first + 1) % blockCapacity;
     --simulation.count;
-    simulation.blowsDone = 0;
+    simulation.impactsDone = 0;
 }
 
 void SceneShow::takeBlocks() noexcept {
@@ -140,14 +140,14 @@ void SceneShow::play(Simulation& simulation, const BegunCell& cell) noexcept {
     const double endSeconds = startSeconds + cellSamples / rate;
     while (simulation.count > 0) {
         auto& block = simulation.front();
-        for (; simulation.blowsDone < block.blows.size(); ++simulation.blowsDone) {
-            const auto& blow = block.blows[simulation.blowsDone];
-            if (blow.seconds >= endSeconds)
+        for (; simulation.impactsDone < block.impacts.size(); ++simulation.impactsDone) {
+            const auto& impact = block.impacts[simulation.impactsDone];
+            if (impact.seconds >= endSeconds)
                 break;
-            const double sample = (blow.seconds - startSeconds) * rate;
+            const double sample = (impact.seconds - startSeconds) * rate;
             if (sample < -0.5)
                 ++lateCount;
-            strike(blow, sample, cell);
+            strike(impact, sample, cell);
         }
         for (const auto& touched : block.touches)
             if (touched.cell == now - 1)
@@ -166,23 +166,24 @@ void SceneShow::play(Simulation& simulation, const BegunCell& cell) noexcept {
     }
 }
 
-std::span<const PlacedBlow> SceneShow::takeBlows() noexcept {
-    if (std::exchange(areBlowsTaken, true))
+std::span<const PlacedImpact> SceneShow::takeImpacts() noexcept {
+    if (std::exchange(areImpactsTaken, true))
         return {};
-    return recentBlows;
+    return recentImpacts;
 }
 
-void SceneShow::strike(const SceneBlow& blow, double sample, const BegunCell& cell) noexcept {
-    if (blow.slot >= cell.cellsOfSlots.size() ||
-        !crowded.strike(blow.slot, blow.strike, sample, cell))
+void SceneShow::strike(const SceneImpact& impact, double sample, const BegunCell& cell) noexcept {
+    if (impact.slot >= cell.cellsOfSlots.size() ||
+        !crowded.strike(impact.slot, impact.strike, sample, cell))
         return;
-    if (recentBlows.size() < blowCapacity)
-        recentBlows.push_back(
+    if (recentImpacts.size() < impactCapacity)
+        recentImpacts.push_back(
             {.seconds =
                  (static_cast<double>(cell.index * cellSamples) + std::max(sample, 0.0)) / rate,
-             .slot = blow.slot,
-             .strike = blow.strike,
-             .pointMetres = {blow.pointMetres.x(), blow.pointMetres.y(), blow.pointMetres.z()}});
+             .slot = impact.slot,
+             .strike = impact.strike,
+             .pointMetres = {impact.pointMetres.x(), impact.pointMetres.y(),
+                             impact.pointMetres.z()}});
 }
 
 /// Presses the pair's voice, or a free one.
@@ -215,7 +216,7 @@ void SceneShow::stop() noexcept {
     }
     std::ranges::copy(stage.firstPoses(), bodyPoses.begin());
     crowded.clear();
-    recentBlows.clear();
+    recentImpacts.clear();
     ownNumber = nextNumber();
 }
 

@@ -33,14 +33,14 @@ public:
     void stop() noexcept override;
     void reset() noexcept override;
     bool silent() const noexcept override;
-    std::int64_t lateBlows() const noexcept override { return lateCount; }
-    std::span<const PlacedBlow> takeBlows() noexcept override;
+    std::int64_t lateImpacts() const noexcept override { return lateCount; }
+    std::span<const PlacedImpact> takeImpacts() noexcept override;
     std::uint32_t number() const noexcept override { return ownNumber; }
     std::span<const BodyPose> poses() const noexcept override { return bodyPoses; }
 
 private:
-    static constexpr std::size_t blockCapacity = 128; // more than the worker runs ahead
-    static constexpr std::size_t blowCapacity = 1024; // between two calls of takeBlows
+    static constexpr std::size_t blockCapacity = 128;   // more than the worker runs ahead
+    static constexpr std::size_t impactCapacity = 1024; // between two calls of takeImpacts
     static constexpr std::size_t crowdedCapacity = 1024;
 
     /// A note's simulation while it sounds: a ring of the blocks received so far.
@@ -50,7 +50,7 @@ private:
         double startSample = 0; ///< within that cell
         std::array<SimulationBlock*, blockCapacity> blocks{};
         std::size_t first = 0, count = 0;
-        std::size_t blowsDone = 0; ///< of the first block
+        std::size_t impactsDone = 0; ///< of the first block
         std::int64_t knownCells = 0;
         bool isAllKnown = false;
         bool isPlaced = false;
@@ -65,7 +65,7 @@ private:
     void playSimulations(const BegunCell& cell) noexcept;
     void releaseOthers(Synthesiser& synthesiser, std::span<const CellOutput> cellsOfSlots) noexcept;
     void play(Simulation& simulation, const BegunCell& cell) noexcept;
-    void strike(const SceneBlow& blow, double sample, const BegunCell& cell) noexcept;
+    void strike(const SceneImpact& impact, double sample, const BegunCell& cell) noexcept;
     void press(const TouchState& state, const BegunCell& cell) noexcept;
     void place(Simulation& simulation, std::int64_t cellsLeft) noexcept;
 
@@ -84,8 +84,8 @@ private:
     std::vector<Eigen::Vector3d> places;  ///< by slot
     std::vector<BodyPose> bodyPoses;      ///< by slot
     CellStrikes crowded{crowdedCapacity}; ///< impacts on slots with no free contact
-    std::vector<PlacedBlow> recentBlows;
-    bool areBlowsTaken = false;
+    std::vector<PlacedImpact> recentImpacts;
+    bool areImpactsTaken = false;
     std::uint32_t ownNumber;
     std::int64_t lateCount = 0;
     bool paused = false;

@@ -317,27 +317,28 @@ void SceneSimulation::tell(const Impact& impact) {
         return;
     const auto& role = assets->roles()[roleOfBody[impact.body]];
     const Eigen::Vector3d own = impact.pointMetres / role.kind.model->sizeRatio;
-    SceneBlow blow{.seconds = impact.seconds - leadSeconds,
-                   .slot = slotOfBody[impact.body],
-                   .role = roleOfBody[impact.body],
-                   .strike = {.point = role.surface->nearest({own.x(), own.y(), own.z()}),
-                              .durationSeconds = impact.contactSeconds},
-                   .pointMetres = own};
-    blow.strike.point.heardFrom =
-        heardFrom(blow.slot, rigid.motion(impact.body).pose, rigid.centre(impact.body));
+    SceneImpact sceneImpact{.seconds = impact.seconds - leadSeconds,
+                            .slot = slotOfBody[impact.body],
+                            .role = roleOfBody[impact.body],
+                            .strike = {.point = role.surface->nearest({own.x(), own.y(), own.z()}),
+                                       .durationSeconds = impact.contactSeconds},
+                            .pointMetres = own};
+    sceneImpact.strike.point.heardFrom =
+        heardFrom(sceneImpact.slot, rigid.motion(impact.body).pose, rigid.centre(impact.body));
     for (int axis = 0; axis < 3; ++axis)
-        blow.strike.impulseNewtonSeconds[static_cast<std::size_t>(axis)] =
+        sceneImpact.strike.impulseNewtonSeconds[static_cast<std::size_t>(axis)] =
             static_cast<float>(impact.impulseNewtonSeconds(axis));
-    const auto after = std::ranges::upper_bound(blows, blow.seconds, {}, &SceneBlow::seconds);
-    blows.insert(after, blow);
+    const auto after =
+        std::ranges::upper_bound(impacts, sceneImpact.seconds, {}, &SceneImpact::seconds);
+    impacts.insert(after, sceneImpact);
 }
 
-std::optional<SceneBlow> SceneSimulation::takeBlow(double beforeSeconds) {
-    if (blows.empty() || !(blows.front().seconds < beforeSeconds))
+std::optional<SceneImpact> SceneSimulation::takeImpact(double beforeSeconds) {
+    if (impacts.empty() || !(impacts.front().seconds < beforeSeconds))
         return std::nullopt;
-    const auto blow = blows.front();
-    blows.pop_front();
-    return blow;
+    const auto sceneImpact = impacts.front();
+    impacts.pop_front();
+    return sceneImpact;
 }
 
 bool SceneSimulation::finished() const {

@@ -28,7 +28,7 @@ struct SceneNote {
 inline constexpr std::size_t noSlot = ~std::size_t{0};
 
 /// An impact on one slot, ready for the synthesiser.
-struct SceneBlow {
+struct SceneImpact {
     double seconds = 0;
     std::size_t slot = 0;
     std::size_t role = 0; ///< of the struck body
@@ -71,7 +71,7 @@ public:
     /// Steps until everything before `seconds` is known.
     void advanceTo(double seconds);
     /// Removes and returns the next impact before a time, in order of time.
-    std::optional<SceneBlow> takeBlow(double beforeSeconds);
+    std::optional<SceneImpact> takeImpact(double beforeSeconds);
     /// Returns the contacts at the last step.
     std::span<const TouchState, TouchTracker::voiceCount> touches() const { return heardTouches; }
 
@@ -143,7 +143,7 @@ private:
     };
     std::vector<Present> present;
     std::vector<std::size_t> slotOfBody, roleOfBody; ///< index: body
-    std::deque<SceneBlow> blows;                     ///< in order of time
+    std::deque<SceneImpact> impacts;                 ///< in order of time
     std::vector<Eigen::Vector3d> slotPlaces;
     std::vector<std::optional<Eigen::Isometry3d>> slotPoses;
     TouchTracker tracker;

@@ -18,11 +18,11 @@ void SceneSound::beginCell() noexcept {
     synth.beginCell(cells);
 }
 
-bool SceneSound::strike(const SceneBlow& blow) noexcept {
-    if (blow.slot >= cells.size())
+bool SceneSound::strike(const SceneImpact& impact) noexcept {
+    if (impact.slot >= cells.size())
         return false;
-    const double sample = (blow.seconds - startSeconds) * synth.sampleRateHz();
-    return crowded.strike(blow.slot, blow.strike, sample, begunCell());
+    const double sample = (impact.seconds - startSeconds) * synth.sampleRateHz();
+    return crowded.strike(impact.slot, impact.strike, sample, begunCell());
 }
 
 void SceneSound::touch(std::span<const TouchState, TouchTracker::voiceCount> states) noexcept {

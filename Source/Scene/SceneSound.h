@@ -31,7 +31,7 @@ public:
     void beginCell() noexcept;
     /// Adds an impact in the cell, or at once if it is earlier. Returns false if it is not valid
     /// for its slot.
-    bool strike(const SceneBlow& blow) noexcept;
+    bool strike(const SceneImpact& impact) noexcept;
     /// Sets the contacts until the cell's end.
     void touch(std::span<const TouchState, TouchTracker::voiceCount> states) noexcept;
     /// Renders the cell at the listener's ears. `places` are the slots' places in metres at its

@@ -120,7 +120,7 @@ Result<void> SceneStage::setUp() {
                           std::max(scene.gravityMetresPerSecond2, 1e-3));
         return {};
     }
-    return firstBlowSeconds().map([&](double seconds) { delay = seconds; });
+    return firstImpactSeconds().map([&](double seconds) { delay = seconds; });
 }
 
 double SceneStage::lengthSeconds() const {
@@ -128,13 +128,13 @@ double SceneStage::lengthSeconds() const {
     return scene.noteDrop ? delay + scene.noteDrop->lifeSeconds : scene.seconds;
 }
 
-Result<double> SceneStage::firstBlowSeconds() const {
+Result<double> SceneStage::firstImpactSeconds() const {
     SceneSimulation rehearsal(played, rehearsalCall(0));
     const double longest = std::min(longestRehearsalSeconds, played->scene().seconds);
     for (double seconds = 0; seconds < longest && !rehearsal.isCutShort(); seconds += 0.01) {
         rehearsal.advanceTo(seconds);
-        if (const auto blow = rehearsal.takeBlow(seconds))
-            return blow->seconds;
+        if (const auto impact = rehearsal.takeImpact(seconds))
+            return impact->seconds;
         if (rehearsal.isCrowded())
             return tl::unexpected(crowdedFault(played->scene()));
     }

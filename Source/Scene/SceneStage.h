@@ -71,7 +71,7 @@ private:
     SceneCall rehearsalCall(int midiNote) const;
     /// Rehearses a note at middle velocity. Returns 0 if nothing is struck soon or within the work
     /// limit.
-    Result<double> firstBlowSeconds() const;
+    Result<double> firstImpactSeconds() const;
 
     std::shared_ptr<const SceneAssets> played;
     double delay = 0;

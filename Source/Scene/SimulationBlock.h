@@ -41,9 +41,9 @@ struct SimulationBlock {
     std::uint32_t number = 0; ///< number of the cue
     std::int64_t firstCell = 0;
     bool isLast = false;
-    std::vector<SceneBlow> blows; ///< impacts before the block's end, in order of time
-    std::vector<Touched> touches; ///< contacts, cell by cell
-    std::vector<Placed> places;   ///< moving bodies at the block's end
+    std::vector<SceneImpact> impacts; ///< impacts before the block's end, in order of time
+    std::vector<Touched> touches;     ///< contacts, cell by cell
+    std::vector<Placed> places;       ///< moving bodies at the block's end
 
     std::int64_t endCell() const { return firstCell + cells; }
 
@@ -53,7 +53,7 @@ struct SimulationBlock {
         number = ofCue;
         firstCell = fromCell;
         isLast = false;
-        blows.clear();
+        impacts.clear();
         touches.clear();
         places.clear();
     }

@@ -142,9 +142,9 @@ void SimulationThread::fill(SimulationBlock& block,
     for (std::int64_t cell = block.firstCell; cell < block.endCell(); ++cell) {
         const double end = static_cast<double>(cell + 1) * cellSeconds;
         run.advanceTo(end);
-        while (auto blow = run.takeBlow(end)) {
-            blow->slot = ofStage(blow->slot);
-            block.blows.push_back(*blow);
+        while (auto impact = run.takeImpact(end)) {
+            impact->slot = ofStage(impact->slot);
+            block.impacts.push_back(*impact);
         }
         for (const auto& state : run.touches()) {
             if (!(state.forceNewtons > faintNewtons))

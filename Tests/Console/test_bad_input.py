@@ -427,7 +427,7 @@ class WrittenFiles(ConsoleTest):
         self.succeed("strike", BAR, "--seconds", 0.5, "-o", sound)
         self.refuse_to_write_over(sound, "surface", sound)
         self.refuse_to_write_over(sound, "fit", f"{sound}@0,0,0", "--mesh", mesh)
-        impulses = self.write("blows.jsonl", "{}")
+        impulses = self.write("impacts.jsonl", "{}")
         self.refuse_to_write_over(impulses, "render", "--impulses", impulses)
 
     def test_other_outputs_are_not_overwritten(self):

@@ -60,7 +60,7 @@ void examine(std::string_view bytes) {
         for (const auto each : {cube, body, ball})
             claim(world.centre(each).allFinite(), "bodies are somewhere");
         for (const auto& impact : world.impacts())
-            claim(impact.impulseNewtonSeconds.allFinite(), "blows have an impulse");
+            claim(impact.impulseNewtonSeconds.allFinite(), "impacts have an impulse");
     }
 }
 

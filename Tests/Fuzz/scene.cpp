@@ -49,10 +49,11 @@ void claimMotion(Scene scene) {
     double before = -1;
     for (const double seconds : {0.001, 0.01, 0.1}) {
         run.advanceTo(seconds);
-        while (const auto blow = run.takeBlow(seconds)) {
-            claim(blow->slot < run.slots().size(), "what has a slot is struck");
-            claim(blow->seconds >= before && blow->seconds < seconds, "blows are in order of time");
-            before = blow->seconds;
+        while (const auto impact = run.takeImpact(seconds)) {
+            claim(impact->slot < run.slots().size(), "what has a slot is struck");
+            claim(impact->seconds >= before && impact->seconds < seconds,
+                  "impacts are in order of time");
+            before = impact->seconds;
         }
     }
 }

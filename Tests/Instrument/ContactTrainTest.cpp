@@ -1,6 +1,6 @@
 #include "Instrument/ContactTrain.h"
 
-#include "Instrument/BlowSpectrum.h"
+#include "Instrument/StrikeSpectrum.h"
 
 #include <algorithm>
 #include <catch2/catch_approx.hpp>

@@ -111,9 +111,9 @@ TEST_CASE("A head rebounds from a rigid wall after its own contact time, with it
     for (const double restitution : {0.0, 0.4, 1.0}) {
         auto striker = head(0.03, 1e-3);
         striker.restitution = restitution;
-        const auto blow = DrivingPoint().struckBy(striker, 2);
-        CHECK(blow.contactSeconds == Approx(contactSeconds(striker.law, 0.03, 2)));
-        CHECK(blow.impulseNewtonSeconds == Approx((1 + restitution) * 0.03 * 2));
+        const auto impact = DrivingPoint().struckBy(striker, 2);
+        CHECK(impact.contactSeconds == Approx(contactSeconds(striker.law, 0.03, 2)));
+        CHECK(impact.impulseNewtonSeconds == Approx((1 + restitution) * 0.03 * 2));
     }
 }
 
@@ -122,9 +122,9 @@ TEST_CASE("On a free mass the contact time and the impulse are those of the redu
     for (const double mass : {0.003, 0.03, 3.0}) {
         const DrivingPoint free(object(mass, {}, {}), onVertex, {});
         const double reduced = 1 / (1 / 0.03 + 1 / mass);
-        const auto blow = free.struckBy(striker, 2);
-        CHECK(blow.contactSeconds == Approx(contactSeconds(striker.law, reduced, 2)));
-        CHECK(blow.impulseNewtonSeconds == Approx(2 * reduced * 2));
+        const auto impact = free.struckBy(striker, 2);
+        CHECK(impact.contactSeconds == Approx(contactSeconds(striker.law, reduced, 2)));
+        CHECK(impact.impulseNewtonSeconds == Approx(2 * reduced * 2));
     }
 }
 
@@ -140,18 +140,18 @@ TEST_CASE("A free body struck off its centre yields by its rotation too") {
 
 TEST_CASE("A mode far slower than the contact acts as a free mass, a far faster one is rigid") {
     const auto striker = head(0.03, 1e-3);
-    const auto blowOn = [&](double hz) {
+    const auto impactOn = [&](double hz) {
         return DrivingPoint(object(0, {hz}, {20}), onVertex, {}).struckBy(striker, 1);
     };
-    CHECK(blowOn(1).contactSeconds ==
+    CHECK(impactOn(1).contactSeconds ==
           Approx(contactSeconds(striker.law, 1 / (1 / 0.03 + 20), 1)).epsilon(1e-3));
-    CHECK(blowOn(1).impulseNewtonSeconds == Approx(2 / (1 / 0.03 + 20)).epsilon(1e-3));
-    CHECK(blowOn(1e5).contactSeconds == Approx(1e-3).epsilon(1e-3));
-    CHECK(blowOn(1e5).impulseNewtonSeconds == Approx(0.06).epsilon(1e-3));
+    CHECK(impactOn(1).impulseNewtonSeconds == Approx(2 / (1 / 0.03 + 20)).epsilon(1e-3));
+    CHECK(impactOn(1e5).contactSeconds == Approx(1e-3).epsilon(1e-3));
+    CHECK(impactOn(1e5).impulseNewtonSeconds == Approx(0.06).epsilon(1e-3));
     // Between them there is no step.
-    double last = blowOn(1).impulseNewtonSeconds;
+    double last = impactOn(1).impulseNewtonSeconds;
     for (double hz = 1; hz < 1e5; hz *= 1.005) {
-        const double impulse = blowOn(hz).impulseNewtonSeconds;
+        const double impulse = impactOn(hz).impulseNewtonSeconds;
         CHECK(impulse == Approx(last).epsilon(0.01));
         CHECK(impulse >= last * (1 - 1e-3));
         last = impulse;
@@ -162,9 +162,9 @@ TEST_CASE(
     "A hard strike on a constant resistance leaves the striker's momentum there, within 1 dB") {
     const double mass = 0.03, resistance = 200;
     const DrivingPoint driven(plate(1, resistance), onVertex, {});
-    const auto blow = driven.struckBy(head(mass, 1e-4), 1);
-    CHECK(blow.impulseNewtonSeconds == Approx(mass).epsilon(0.1));
-    CHECK(blow.contactSeconds == Approx(3 * mass / resistance).epsilon(0.15));
+    const auto impact = driven.struckBy(head(mass, 1e-4), 1);
+    CHECK(impact.impulseNewtonSeconds == Approx(mass).epsilon(0.1));
+    CHECK(impact.contactSeconds == Approx(3 * mass / resistance).epsilon(0.15));
 }
 
 TEST_CASE("Heavier heads stay longer, and heavier heads and objects increase the momentum") {
@@ -195,13 +195,13 @@ TEST_CASE("Contact time and impulse agree with the equation of motion on bars an
         for (const double seconds : {2e-3, 1e-3, 3.6e-4})
             for (const double speed : {0.3, 3.0}) {
                 const auto striker = head(0.025, seconds);
-                const auto blow = DrivingPoint(struck, onVertex, {}).struckBy(striker, speed);
+                const auto impact = DrivingPoint(struck, onVertex, {}).struckBy(striker, speed);
                 const auto exact = solved(struck, striker, speed);
                 INFO(name << ", " << 1e3 * seconds << " ms, " << speed << " m/s: "
-                          << 1e3 * blow.contactSeconds << " ms for " << 1e3 * exact.seconds << ", "
-                          << blow.impulseNewtonSeconds << " Ns for " << exact.impulse);
-                CHECK(std::abs(std::log2(blow.contactSeconds / exact.seconds)) < 0.4);
-                CHECK(std::abs(20 * std::log10(blow.impulseNewtonSeconds / exact.impulse)) < 1);
+                          << 1e3 * impact.contactSeconds << " ms for " << 1e3 * exact.seconds
+                          << ", " << impact.impulseNewtonSeconds << " Ns for " << exact.impulse);
+                CHECK(std::abs(std::log2(impact.contactSeconds / exact.seconds)) < 0.4);
+                CHECK(std::abs(20 * std::log10(impact.impulseNewtonSeconds / exact.impulse)) < 1);
             }
 }
 

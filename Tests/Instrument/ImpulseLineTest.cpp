@@ -9,12 +9,12 @@ using namespace idiophone;
 namespace fs = std::filesystem;
 
 TEST_CASE("A strike is one line of JSON with its time, object, place and impulse") {
-    const PlacedBlow blow{
+    const PlacedImpact impact{
         .seconds = 1.25,
         .slot = 3,
         .strike = {.point = {}, .impulseNewtonSeconds = {0, 0.5f, -2}, .durationSeconds = 0.002},
         .pointMetres = {0.1, 0.2, -0.3}};
-    const auto text = impulseLine("coin.modal", 1, blow);
+    const auto text = impulseLine("coin.modal", 1, impact);
     CHECK(text.find('\n') == text.size() - 1);
     const auto line = nlohmann::json::parse(text);
     CHECK(line["time"] == 1.25);
@@ -25,7 +25,7 @@ TEST_CASE("A strike is one line of JSON with its time, object, place and impulse
     CHECK(line["contact_time"] == 0.002);
     CHECK_FALSE(line.contains("size"));
 
-    CHECK(nlohmann::json::parse(impulseLine("coin.modal", 2, blow))["size"] == 2);
+    CHECK(nlohmann::json::parse(impulseLine("coin.modal", 2, impact))["size"] == 2);
 }
 
 TEST_CASE("A list names files by paths from its folder, and files elsewhere by whole paths") {

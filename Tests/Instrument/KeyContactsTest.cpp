@@ -1,11 +1,11 @@
 // Tests how evenly mallets drive a keyboard, by the spectrum of the force at each fundamental.
-#include "Instrument/BlowSpectrum.h"
 #include "Instrument/ContactTrain.h"
 #include "Instrument/FactoryContent.h"
 #include "Instrument/HeldContacts.h"
 #include "Instrument/Instrument.h"
 #include "Instrument/MalletStrike.h"
 #include "Instrument/SettingsOfParameters.h"
+#include "Instrument/StrikeSpectrum.h"
 #include "Object/Mallet.h"
 
 #include <algorithm>
@@ -41,11 +41,11 @@ contactsOf(const Instrument& instrument, const ParameterValues& parameters, int 
         const auto& slot = instrument.slots()[static_cast<std::size_t>(key.slot)];
         const auto place = aimedPlace(key.along, parameters);
         const auto point = instrument.strip(key).between(place.along, place.across).point;
-        ContactTrain blow;
-        blow.add({.delaySeconds = 0,
-                  .strike = malletStrike(point, velocity, key.mallet, parameters, slot)});
+        ContactTrain impact;
+        impact.add({.delaySeconds = 0,
+                    .strike = malletStrike(point, velocity, key.mallet, parameters, slot)});
         contacts.push_back(
-            {withFilledNulls(blow), slot.object->dampedFrequencyHz(0) / slot.sizeRatio});
+            {withFilledNulls(impact), slot.object->dampedFrequencyHz(0) / slot.sizeRatio});
     }
     return contacts;
 }

@@ -236,8 +236,9 @@ TEST_CASE("A strike with modal pulses is four strikes of one period each, with t
     const auto& key = instrument->key(84);
     const auto& slot = instrument->slots()[static_cast<std::size_t>(key.slot)];
     const auto place = strikePlace(key.along, parameters, 0);
-    const auto blow = malletStrike(instrument->strip(key).between(place.along, place.across).point,
-                                   90, key.mallet, parameters, slot);
+    const auto impact =
+        malletStrike(instrument->strip(key).between(place.along, place.across).point, 90,
+                     key.mallet, parameters, slot);
     Synthesiser synthesiser({slot}, sampleRateHz);
     const auto settings = synthesisSettings(parameters);
     const auto modes =
@@ -249,7 +250,7 @@ TEST_CASE("A strike with modal pulses is four strikes of one period each, with t
         synthesiser.beginCell(cell);
         if (at == 0)
             for (std::size_t mode = 0; mode < 4; ++mode) {
-                Strike pulse = blow;
+                Strike pulse = impact;
                 for (float& component : pulse.impulseNewtonSeconds)
                     component /= 4;
                 pulse.durationSeconds = 1 / modes.frequenciesHz[mode];

@@ -39,14 +39,14 @@ TEST_CASE("Without radiation both channels are the sound at the struck point") {
     const auto strike =
         malletStrike(instrument->strip(key).between(key.along, 0).point, 100, key.mallet,
                      parameters, instrument->slots()[static_cast<std::size_t>(key.slot)]);
-    ContactTrain blow;
-    blow.add({.delaySeconds = 0, .strike = strike});
+    ContactTrain impact;
+    impact.add({.delaySeconds = 0, .strike = strike});
     std::vector<float> expected(2048);
     for (std::size_t at = 0; at < expected.size(); at += cellSamples) {
         alignas(64) std::array<float, cellSamples> cell{};
         mono.beginCell(cell);
         if (at == 0)
-            for (const auto& part : withFilledNulls(blow))
+            for (const auto& part : withFilledNulls(impact))
                 REQUIRE(mono.strike(0, part.strike, part.delaySeconds * sampleRateHz, cell));
         std::ranges::copy(cell, expected.begin() + static_cast<std::ptrdiff_t>(at));
     }

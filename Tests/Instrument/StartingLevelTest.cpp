@@ -5,7 +5,7 @@
 #include "Instrument/LoudnessPhrase.h"
 
 #include "Instrument/HandStrengths.h"
-#include "Instrument/LoudestBlow.h"
+#include "Instrument/LoudestStrike.h"
 #include "Instrument/LoudnessMatch.h"
 #include "Instrument/SpreadNotes.h"
 #include "Support/WithParameter.h"
@@ -57,11 +57,11 @@ TEST_CASE("Eight keys represent all, from the lowest to the highest") {
 }
 
 TEST_CASE("The loudest strike has the same peak if sheet and mallet are a quarter as heavy") {
-    const double own = loudestBlowPeak(sheet(1), {}, sampleRateHz, still());
+    const double own = loudestStrikePeak(sheet(1), {}, sampleRateHz, still());
     CHECK(own > 0);
-    CHECK(loudestBlowPeak(sheet(2), {}, sampleRateHz, stillOn(2)) == Approx(own).epsilon(1e-4));
-    CHECK(loudestBlowPeak(sheet(2), {}, sampleRateHz, still()) > 3 * own);
-    CHECK(loudestBlowPeak(sheet(0), {}, sampleRateHz, still()) == 0);
+    CHECK(loudestStrikePeak(sheet(2), {}, sampleRateHz, stillOn(2)) == Approx(own).epsilon(1e-4));
+    CHECK(loudestStrikePeak(sheet(2), {}, sampleRateHz, still()) > 3 * own);
+    CHECK(loudestStrikePeak(sheet(0), {}, sampleRateHz, still()) == 0);
 }
 
 TEST_CASE("A starting level makes sheets equally loud, and is at most the highest level") {

@@ -36,9 +36,9 @@ constexpr double mostOfStep = 0.002, mostOfStepInRoom = 0.02;
 constexpr double mostOfKink = 0.006;
 
 enum class Heard {
-    asPole,  ///< changes the frequency and decay of what rings
-    asLevel, ///< changes the level of what rings
-    ofBlows, ///< changes later strikes only
+    asPole,    ///< changes the frequency and decay of what rings
+    asLevel,   ///< changes the level of what rings
+    ofImpacts, ///< changes later strikes only
 };
 
 struct Jump {
@@ -208,7 +208,7 @@ double shareOfSteps(const Cells& moved, const Cells& still) {
     return largestHigh / largest;
 }
 
-constexpr auto asPole = Heard::asPole, asLevel = Heard::asLevel, ofBlows = Heard::ofBlows;
+constexpr auto asPole = Heard::asPole, asLevel = Heard::asLevel, ofImpacts = Heard::ofImpacts;
 
 const std::vector<Jump> jumpsWhileRinging{
     {youngsModulus, 10, 12, asPole},
@@ -231,21 +231,21 @@ const std::vector<Jump> jumpsWhileRinging{
     {roomDecay, 0.4, 10, asLevel, {{room, 100}}},
     {motorDepth, 0, 100, asLevel, {{motorSpeed, 1}}},
     {motorSpeed, 1, 12, asLevel, {{motorDepth, 100}}},
-    {strikeAlong, -90, 90, ofBlows},
-    {strikeAcross, -90, 90, ofBlows},
-    {strikeSpread, 0, 100, ofBlows},
-    {malletHardness, 1000, 10, ofBlows},
-    {malletMass, 20, 100, ofBlows},
-    {malletSpeed, 3, 1, ofBlows},
-    {velocityCurve, 1, 4, ofBlows},
-    {malletRadius, 10, 50, ofBlows},
-    {malletExponent, 1.5, 2.5, ofBlows},
-    {malletFollow, 0, 100, ofBlows},
-    {chatter, 0, 100, ofBlows},
-    {radiation, 0, 100, ofBlows},
-    {mallet, customMallet, firstRackMallet, ofBlows},
-    {modalPulse, 0, 1, ofBlows},
-    {contact, strikeContact, scrapeContact, ofBlows},
+    {strikeAlong, -90, 90, ofImpacts},
+    {strikeAcross, -90, 90, ofImpacts},
+    {strikeSpread, 0, 100, ofImpacts},
+    {malletHardness, 1000, 10, ofImpacts},
+    {malletMass, 20, 100, ofImpacts},
+    {malletSpeed, 3, 1, ofImpacts},
+    {velocityCurve, 1, 4, ofImpacts},
+    {malletRadius, 10, 50, ofImpacts},
+    {malletExponent, 1.5, 2.5, ofImpacts},
+    {malletFollow, 0, 100, ofImpacts},
+    {chatter, 0, 100, ofImpacts},
+    {radiation, 0, 100, ofImpacts},
+    {mallet, customMallet, firstRackMallet, ofImpacts},
+    {modalPulse, 0, 1, ofImpacts},
+    {contact, strikeContact, scrapeContact, ofImpacts},
 };
 
 const std::vector<juce::MidiMessage> wheelUp{juce::MidiMessage::pitchWheel(1, 16383)};
@@ -316,7 +316,7 @@ std::vector<double> pressedDb(const Jump& jump) {
 
 TEST_CASE("A parameter that the host moves while keys ring changes the sound gradually") {
     for (const auto& jump : jumpsWhileRinging) {
-        if (jump.heard == ofBlows)
+        if (jump.heard == ofImpacts)
             continue;
         const auto moved = ringing(jump, true), still = ringing(jump, false);
         const auto found = distances(jump, moved, still);
@@ -347,11 +347,11 @@ TEST_CASE("A switch that the host moves while keys ring leaves no step") {
 
 TEST_CASE("A strike parameter that the host moves leaves what rings unchanged") {
     for (const auto& jump : jumpsWhileRinging) {
-        if (jump.heard != ofBlows)
+        if (jump.heard != ofImpacts)
             continue;
         INFO(parameterInfo(jump.parameter).name);
         CHECK(ringing(jump, true) == ringing(jump, false));
-        const auto nextBlow = [&](bool moves) {
+        const auto nextImpact = [&](bool moves) {
             AutomatedHost host(ringingState(false), jump);
             if (moves)
                 host.moveTo(jump.to);
@@ -360,7 +360,7 @@ TEST_CASE("A strike parameter that the host moves leaves what rings unchanged") 
                 sound.append(host.cell());
             return sound;
         };
-        CHECK(nextBlow(true) != nextBlow(false));
+        CHECK(nextImpact(true) != nextImpact(false));
     }
 }
 

@@ -57,7 +57,7 @@ public:
 
 private:
     struct Performance final : StagePerformance {
-        explicit Performance(const PlacedBlow& blow) : struck(blow) {}
+        explicit Performance(const PlacedImpact& impact) : struck(impact) {}
         void cue(int, int, std::int64_t, double) noexcept override {}
         void countCuesFrom(std::uint32_t) noexcept override {}
         void sound(std::int64_t, Synthesiser&, std::span<const CellOutput>) noexcept override {}
@@ -68,14 +68,14 @@ private:
         void stop() noexcept override {}
         void reset() noexcept override {}
         bool silent() const noexcept override { return true; }
-        std::int64_t lateBlows() const noexcept override { return 0; }
-        std::span<const PlacedBlow> takeBlows() noexcept override { return {&struck, 1}; }
+        std::int64_t lateImpacts() const noexcept override { return 0; }
+        std::span<const PlacedImpact> takeImpacts() noexcept override { return {&struck, 1}; }
         std::uint32_t number() const noexcept override { return 1; }
         std::span<const BodyPose> poses() const noexcept override { return {}; }
-        PlacedBlow struck;
+        PlacedImpact struck;
     };
 
-    PlacedBlow struck;
+    PlacedImpact struck;
     std::string object = "plate";
 };
 

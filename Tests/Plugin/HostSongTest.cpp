@@ -153,16 +153,16 @@ TEST_CASE("Without a song position or while stopped, the strike counter runs on"
 
 TEST_CASE("A pass that starts while something rings strikes at the same points as the first") {
     constexpr int length = 9600; // a whole number of cells and of blocks
-    juce::MidiBuffer blow;
-    blow.addEvent(juce::MidiMessage::noteOn(1, 64, juce::uint8{90}), 10);
+    juce::MidiBuffer impact;
+    impact.addEvent(juce::MidiMessage::noteOn(1, 64, juce::uint8{90}), 10);
     /// Returns how far the second strike's share of the sound is from the first strike's sound.
     const auto farthest = [&](double second) {
         PlayedSong struck, ringing;
         for (auto* each : {&struck, &ringing})
             each->processor.changeParameter(ParameterId::motorDepth, 0);
-        const auto first = struck.passFrom(16, blow, length);
-        REQUIRE((ringing.passFrom(16, blow, length) == first));
-        const auto both = struck.passFrom(second, blow, length);
+        const auto first = struck.passFrom(16, impact, length);
+        REQUIRE((ringing.passFrom(16, impact, length) == first));
+        const auto both = struck.passFrom(second, impact, length);
         const auto ring = ringing.passFrom(second, {}, length);
         float most = 0;
         for (std::size_t i = 0; i < first.left.size(); ++i)
@@ -177,12 +177,12 @@ TEST_CASE("The motor's phase depends on the song position only, not on where pla
     const auto noteAtNine = [](double from) {
         PlayedSong played;
         const int before = static_cast<int>((9 - from) * samplesPerBeat);
-        juce::MidiBuffer blow;
+        juce::MidiBuffer impact;
         played.passFrom(from, {}, before);
         // The strike counter depends on where playback started.
         played.processor.changeParameter(ParameterId::strikeSpread, 0);
-        blow.addEvent(juce::MidiMessage::noteOn(1, 64, juce::uint8{90}), 64);
-        return played.pass(blow, 24000);
+        impact.addEvent(juce::MidiMessage::noteOn(1, 64, juce::uint8{90}), 64);
+        return played.pass(impact, 24000);
     };
     const auto expected = noteAtNine(8);
     const auto later = noteAtNine(8.6); // 150 cells earlier

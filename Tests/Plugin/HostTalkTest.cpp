@@ -218,7 +218,7 @@ TEST_CASE("Clicks during a pause of the host are not heard afterwards") {
         Processor processor;
         processor.prepareToPlay(rateHz, blockSize);
         render(processor, blockSize, blockSize, {});
-        for (int blow = 0; blow < 20; ++blow) {
+        for (int impact = 0; impact < 20; ++impact) {
             processor.playNote(72, 100);
             processor.strikeObject(0, {}, 100);
             processor.scrapeObject(0, {}, 1);

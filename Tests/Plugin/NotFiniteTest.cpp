@@ -41,8 +41,8 @@ private:
         void stop() noexcept override {}
         void reset() noexcept override { sample = 0; }
         bool silent() const noexcept override { return sample == 0; }
-        std::int64_t lateBlows() const noexcept override { return 0; }
-        std::span<const PlacedBlow> takeBlows() noexcept override { return {}; }
+        std::int64_t lateImpacts() const noexcept override { return 0; }
+        std::span<const PlacedImpact> takeImpacts() noexcept override { return {}; }
         std::uint32_t number() const noexcept override { return 1; }
         std::span<const BodyPose> poses() const noexcept override { return {&pose, 1}; }
         float sample = 0;

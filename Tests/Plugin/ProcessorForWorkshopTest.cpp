@@ -29,7 +29,7 @@ void open(Processor& processor, const std::filesystem::path& file) {
     REQUIRE(processor.importStatus().stage == ImportStage::done);
 }
 
-float blow(Processor& processor, int note, int velocity = 100) {
+float impact(Processor& processor, int note, int velocity = 100) {
     processor.reset();
     juce::MidiBuffer midi;
     midi.addEvent(juce::MidiMessage::noteOn(1, note, static_cast<juce::uint8>(velocity)), 10);
@@ -64,7 +64,7 @@ TEST_CASE("A dropped mesh plays at the pitches of the keys, from the preview on"
             const double hz = 440 * std::exp2((note - 69) / 12.0);
             CHECK(std::abs(lowestHz(now->slots()[slotOf(*now, note)]) / hz - 1) < 0.01);
         }
-        CHECK(blow(processor, 60) > 0.003f);
+        CHECK(impact(processor, 60) > 0.003f);
     });
     CHECK(played >= 1);
     CHECK(processor.importStatus().stage == ImportStage::done);
@@ -121,7 +121,7 @@ TEST_CASE("Dropped objects of any size and kind are audible and do not clip") {
             processor.setKeyLayout(layout);
             float loudestKey = 0;
             for (int note = 36; note <= 96; note += 6)
-                loudestKey = std::max(loudestKey, blow(processor, note, 127));
+                loudestKey = std::max(loudestKey, impact(processor, note, 127));
             INFO(name << ", layout " << static_cast<int>(layout) << ", level "
                       << processor.parameterValue(ParameterId::level) << " dB");
             CHECK(loudestKey < 1);
@@ -307,7 +307,7 @@ TEST_CASE("Keys strike along a path drawn by hand") {
     CHECK(strikePath() == path);
     processor.setStrikePath(0, {{9, 9, 9}});
     CHECK(strikePath().size() == 1);
-    CHECK(blow(processor, 60) > 0.001f);
+    CHECK(impact(processor, 60) > 0.001f);
     processor.setStrikePath(0, std::vector<std::array<double, 3>>(5000, {0.01, 0.01, 0}));
     CHECK(strikePath().size() == 1000);
 }

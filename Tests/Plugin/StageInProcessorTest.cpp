@@ -44,7 +44,7 @@ HostSound bounce(const std::string& state, int blockSize) {
     restoreBytes(processor, state);
     processor.prepareToPlay(rate, blockSize);
     const auto sound = render(processor, rate, blockSize, chord());
-    CHECK(processor.takeStatus().lateBlows == 0);
+    CHECK(processor.takeStatus().lateImpacts == 0);
     return sound;
 }
 
@@ -115,8 +115,8 @@ TEST_CASE("In real time a scene sounds as in a bounce if its worker is not late"
         processor.setNonRealtime(true); // waits for late blocks, which are then counted
         render(processor, 480, 480, {});
         milliseconds *= 2;
-    } while (processor.takeStatus().lateBlows > 0 && milliseconds < 60'000);
-    CHECK(processor.takeStatus().lateBlows == 0);
+    } while (processor.takeStatus().lateImpacts > 0 && milliseconds < 60'000);
+    CHECK(processor.takeStatus().lateImpacts == 0);
     CHECK(sound == expected);
 }
 

@@ -35,7 +35,7 @@ TEST_CASE("Every factory scene loads, and a body is struck in its first second")
         REQUIRE(assets);
         SceneSimulation motion(*assets, {.notes = {{0.2, 72, 100}}});
         motion.advanceTo(1);
-        CHECK(motion.takeBlow(1));
+        CHECK(motion.takeImpact(1));
         CHECK(motion.figures().bodies > (scene.hand ? 0 : 1));
     }
 }

@@ -28,16 +28,16 @@ std::shared_ptr<const SceneAssets> factoryAssets(const char* name) {
     return assetsOf(*scene);
 }
 
-std::vector<SceneBlow> blowsUntil(SceneSimulation& motion, double seconds) {
+std::vector<SceneImpact> impactsUntil(SceneSimulation& motion, double seconds) {
     motion.advanceTo(seconds);
-    std::vector<SceneBlow> blows;
-    while (const auto blow = motion.takeBlow(seconds))
-        blows.push_back(*blow);
-    return blows;
+    std::vector<SceneImpact> impacts;
+    while (const auto impact = motion.takeImpact(seconds))
+        impacts.push_back(*impact);
+    return impacts;
 }
 
-double impulse(const SceneBlow& blow) {
-    const auto& i = blow.strike.impulseNewtonSeconds;
+double impulse(const SceneImpact& impact) {
+    const auto& i = impact.strike.impulseNewtonSeconds;
     return std::hypot(i[0], i[1], i[2]);
 }
 
@@ -56,15 +56,15 @@ TEST_CASE("Every note's die hits its bar within 2 ms of the score") {
     SceneSimulation motion(assets, {.notes = notes});
     motion.advanceTo(5.5);
     CHECK_FALSE(motion.finished());
-    const auto blows = blowsUntil(motion, 6.5);
+    const auto impacts = impactsUntil(motion, 6.5);
     CHECK(motion.figures().notesLeftOut == 0);
 
     for (const auto& note : notes) {
         double nearest = 1;
-        for (const auto& blow : blows) {
-            const auto& struck = *assets->roles()[blow.role].kind.model->object;
+        for (const auto& impact : impacts) {
+            const auto& struck = *assets->roles()[impact.role].kind.model->object;
             if (struck.name == "xylophone-" + std::to_string(note.note))
-                nearest = std::min(nearest, std::abs(blow.seconds - note.seconds));
+                nearest = std::min(nearest, std::abs(impact.seconds - note.seconds));
         }
         INFO(note.note << " at " << note.seconds);
         CHECK(nearest < 0.002);
@@ -92,8 +92,8 @@ TEST_CASE("A rotating body is heard from the side that faces the listener") {
         ++sides[point.heardFrom];
     };
     for (double seconds = 0; seconds < 3; seconds += 0.001) {
-        for (const auto& blow : blowsUntil(motion, seconds))
-            check(blow.slot, blow.strike.point);
+        for (const auto& impact : impactsUntil(motion, seconds))
+            check(impact.slot, impact.strike.point);
         for (const auto& touch : motion.touches())
             for (std::size_t end = 0; end < 2; ++end)
                 if (touch.forceNewtons > 0 && touch.slots[end] != noSlot)
@@ -107,11 +107,11 @@ TEST_CASE("A higher velocity makes a die hit its bar harder") {
     double before = 0;
     for (const int velocity : {1, 32, 64, 96, 127}) {
         SceneSimulation motion(assets, {.notes = {{0.5, 72, velocity}}});
-        const auto blows = blowsUntil(motion, 0.51);
-        REQUIRE_FALSE(blows.empty());
+        const auto impacts = impactsUntil(motion, 0.51);
+        REQUIRE_FALSE(impacts.empty());
         INFO(velocity);
-        CHECK(impulse(blows.front()) > before);
-        before = impulse(blows.front());
+        CHECK(impulse(impacts.front()) > before);
+        before = impulse(impacts.front());
     }
 }
 
@@ -150,13 +150,13 @@ TEST_CASE("Dice of a long song reuse the slots of removed dice") {
 TEST_CASE("Impacts are in order of time, whatever the intervals of the queries") {
     const auto assets = factoryAssets("Shells in a room");
     SceneSimulation whole(assets), bits(assets);
-    const auto expected = blowsUntil(whole, 2);
-    std::vector<SceneBlow> found;
+    const auto expected = impactsUntil(whole, 2);
+    std::vector<SceneImpact> found;
     for (double until = 0.00133; until < 2; until += 0.00133)
-        for (const auto& blow : blowsUntil(bits, until))
-            found.push_back(blow);
-    for (const auto& blow : blowsUntil(bits, 2))
-        found.push_back(blow);
+        for (const auto& impact : impactsUntil(bits, until))
+            found.push_back(impact);
+    for (const auto& impact : impactsUntil(bits, 2))
+        found.push_back(impact);
     REQUIRE(found.size() == expected.size());
     CHECK(found.size() > 100);
     double before = 0;
@@ -174,7 +174,7 @@ TEST_CASE("Another seed gives another performance") {
     SceneSimulation one(assetsOf(scene));
     scene.seed += 1;
     SceneSimulation other(assetsOf(scene));
-    const auto first = blowsUntil(one, 1), second = blowsUntil(other, 1);
+    const auto first = impactsUntil(one, 1), second = impactsUntil(other, 1);
     REQUIRE_FALSE(first.empty());
     REQUIRE_FALSE(second.empty());
     CHECK(first.front().seconds != second.front().seconds);
@@ -184,9 +184,9 @@ TEST_CASE("Thrown bodies move again") {
     const auto assets = factoryAssets("Shells in a room");
     const double kick = assets->scene().kicks.front().seconds;
     SceneSimulation motion(assets);
-    blowsUntil(motion, kick - 0.5);
-    CHECK(blowsUntil(motion, kick).size() < 30);
-    CHECK(blowsUntil(motion, kick + 1).size() > 100);
+    impactsUntil(motion, kick - 0.5);
+    CHECK(impactsUntil(motion, kick).size() < 30);
+    CHECK(impactsUntil(motion, kick + 1).size() > 100);
 }
 
 TEST_CASE("A missing object or preset of a scene is named in the error") {
@@ -215,11 +215,11 @@ TEST_CASE("A hand taps with (1 + e) times its tool's momentum and rubs at its ow
     scene.hand->path = {{.seconds = 1, .pointMetres = {0, -0.067, 0.006}, .newtons = 3},
                         {.seconds = 2, .pointMetres = {0.03, -0.06, 0.006}, .newtons = 3}};
     SceneSimulation motion(assetsOf(scene));
-    const auto blows = blowsUntil(motion, 1.5);
-    REQUIRE(blows.size() == 2);
-    CHECK(blows[0].seconds == 0);
-    CHECK(std::abs(blows[1].seconds - 0.25) < 1e-9);
-    const auto& impulse = blows[1].strike.impulseNewtonSeconds;
+    const auto impacts = impactsUntil(motion, 1.5);
+    REQUIRE(impacts.size() == 2);
+    CHECK(impacts[0].seconds == 0);
+    CHECK(std::abs(impacts[1].seconds - 0.25) < 1e-9);
+    const auto& impulse = impacts[1].strike.impulseNewtonSeconds;
     CHECK(std::abs(std::hypot(impulse[0], impulse[1], impulse[2]) - 1.5 * tool * 2) < 1e-5);
     CHECK(impulse[1] > 0); // into the wall that faces -y
     const auto touching = std::ranges::find_if(
@@ -260,13 +260,13 @@ TEST_CASE("A simulation stops at its work limit or when another thread stops it"
     little.advanceTo(1);
     CHECK(little.isCutShort());
     CHECK(little.finished());
-    CHECK_FALSE(little.takeBlow(1));
+    CHECK_FALSE(little.takeImpact(1));
 
     std::atomic<bool> isStopped = false;
     SceneSimulation stopped(assets, {.isStopped = &isStopped});
-    CHECK_FALSE(blowsUntil(stopped, 0.5).empty());
+    CHECK_FALSE(impactsUntil(stopped, 0.5).empty());
     CHECK_FALSE(stopped.finished());
     isStopped = true;
-    CHECK(blowsUntil(stopped, 5).empty());
+    CHECK(impactsUntil(stopped, 5).empty());
     CHECK(stopped.finished());
 }

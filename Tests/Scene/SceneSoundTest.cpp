@@ -18,7 +18,7 @@ constexpr double rateHz = 48000;
 /// A scene's sound at the left ear, and the count of refused impacts.
 struct Performance {
     std::vector<float> samples;
-    std::vector<float> withoutBlows; ///< with sliding and rolling only
+    std::vector<float> withoutImpacts; ///< with sliding and rolling only
     int leftOut = 0;
     double touched = 0; ///< maximum contact force in newtons
 };
@@ -40,10 +40,10 @@ Performance perform(const Scene& scene, double seconds) {
         motion.advanceTo(sound.nextCellEndSeconds());
         sound.beginCell();
         touchesAlone.beginCell();
-        while (const auto blow = motion.takeBlow(sound.cellEndSeconds()))
-            result.leftOut += sound.strike(*blow) ? 0 : 1;
+        while (const auto impact = motion.takeImpact(sound.cellEndSeconds()))
+            result.leftOut += sound.strike(*impact) ? 0 : 1;
         finish(sound, result.samples);
-        finish(touchesAlone, result.withoutBlows);
+        finish(touchesAlone, result.withoutImpacts);
         for (const auto& state : motion.touches())
             result.touched = std::max(result.touched, state.forceNewtons);
     }
@@ -96,7 +96,7 @@ TEST_CASE("A scene sounds from the sample of its first impact, the same each tim
         SceneAssets::make(*findFactoryScene("Pebble in a wok"), ObjectLibrary::shared()).value();
     SceneSimulation motion(assets);
     motion.advanceTo(1);
-    const auto first = motion.takeBlow(1);
+    const auto first = motion.takeImpact(1);
     REQUIRE(first);
 
     const auto once = perform("Pebble in a wok", 1);
@@ -115,8 +115,8 @@ TEST_CASE("Any number of simultaneous impacts on one body sounds") {
         SceneAssets::make(*findFactoryScene("Pebble in a wok"), ObjectLibrary::shared()).value();
     SceneSimulation motion(assets);
     motion.advanceTo(1);
-    auto blow = motion.takeBlow(1).value();
-    blow.seconds = 0;
+    auto impact = motion.takeImpact(1).value();
+    impact.seconds = 0;
     const auto playedAtOnce = [&](int count) {
         SceneSound sound(*assets, motion.slots(), rateHz);
         alignas(64) std::array<float, cellSamples> left, right;
@@ -125,7 +125,7 @@ TEST_CASE("Any number of simultaneous impacts on one body sounds") {
         for (int k = 0; k < 400; ++k) {
             sound.beginCell();
             for (int struck = 0; k == 0 && struck < count; ++struck)
-                CHECK(sound.strike(blow));
+                CHECK(sound.strike(impact));
             sound.finishCell(motion.places(), cell);
             samples.insert(samples.end(), left.begin(), left.end());
         }
@@ -146,7 +146,7 @@ TEST_CASE("A ball that rolls over ribs is 34 to 46 dB quieter than its bumps") {
         REQUIRE(isFinite(played.samples));
         touched = std::max(touched, played.touched);
         wholePower += std::pow(rms(played.samples, 1, 3), 2);
-        rolledPower += std::pow(rms(played.withoutBlows, 1, 3), 2);
+        rolledPower += std::pow(rms(played.withoutImpacts, 1, 3), 2);
     }
     CHECK(touched > 0.05); // of its weight of 1.1 N
     const double rolledDb = 10 * std::log10(rolledPower / wholePower);

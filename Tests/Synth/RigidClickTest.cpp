@@ -22,7 +22,7 @@ constexpr float impulse = 0.05f;
 
 using Stereo = std::array<std::vector<float>, 2>;
 
-struct Blow {
+struct Impact {
     std::int64_t cell = 0;
     double sample = 0;
     float impulseNewtonSeconds = impulse;
@@ -32,7 +32,7 @@ struct Blow {
 
 Stereo rendered(const ModalObject& object,
                 const SynthesisSettings& settings,
-                const std::vector<Blow>& blows,
+                const std::vector<Impact>& impacts,
                 double slotSize = 1) {
     Synthesiser synthesiser({{std::make_shared<const ModalObject>(object), slotSize}}, rateHz, 2);
     synthesiser.setSettings(settings);
@@ -41,14 +41,14 @@ Stereo rendered(const ModalObject& object,
         std::array<float, cellSamples> left, right;
         const CellOutput cell(left, right);
         synthesiser.beginCell(cell);
-        for (const Blow& blow : blows)
-            if (blow.cell == index)
+        for (const Impact& impact : impacts)
+            if (impact.cell == index)
                 REQUIRE(
                     synthesiser.strike(0,
-                                       {.point = {.heardFrom = blow.heardFrom},
-                                        .impulseNewtonSeconds = {0, 0, blow.impulseNewtonSeconds},
-                                        .durationSeconds = blow.contactSeconds},
-                                       blow.sample, cell));
+                                       {.point = {.heardFrom = impact.heardFrom},
+                                        .impulseNewtonSeconds = {0, 0, impact.impulseNewtonSeconds},
+                                        .durationSeconds = impact.contactSeconds},
+                                       impact.sample, cell));
         sound[0].insert(sound[0].end(), left.begin(), left.end());
         sound[1].insert(sound[1].end(), right.begin(), right.end());
     }
@@ -66,15 +66,15 @@ float peak(const std::vector<float>& sound) {
 TEST_CASE("A struck ball with one silent mode sounds one cycle of a sine in each direction") {
     const auto ball = rigidBall(0.01, 7000);
     const auto body = rigidRadiator(ball);
-    const Blow blow{.cell = 1, .sample = 20.25};
-    const auto sound = rendered(ball, {.radiation = 1}, {blow});
+    const Impact impact{.cell = 1, .sample = 20.25};
+    const auto sound = rendered(ball, {.radiation = 1}, {impact});
     const std::array<float, 3> along{0, 0, impulse};
-    const double seconds = clickSeconds(body, along, blow.contactSeconds, 1);
+    const double seconds = clickSeconds(body, along, impact.contactSeconds, 1);
     const double amplitude = clickPascalMetres(body, along, {0, 0, 1}, seconds);
     REQUIRE(amplitude > 1e-4);
     for (std::size_t k = 0; k < sound[0].size(); ++k) {
         const double turns =
-            (static_cast<double>(k) - cellSamples - blow.sample) / rateHz / seconds;
+            (static_cast<double>(k) - cellSamples - impact.sample) / rateHz / seconds;
         const double expected =
             turns > 0 && turns < 1 ? amplitude * std::sin(2 * std::numbers::pi * turns) : 0;
         REQUIRE(sound[0][k] == Approx(expected).margin(1e-5 * amplitude));
@@ -84,10 +84,10 @@ TEST_CASE("A struck ball with one silent mode sounds one cycle of a sine in each
 
 TEST_CASE("A contact microphone hears no click, and half the radiation gives half of it") {
     const auto ball = rigidBall(0.01, 7000);
-    const std::vector<Blow> blows{{.sample = 3}};
-    CHECK(peak(rendered(ball, {.radiation = 0}, blows)[0]) == 0);
-    CHECK(peak(rendered(ball, {.radiation = 0.5}, blows)[0]) ==
-          Approx(peak(rendered(ball, {.radiation = 1}, blows)[0]) / 2));
+    const std::vector<Impact> impacts{{.sample = 3}};
+    CHECK(peak(rendered(ball, {.radiation = 0}, impacts)[0]) == 0);
+    CHECK(peak(rendered(ball, {.radiation = 0.5}, impacts)[0]) ==
+          Approx(peak(rendered(ball, {.radiation = 1}, impacts)[0]) / 2));
 }
 
 TEST_CASE("Clicks are proportional to the impulse and add up") {
@@ -104,14 +104,14 @@ TEST_CASE("Clicks are proportional to the impulse and add up") {
 
 TEST_CASE("A live material and size click like an object analysed with them") {
     const SynthesisSettings far{.radiation = 1};
-    const std::vector<Blow> blows{{.sample = 10.5, .contactSeconds = 3e-4}};
-    const auto expected = rendered(rigidBall(0.02, 2500), far, blows);
+    const std::vector<Impact> impacts{{.sample = 10.5, .contactSeconds = 3e-4}};
+    const auto expected = rendered(rigidBall(0.02, 2500), far, impacts);
     auto heavy = rigidBall(0.01, 7500);
     SynthesisSettings live = far;
     live.sizeRatio = 0.5;
     live.material = liveMaterial(heavy.material);
     live.material->densityKgPerM3 = 2500;
-    const auto sound = rendered(heavy, live, blows, 4);
+    const auto sound = rendered(heavy, live, impacts, 4);
     for (std::size_t k = 0; k < expected[0].size(); ++k)
         REQUIRE(sound[0][k] == Approx(expected[0][k]).margin(1e-6));
 }

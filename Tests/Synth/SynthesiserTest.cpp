@@ -283,17 +283,17 @@ TEST_CASE("A strike that would move a mode absurdly fast is refused, and ringing
     const double seconds = GENERATE(0.0, 0.001, 0.02);
     ModalObject object = syntheticObject({440, 900, 901});
     object.shapes[9 + 5] = shape; // of the second mode at row 1
-    Strike blow = unitStrike(seconds);
+    Strike impact = unitStrike(seconds);
     Synthesiser played({slotOf(object)}, sampleRate), spared({slotOf(object)}, sampleRate);
     for (int c = 0; c < 200; ++c) {
         std::array<float, cellSamples> sound{}, expected{};
         played.beginCell(sound);
         spared.beginCell(expected);
         if (c % 50 == 0) {
-            CHECK(played.strike(0, blow, 3.5, sound));
-            CHECK(spared.strike(0, blow, 3.5, expected));
+            CHECK(played.strike(0, impact, 3.5, sound));
+            CHECK(spared.strike(0, impact, 3.5, expected));
         }
-        auto bad = blow;
+        auto bad = impact;
         bad.point.shapeRows[0] = 1;
         bad.impulseNewtonSeconds[2] = -0.1f;
         CHECK_FALSE(played.strike(0, bad, 7, sound));

@@ -8,7 +8,7 @@
 
 namespace idiophone {
 
-struct PlacedBlow {
+struct PlacedImpact {
     double seconds = 0;
     std::size_t slot = 0;
     Strike strike;

@@ -1,4 +1,4 @@
-#include "Instrument/LoudestBlow.h"
+#include "Instrument/LoudestStrike.h"
 
 #include "Instrument/Player.h"
 #include "Instrument/SpreadNotes.h"
@@ -11,10 +11,10 @@
 
 namespace idiophone {
 
-double loudestBlowPeak(const std::shared_ptr<const Instrument>& instrument,
-                       const Surface& surface,
-                       double sampleRateHz,
-                       const ParameterValues& parameters) {
+double loudestStrikePeak(const std::shared_ptr<const Instrument>& instrument,
+                         const Surface& surface,
+                         double sampleRateHz,
+                         const ParameterValues& parameters) {
     constexpr int keys = 8;
     constexpr double heardSeconds = 0.05;
     Player player(instrument, sampleRateHz, surface, 1, parameters);

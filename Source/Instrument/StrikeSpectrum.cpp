@@ -1,4 +1,4 @@
-#include "Instrument/BlowSpectrum.h"
+#include "Instrument/StrikeSpectrum.h"
 
 #include "Instrument/PhraseMeter.h"
 

@@ -1,4 +1,4 @@
-#include "Instrument/BlowSpectrum.h"
+#include "Instrument/StrikeSpectrum.h"
 
 #include <catch2/catch_approx.hpp>
 #include <catch2/catch_test_macros.hpp>
