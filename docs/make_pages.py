@@ -34,10 +34,12 @@ each key has an object of its own, other keys from 21 to 108 play the nearest on
 """
 MALLETS = """# Mallets
 
-The rack, as the parameter `mallet` has it after *Custom*. [How contact times follow](../presets.md#mallets). This page is made by
-`./dev pages`.
+Choose a mallet on the Strike page, or set the parameter `mallet`: `idiophone render --set mallet=Yarn ...`. A softer or
+heavier mallet touches the object for longer and sounds duller. [Presets](../presets.md#mallets) has the formula, and
+explains how to add a mallet. The table has the order of the parameter's choices, after *Custom*. `./dev pages` writes
+this page.
 
-| mallet | mass, g | radius, mm | E* of the head, MPa | force exponent | where the figures come from |
+| mallet | mass, g | radius, mm | E* of the head, MPa | force exponent | source of the figures |
 |---|---|---|---|---|---|
 """
 
