@@ -50,7 +50,8 @@ CHORD = (60, 64, 67, 72)
 # name, what is heard, preset, events, seconds, and the parameters of each part
 SOUNDS = (
     ("song", "the beginning of the factory song on xylophone, marimba and vibraphone",
-     "Rosewood Xylophone", SONG, 3.5, ({"preset": "Rosewood Xylophone"}, {"preset": "Marimba"}, {"preset": "Vibraphone"})),
+     "Rosewood Xylophone", SONG, 3.5,
+     ({"preset": "Rosewood Xylophone"}, {"preset": "Marimba"}, {"preset": "Vibraphone"})),
     ("velocity", "a plate, struck from soft to hard: it becomes louder and brighter", "Steel Plate",
      blows([60] * 5, 0.6, (20, 45, 70, 100, 127)), 3.2, ({},)),
     ("place", "a wok, struck at its rim and then further down its side", "Wok",
@@ -66,8 +67,8 @@ SOUNDS = (
     ("damping", "bells that ring on, then bells that are damped when their keys are released",
      "Tubular Bells", blows(CHORD, 0.5, held=0.45), 2.8,
      ({"let_ring": "On"}, {"let_ring": "Off", "release": 0.3})),
-    ("motor", "a vibraphone with its discs at rest, then turning", "Vibraphone", blows(CHORD, 0.02), 3,
-     ({"motor_depth": 0}, {"motor_depth": 90, "motor_speed": 4})),
+    ("motor", "a vibraphone with its discs at rest, then turning", "Vibraphone",
+     blows(CHORD, 0.02), 3, ({"motor_depth": 0}, {"motor_depth": 90, "motor_speed": 4})),
     ("radiation", "a plate heard at the struck point, then as its whole surface radiates to both ears",
      "Steel Plate", blows([48, 60, 72]), 2, ({"radiation": 0}, {"radiation": 100, "level": 6})),
     ("room", "stones without reverb, in a small room and in a hall", "Stones", blows([72, 76, 79], 0.2),
