@@ -227,7 +227,7 @@ def chatter(console):
         trains = blows(console, 112, 64, 0.1, mallet=mallet, chatter=100)
         panel.plot(milliseconds, single, color="0.6", label="chatter 0 %")
         for number, train in enumerate(trains[:3]):
-            panel.plot(milliseconds, train, label=f"100 %, blow {number + 1}", linewidth=1)
+            panel.plot(milliseconds, train, label=f"100 %, strike {number + 1}", linewidth=1)
         panel.legend(title=mallet, title_fontsize=9, fontsize=8)
         found = [collisions(train) for train in trains]
         counts, lasts = [len(onsets) for onsets, _ in found], [onsets[-1] for onsets, _ in found]
@@ -248,9 +248,9 @@ def chatter(console):
     save(figure, "chatter-force")
     keep("chatter", [console.render("Steel Plate", [(0, NOTE_ON, 66, 112)], 0.75, mallet="Brass",
                                     spread=0, chatter=share) for share in (0, 100)] * 2)
-    return table(("mallet", "collisions in 64 blows", "the second after, ms",
-                  "the last after, ms, at most", "of the impulse late",
-                  "first collision / single blow"), rows)
+    return table(("mallet", "collisions in each of 64 strikes", "second collision after, ms",
+                  "last collision after at most, ms", "impulse after the first collision",
+                  "highest force / that without chatter"), rows)
 
 
 def mode_frequencies(console, thing, highest=np.inf):
@@ -345,8 +345,9 @@ def position(console):
     panels[2].set_xlabel("Hz (a line for each mode of the table)")
     save(figure, "position")
     keep("position", [even(sound) for sound in sounds])
-    return table(("struck", f"of the {len(modes)} modes below 1 kHz within 40 dB of the loudest",
-                  "within 20 dB", "the loudest, Hz"), rows)
+    return table(("struck at",
+                  f"of the {len(modes)} modes below 1 kHz, within 40 dB of the loudest",
+                  "within 20 dB", "loudest mode, Hz"), rows)
 
 
 SCRAPED = "07-scraped-plate.json"
@@ -416,11 +417,11 @@ def scrape(console):
     force_and_sound_axes(panels)
     save(figure, "scrape-spectrum")
     keep("scrape", [held(console, 1.6, wheel, rate=HELD_RATE) for wheel, _ in speeds], HELD_RATE)
-    return (table(("speed", "force, N rms", "half of its power below, Hz", "sound, dBFS rms",
-                   "centroid of the sound, Hz"), rows) +
-            f"\n\nShifted by the ratio of the speeds the two force spectra are within "
-            f"{shift:.1f} dB of each other,\nin thirds of octaves from 100 Hz to 3 kHz of the "
-            f"slower.")
+    return (table(("speed", "force, N rms", "median frequency of the force, Hz",
+                   "sound, dBFS rms", "centroid of the sound, Hz"), rows) +
+            f"\n\nShifted by the ratio of the speeds, the two force spectra differ by at most "
+            f"{shift:.1f} dB.\nThe comparison is in thirds of octaves from 100 Hz to 3 kHz of the "
+            f"slower one.")
 
 
 def half_power(force):
@@ -468,7 +469,7 @@ def scrape_level(console):
         panel.set_xticks(ticks, [f"{tick:g}" for tick in ticks])
         panel.minorticks_off()
     save(figure, "scrape-level")
-    return table(("over", "scraping force off √, dB at most", "sound off √, dB at most"), rows)
+    return table(("over", "largest deviation of the force from √, dB", "of the sound, dB"), rows)
 
 
 def roll(console):
@@ -495,10 +496,10 @@ def roll(console):
     scraped, rolled, coupled = np.array(at_modes)
     below = [f"{min(scraped - level):.1f} to {max(scraped - level):.1f} dB"
              for level in (rolled, coupled)]
-    return (table(("contact", "force, N rms", "half of its power below, Hz", "sound, dBFS rms",
-                   "centroid of the sound, Hz"), rows) +
-            f"\n\nAt the eight lowest modes, 4 Hz wide, the roll is {below[0]} below the scrape, "
-            f"coupled {below[1]}.")
+    return (table(("contact", "force, N rms", "median frequency of the force, Hz",
+                   "sound, dBFS rms", "centroid of the sound, Hz"), rows) +
+            f"\n\nIn bands of 4 Hz at the eight lowest modes the roll is {below[0]} below the "
+            f"scrape, and the coupled roll {below[1]}.")
 
 
 def bow_strokes():
@@ -580,7 +581,7 @@ def radiation(console):
     keep("radiation", [even(console.render(
         "Rosewood Xylophone", [(0.3 * k, NOTE_ON, note, 100) for k, note in enumerate(chord)], 1.7,
         radiation=share)) for share in (0, 100)])
-    return table(("radiation", "fundamental over the strongest other, dB", "the other, Hz",
+    return table(("radiation", "fundamental over the strongest other mode, dB", "that mode, Hz",
                   "centroid, Hz", "level, dBFS rms"), rows)
 
 
@@ -652,11 +653,11 @@ def loudness(console):
     for (preset, _), (_, on, both) in zip(scenes, columns):
         beyond = sorted((pair for pair in both if abs(pair[0]) > 2), key=lambda pair: -abs(pair[0]))
         remarks.append(
-            f"**{preset}**: a material or a mallet alone is off by at most "
-            f"{max(map(abs, on)):.1f} LU. Of the {len(both)} pairs of both, {len(beyond)} are off "
-            f"by more than 2 LU" + (": " + ", ".join(f"{material} under {mallet.lower()} {off:+.1f}"
-                                                    for off, material, mallet in beyond)
-                                    if beyond else "") + ".")
+            f"**{preset}**: another material or mallet alone is off by at most "
+            f"{max(map(abs, on)):.1f} LU. Of the {len(both)} pairs of material and mallet, "
+            f"{len(beyond)} are off by more than 2 LU" +
+            (": " + ", ".join(f"{material} under {mallet.lower()} {off:+.1f}"
+                              for off, material, mallet in beyond) if beyond else "") + ".")
     return table(("", *(f"{preset}, {kind}" for preset, _ in scenes for kind in ("off", "on"))),
                  rows) + "\n\n" + "\n\n".join(remarks)
 
