@@ -33,15 +33,17 @@ SHOWN_SECONDS, SHOWN_DB = 0.5, 70
 
 INTRO = """# Recorded notes beside Idiophone's
 
-This page shows how near three factory presets come to recorded notes: one strike of each note, the recording beside
-Idiophone's note of the same key at velocity {velocity}. The script renders each note at the recording's sample rate and
-length, and measures both sides by the same functions. The page holds figures and pictures only. The audio is not part of
-the project.
+This page shows how close three factory presets come to recorded notes. It compares each recording with Idiophone's note of
+the same key at velocity {velocity}. To make the page:
+
+```bash
+python3 docs/make_realism.py build/release/Source/Console/idiophone RECORDINGS
+```
+
+RECORDINGS is a folder with the recordings. They are not part of the project. The script renders each note at the sample
+rate and length of its recording, and measures both by the same functions.
 
 {sources}
-
-To make this page: `python3 docs/make_realism.py build/release/Source/Console/idiophone RECORDINGS`, where RECORDINGS is
-a folder with the recordings.
 
 ## How to read the tables
 
@@ -52,8 +54,8 @@ Each cell is *recording / Idiophone*. A bold figure misses its bound.
 | T60 | decay time of the fundamental, from its first 20 dB of decay | a factor {t60} |
 | centroid | spectral centroid of the first 20 ms | a factor {centroid} |
 | rms at 50 ms | rms level of 50 to 70 ms over that of the first 20 ms | not checked |
-| partials | the recording's three strongest partials above the fundamental: frequency over the fundamental's, then level re the fundamental in the first 0.25 s; Idiophone's level is its highest within 7 % of that frequency | {partial} dB |
-| difference | energy of the difference of both spectrograms over the recording's in the first 0.5 s, after their levels are matched; 0 dB is nothing in common, −12 dB is close | not checked |
+| partials | the recording's three strongest partials above the fundamental: frequency over the fundamental's, then level re the fundamental in the first 0.25 s. Idiophone's level is its highest within 7 % of that frequency | {partial} dB |
+| difference | energy of the difference of both spectrograms over the recording's in the first 0.5 s, after their levels are matched. At 0 dB they have nothing in common. −12 dB is close | not checked |
 
 **{held} of {all} checks hold ({percent:.0f} %)**: {by_instrument}.
 """
@@ -66,37 +68,37 @@ Preset *{preset}*: {held} of {all} checks hold.
 
 ![Spectrograms of {instrument} notes: recordings on the left, Idiophone's on the right](images/realism/{instrument}.png)
 
-The colour is the level re each sound's own maximum, over {range} dB; the windows are {window:.0f} ms long.
+The colour shows the level re each sound's own maximum, over {range} dB. The windows are {window:.0f} ms long.
 """
 MISSING = """
 ## What is missing
 
-The presets:
+In the presets:
 
-- The marimba's F♯5 and C6 decay faster than the recordings, whose sound the font loops there.
-- The xylophone's partial at 3 dies two to three times as fast as the recorded one, since its cords damp it too. C7's partial
-  at 8.4 is too weak.
-- The xylophone's F♯3 and C4 are below the preset's lowest bar, F4, which is resized for them.
-- The glockenspiel's recordings start with about 20 ms of noise of wide band, a knock. Ours have the click of the bar's
-  body, which is shorter.
+- The marimba's F♯5 and C6 decay faster than the recordings, because the sound font loops there.
+- The xylophone's partial at 3 decays two to three times as fast as recorded, because the cords damp it too. C7's partial at
+  8.4 is too weak.
+- The xylophone's F♯3 and C4 are below the preset's lowest bar, F4. The preset resizes that bar for them.
+- The glockenspiel's recordings start with about 20 ms of broadband noise, a knock. Idiophone's notes have only the click of
+  the bar's body, which is shorter.
 
-The recordings:
+In the recordings:
 
-- They are not untouched. The maker of the sound font transposed and edited some notes.
-- The marimba's C3 and C4 are probably one sample: their partials have the same ratios, and both change abruptly in time,
-  at 0.28 s and at 0.14 s. The same holds for the xylophone's F♯6 and C7: both have a faint line at 0.87 of the
-  fundamental. A transposed note has the partials and decay of another bar.
+- The maker of the sound font transposed and edited some notes.
+- The marimba's C3 and C4 are probably one sample. Their partials have the same ratios, and both change abruptly, at 0.28 s
+  and at 0.14 s. The xylophone's F♯6 and C7 are probably one sample too: both have a faint line at 0.87 of the fundamental.
+  A transposed note has the partials and decay of another bar.
 - The marimba's F♯5 and C6 have faint partials at 2, 3 and 5 times the fundamental, to 0.1 %. No bar has such modes. They
-  look like harmonics of distortion or of a transposed loop, and no preset imitates them.
-- The strength of the strike, the mallet, the place of the strike and the microphone are not known. The centroid depends on
-  all four.
+  look like harmonics of distortion or of a transposed loop, so no preset imitates them.
+- The strength and place of the strike, the mallet and the microphone are not known. The centroid depends on all four.
 
-The measure:
+In the measure:
 
-- A check looks only at the recording's partials. It does not notice a partial that only ours has. The column *difference* and the pictures do.
-- Within 7 % of one partial there may be another of ours, or its skirt. So a check of a faint partial beside a loud one
-  (the glockenspiel's G6 at 5.35) says little.
-- Our notes include the preset's room. The pictures show it as faint noise between 0.03 and 0.15 s.
+- A check looks only at the recording's partials. It does not notice additional partials of Idiophone's note. The column
+  *difference* and the pictures show them.
+- Another partial of Idiophone's note, or its skirt, may lie within 7 % of the recorded one. A check of a faint partial
+  beside a loud one (the glockenspiel's G6 at 5.35) therefore says little.
+- Idiophone's notes include the preset's room. The pictures show it as faint noise between 0.03 and 0.15 s.
 """
 
 
