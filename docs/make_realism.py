@@ -33,8 +33,8 @@ SHOWN_SECONDS, SHOWN_DB = 0.5, 70
 
 INTRO = """# Recorded notes beside Idiophone's
 
-This page shows how close three factory presets come to recorded notes. It compares each recording with Idiophone's note of
-the same key at velocity {velocity}. To make the page:
+This page shows how close three factory presets come to recorded notes. It compares each recording with Idiophone's note
+of the same key at velocity {velocity}. To make the page:
 
 ```bash
 python3 docs/make_realism.py build/release/Source/Console/idiophone RECORDINGS
@@ -76,20 +76,20 @@ MISSING = """
 In the presets:
 
 - The marimba's F♯5 and C6 decay faster than the recordings, because the sound font loops there.
-- The xylophone's partial at 3 decays two to three times as fast as recorded, because the cords damp it too. C7's partial at
-  8.4 is too weak.
+- The xylophone's partial at 3 decays two to three times as fast as recorded, because the cords damp it too. C7's
+  partial at 8.4 is too weak.
 - The xylophone's F♯3 and C4 are below the preset's lowest bar, F4. The preset resizes that bar for them.
-- The glockenspiel's recordings start with about 20 ms of broadband noise, a knock. Idiophone's notes have only the click of
-  the bar's body, which is shorter.
+- The glockenspiel's recordings start with about 20 ms of broadband noise, a knock. Idiophone's notes have only the
+  click of the bar's body, which is shorter.
 
 In the recordings:
 
 - The maker of the sound font transposed and edited some notes.
-- The marimba's C3 and C4 are probably one sample. Their partials have the same ratios, and both change abruptly, at 0.28 s
-  and at 0.14 s. The xylophone's F♯6 and C7 are probably one sample too: both have a faint line at 0.87 of the fundamental.
-  A transposed note has the partials and decay of another bar.
-- The marimba's F♯5 and C6 have faint partials at 2, 3 and 5 times the fundamental, to 0.1 %. No bar has such modes. They
-  look like harmonics of distortion or of a transposed loop, so no preset imitates them.
+- The marimba's C3 and C4 are probably one sample. Their partials have the same ratios, and both change abruptly, at
+  0.28 s and at 0.14 s. The xylophone's F♯6 and C7 are probably one sample too: both have a faint line at 0.87 of the
+  fundamental. A transposed note has the partials and decay of another bar.
+- The marimba's F♯5 and C6 have faint partials at 2, 3 and 5 times the fundamental, to 0.1 %. No bar has such modes.
+  They look like harmonics of distortion or of a transposed loop, so no preset imitates them.
 - The strength and place of the strike, the mallet and the microphone are not known. The centroid depends on all four.
 
 In the measure:
