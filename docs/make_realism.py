@@ -236,8 +236,8 @@ def sources(compared, others, records):
     if others:
         origin = "; ".join(dict.fromkeys(records[file.name]["source"] for file in others))
         names = listed([file.stem.replace("-", " ") for file in others])
-        paragraphs.append(f"The other recordings ({names}, from {origin}) are not compared, because "
-                          "their meshes and the places of the strikes are not at hand.")
+        paragraphs.append("The other recordings are not compared, because their meshes and the places "
+                          f"of the strikes are not at hand: {names}, from {origin}.")
     return "\n\n".join(textwrap.fill(paragraph, 120, break_on_hyphens=False)
                        for paragraph in paragraphs)
 
