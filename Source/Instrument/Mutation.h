@@ -15,8 +15,7 @@ namespace idiophone {
 /// (0 to 1) and reflected at its bounds. A value beyond its bounds moves no further away. Material
 /// and mallet become custom ones, which start from the current figures. `level` follows the
 /// predicted loudness down without limit, and up by at most 6 dB: never above the greater of its
-/// old value and 0 dB. `preset` is the one that `now` was loaded from.
-/// what it was or 0 dB, whichever is more. `now` must come from `preset`.
+/// old value and 0 dB. `now` must come from `preset`.
 ///
 /// The same arguments give the same values. Takes as long as a few predictions of loudness
 /// (LoudnessMatch.h): not for the audio thread.
