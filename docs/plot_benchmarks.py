@@ -66,8 +66,8 @@ def kernel(figures):
     return (table(("modes", "share of peak", "the paper's loop", "times faster",
                    "modes in real time"), rows) +
             f"\n\nPeak: {figures['peak_fma_per_second'] / 1e9:.1f} × 10⁹ multiply-adds a second. "
-            f"Error after 10 s: {errors}. Eq. 12 at N = 5000 asks for "
-            f"{eq12['flop_per_second_of_sound'] / 1e6:.0f} MFLOP for a second of sound: "
+            f"Error after 10 s: {errors}. Eq. 12 at N = 5000 needs "
+            f"{eq12['flop_per_second_of_sound'] / 1e6:.0f} MFLOP per second of sound. That is "
             f"{100 * eq12['share_of_core']:.1f} % of a core at the rate of 10000 modes.")
 
 
@@ -84,7 +84,7 @@ def callback(figures):
              f"{1e6 * s['mean_s']:.1f}", f"{s['worst_over_mean']:.2f}")
             for s in figures["scenes"]]
     return (table(("scene", "16 strikes, µs", "worst, µs", "mean, µs", "worst / mean"), rows) +
-            f"\n\nWith every mode below τ a callback costs "
+            f"\n\nA callback with every mode below τ costs "
             f"{100 * figures['silence_over_sound']:.2f} % of a ringing one.")
 
 
@@ -137,15 +137,15 @@ def rings(figures):
     save(figure, "rings")
     rows = [(c["name"], f"{c['mean_frames_per_second']:.0f}",
              "" if k == 0 else f"{c['factor']:.2f}") for k, c in enumerate(figures["curves"])]
-    return (table(("what", "frames a second", "factor"), rows) +
+    return (table(("row", "frames a second", "times the row above"), rows) +
             f"\n\n{figures['modes_3n']} modes by eq. 12 (3N), {figures['modes_audible']} audible; "
-            f"τ = {figures['tau']:g} where the mix peaks at {figures['peak_steps']:.0f} steps. "
+            f"τ = {figures['tau']:g}; the mix peaks at {figures['peak_steps']:.0f} steps. "
             f"Fixed quality: a budget of {figures['mode_budget']:.0f} modes "
             f"({figures['worst_error_db']:.1f} dB for the worst of the ten loudest objects). "
-            f"Everything against the paper's loop: {figures['every_mode_over_everything']:.0f} "
-            f"times with its 3N modes, {figures['naive_over_everything']:.0f} times with the "
-            f"audible ones. Slowest tenth of a second over the mean while strikes come: "
-            f"{figures['slowest_tenth_over_mean']:.2f}.")
+            f"All factors together: {figures['every_mode_over_everything']:.0f} times the paper's "
+            f"loop with 3N modes, {figures['naive_over_everything']:.0f} times its loop with the "
+            f"audible ones. Rate in the slowest tenth of a second over the mean, while strikes "
+            f"occur: {figures['slowest_tenth_over_mean']:.2f}.")
 
 
 def scale(figures):
