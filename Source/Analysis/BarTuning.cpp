@@ -131,7 +131,7 @@ std::vector<Eigen::Vector3d> mouthPoints(const Eigen::Vector3d& centre, double r
 
 /// The ratio by which a closed tube raises the mean pressure over its mouth. It is a fit to
 /// boundary elements of bar and tube together, incompressible, for bars of 15 to 39 cm and gaps of
-/// 10 to 30 mm. The error is within 7 % for radius/gap of 0.6 to 1.9 (docs/decisions/0034).
+/// 10 to 30 mm. The error is within 7 % for radius/gap of 0.6 to 1.9 (docs/decisions/0019).
 double blockedOverFree(const UndercutBar& shape, const Tube& tube) {
     const double underMiddleMetres =
         shape.heightMetres - heightMetresAt(shape, tube.offsetMetres) + tube.gapMetres;
