@@ -29,7 +29,7 @@ and the parameters of each part. This command makes all files and this page:
 """
 
 
-def blows(notes, every=0.45, velocities=(100,), held=None):
+def strikes(notes, every=0.45, velocities=(100,), held=None):
     """Notes one after the other, let go after `held` seconds or not at all."""
     events = []
     for k, note in enumerate(notes):
@@ -53,33 +53,33 @@ SOUNDS = (
      "Rosewood Xylophone", SONG, 3.5,
      ({"preset": "Rosewood Xylophone"}, {"preset": "Marimba"}, {"preset": "Vibraphone"})),
     ("velocity", "a plate, struck from soft to hard: it becomes louder and brighter", "Steel Plate",
-     blows([60] * 5, 0.6, (20, 45, 70, 100, 127)), 3.2, ({},)),
+     strikes([60] * 5, 0.6, (20, 45, 70, 100, 127)), 3.2, ({},)),
     ("place", "a wok, struck at its rim and then further down its side", "Wok",
-     blows([48, 56, 64, 72, 80]), 3, ({},)),
-    ("mallets", "one bar under yarn, rubber, wood and brass", "Rosewood Xylophone", blows([72]), 0.6,
+     strikes([48, 56, 64, 72, 80]), 3, ({},)),
+    ("mallets", "one bar under yarn, rubber, wood and brass", "Rosewood Xylophone", strikes([72]), 0.6,
      tuple({"mallet": name, "match_loudness": "On"}
            for name in ("Yarn", "Medium rubber", "Wood", "Brass"))),
     ("materials", "one plate of rosewood, plastic, glass, aluminium and steel", "Steel Plate",
-     blows([60]), 1.2, tuple({"material": name, "match_loudness": "On"}
+     strikes([60]), 1.2, tuple({"material": name, "match_loudness": "On"}
                              for name in ("Rosewood", "Plastic", "Glass", "Aluminium", "Steel"))),
-    ("size", "a handbell at twice, once and half its size", "Handbell", blows([72]), 1.4,
+    ("size", "a handbell at twice, once and half its size", "Handbell", strikes([72]), 1.4,
      tuple({"keep_pitch": "Off", "size": size} for size in (2, 1, 0.5))),
     ("damping", "bells that ring on, then bells that are damped when their keys are released",
-     "Tubular Bells", blows(CHORD, 0.5, held=0.45), 2.8,
+     "Tubular Bells", strikes(CHORD, 0.5, held=0.45), 2.8,
      ({"let_ring": "On"}, {"let_ring": "Off", "release": 0.3})),
     ("motor", "a vibraphone with its discs at rest, then turning", "Vibraphone",
-     blows(CHORD, 0.02), 3, ({"motor_depth": 0}, {"motor_depth": 90, "motor_speed": 4})),
+     strikes(CHORD, 0.02), 3, ({"motor_depth": 0}, {"motor_depth": 90, "motor_speed": 4})),
     ("radiation", "a plate heard at the struck point, then as its whole surface radiates to both ears",
-     "Steel Plate", blows([48, 60, 72]), 2, ({"radiation": 0}, {"radiation": 100, "level": 6})),
-    ("room", "stones without reverb, in a small room and in a hall", "Stones", blows([72, 76, 79], 0.2),
+     "Steel Plate", strikes([48, 60, 72]), 2, ({"radiation": 0}, {"radiation": 100, "level": 6})),
+    ("room", "stones without reverb, in a small room and in a hall", "Stones", strikes([72, 76, 79], 0.2),
      2, ({"room": 0}, {"room": 40, "room_decay": 0.6}, {"room": 60, "room_decay": 3})),
     ("scrape", "a point that scrapes a plate: slowly, fast, then with more force", "Scraped Plate",
      scrape(), 3.5, ({},)),
     ("truncation", "a plate with all audible modes, then with τ so high that its tail breaks off",
-     "Steel Plate", blows([60]), 2, ({"tau": 0.1}, {"tau": 100}, {"tau": 400})),
+     "Steel Plate", strikes([60]), 2, ({"tau": 0.1}, {"tau": 100}, {"tau": 400})),
     ("dice", "dice that fall on the bars of a xylophone", "Dice on Rosewood",
-     blows([65, 72, 77, 84], 0.35), 3, ({},)),
-    ("cylinder", "a cylinder that falls off a table and rolls away", "Falling Cylinder", blows([60]),
+     strikes([65, 72, 77, 84], 0.35), 3, ({},)),
+    ("cylinder", "a cylinder that falls off a table and rolls away", "Falling Cylinder", strikes([60]),
      4, ({},)),
 )
 

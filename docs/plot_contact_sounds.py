@@ -111,8 +111,8 @@ PLATE = ROOT / "Resources" / "Objects" / "plate.modal"
 STRUCK_RATE = 384000
 
 
-def blows(console, velocity, count=1, seconds=0.25, surface=ROSEWOOD, **parameters):
-    """The forces of one blow after another on the C5 bar, [count, samples]."""
+def strikes(console, velocity, count=1, seconds=0.25, surface=ROSEWOOD, **parameters):
+    """The forces of one strike after another on the C5 bar, [count, samples]."""
     vertex, place = console.vertex(BAR, (0.02, 0.005, 0))
     preset = console.preset("01-rosewood-xylophone.json", BAR, [console.relative(BAR, place)],
                             (60,), strike_along=0)
@@ -120,8 +120,8 @@ def blows(console, velocity, count=1, seconds=0.25, surface=ROSEWOOD, **paramete
     sound = console.render(preset, [(k * seconds, NOTE_ON, 60, velocity) for k in range(count)],
                            count * seconds, STRUCK_RATE, **settings)[:, 0]
     answer = console.answer(BAR, vertex, seconds, STRUCK_RATE, **PROBE, **surface)
-    return np.array([struck_force(blow, answer, STRUCK_RATE)
-                     for blow in sound.reshape(count, -1)])
+    return np.array([struck_force(strike, answer, STRUCK_RATE)
+                     for strike in sound.reshape(count, -1)])
 
 
 def contact_milliseconds(force):
@@ -145,7 +145,7 @@ def mallet_force(console):
         row = [mallet, "steel" if mallet == "Brass" else "rosewood"]
         times = []
         for speed in 0.3, 1, 3:
-            force = blows(console, 127, surface=surface, mallet=mallet, mallet_speed=speed)[0]
+            force = strikes(console, 127, surface=surface, mallet=mallet, mallet_speed=speed)[0]
             times.append(f"{contact_milliseconds(force):.2f}")
             if speed == 1:
                 newtons = force.max()
@@ -223,8 +223,8 @@ def chatter(console):
     milliseconds = 1000 * np.arange(round(0.1 * STRUCK_RATE)) / STRUCK_RATE
     rows = []
     for panel, mallet in zip(panels, ("Hard plastic", "Brass")):
-        single = blows(console, 112, seconds=0.1, mallet=mallet)[0]
-        trains = blows(console, 112, 64, 0.1, mallet=mallet, chatter=100)
+        single = strikes(console, 112, seconds=0.1, mallet=mallet)[0]
+        trains = strikes(console, 112, 64, 0.1, mallet=mallet, chatter=100)
         panel.plot(milliseconds, single, color="0.6", label="chatter 0 %")
         for number, train in enumerate(trains[:3]):
             panel.plot(milliseconds, train, label=f"100 %, strike {number + 1}", linewidth=1)
@@ -237,7 +237,7 @@ def chatter(console):
                      f"{max(lasts):.1f}",
                      f"{100 * np.mean([late for _, late in found]):.0f} %",
                      f"{trains.max() / single.max():.2f}"))
-    pulses = blows(console, 112, seconds=0.1, mallet="Brass", modal_pulse="On")[0]
+    pulses = strikes(console, 112, seconds=0.1, mallet="Brass", modal_pulse="On")[0]
     panels[2].plot(milliseconds, pulses, color="C4", label="modal pulse")
     panels[2].legend()
     panels[2].set_xlim(0, 16)

@@ -88,14 +88,14 @@ def landings(console):
 
 def rolling(console):
     performance = Performance(console, "Cylinder off a table")
-    figure, (blows, sound) = plt.subplots(2, 1, sharex=True)
+    figure, (strikes, sound) = plt.subplots(2, 1, sharex=True)
     for name, shown in (("long-table", "table"), ("floor", "floor")):
         seconds, impulses = performance.impulses_on(name)
-        blows.vlines(seconds, 1e-4, np.maximum(impulses, 1e-4),
+        strikes.vlines(seconds, 1e-4, np.maximum(impulses, 1e-4),
                      "C0" if name == "floor" else "C1", label=f"on the {shown}")
-    blows.set_yscale("log")
-    blows.set_ylabel("Ns")
-    blows.legend(fontsize=7)
+    strikes.set_yscale("log")
+    strikes.set_ylabel("Ns")
+    strikes.legend(fontsize=7)
     envelope(sound, performance.left)
     sound.set_ylabel("left ear")
     sound.set_xlabel("s")

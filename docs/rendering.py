@@ -67,7 +67,7 @@ class Console:
                            rate=rate, parameters=parameters)[0]
 
     def strike(self, thing, place, velocity, seconds, **parameters):
-        """[samples, 2] and what the console says of the blow; `place` is a point in metres."""
+        """[samples, 2] and what the console says of the strike; `place` is a point in metres."""
         return self._sound("strike", thing, "--at", ",".join(map(str, place)), "--velocity",
                            velocity, seconds=seconds, rate=RATE, parameters=parameters)
 
