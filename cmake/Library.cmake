@@ -5,9 +5,9 @@ include(CMakePackageConfigHelpers)
 set(package "${CMAKE_INSTALL_LIBDIR}/cmake/Idiophone")
 set(headers "${CMAKE_INSTALL_INCLUDEDIR}/idiophone")
 
-# install_rooms(<export> TARGETS ... HEADERS ...): static libraries, and of their headers what a
+# install_modules(<export> TARGETS ... HEADERS ...): static libraries, and of their headers what a
 # program includes, directly or not.
-function(install_rooms export)
+function(install_modules export)
     cmake_parse_arguments(arg "" "" "TARGETS;HEADERS" ${ARGN})
     install(TARGETS ${arg_TARGETS} EXPORT ${export}
         ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT development
@@ -15,19 +15,19 @@ function(install_rooms export)
     install(EXPORT ${export} NAMESPACE Idiophone:: DESTINATION "${package}" COMPONENT development)
     set_property(GLOBAL APPEND PROPERTY IDIOPHONE_INSTALLED_HEADERS ${arg_HEADERS})
     foreach(header ${arg_HEADERS})
-        get_filename_component(room "${header}" DIRECTORY)
-        install(FILES "Source/${header}.h" DESTINATION "${headers}/${room}" COMPONENT development)
+        get_filename_component(module "${header}" DIRECTORY)
+        install(FILES "Source/${header}.h" DESTINATION "${headers}/${module}" COMPONENT development)
     endforeach()
 endfunction()
 
-foreach(room Object Synth Geometry Analysis)
-    string(TOLOWER ${room} lower)
-    set_target_properties(idiophone_${lower} PROPERTIES EXPORT_NAME ${room})
+foreach(module Object Synth Geometry Analysis)
+    string(TOLOWER ${module} lower)
+    set_target_properties(idiophone_${lower} PROPERTIES EXPORT_NAME ${module})
     target_compile_features(idiophone_${lower} PUBLIC cxx_std_20)
 endforeach()
 
 # To load objects, strike them and press on them.
-install_rooms(IdiophoneTargets
+install_modules(IdiophoneTargets
     TARGETS idiophone_object idiophone_synth
     HEADERS
         Object/DampingLaw Object/Material Object/MaterialFile Object/ModalObject Object/ModalObjectFile
@@ -36,7 +36,7 @@ install_rooms(IdiophoneTargets
         Synth/SoundingGroups Synth/Strike Synth/StrikePoints Synth/Surface Synth/SurfaceProfile Synth/Synthesiser
         Synth/SynthesiserSlot Synth/SynthesisSettings Synth/TubeOpening)
 # To make them of meshes. A component of its own, as it wants Eigen.
-install_rooms(IdiophoneAnalysisTargets
+install_modules(IdiophoneAnalysisTargets
     TARGETS idiophone_geometry idiophone_analysis idiophone_tetgen
     HEADERS
         Geometry/LengthUnit Geometry/Mesh Geometry/MeshReader Geometry/MeshRepair Geometry/ParametricMesh

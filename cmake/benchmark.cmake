@@ -1,4 +1,4 @@
-# Google Benchmark 1.7: times the contestants of `idiophone bench` in many short windows.
+# Google Benchmark 1.7: times the contestants of `idiophone-bench` in many short windows.
 if(TARGET benchmark::benchmark)
     return()
 endif()

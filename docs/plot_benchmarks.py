@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Figures and tables of docs/benchmarks.md from what `idiophone bench` measured.
+"""Figures and tables of docs/benchmarks.md from what `idiophone-bench` measured.
 
-    idiophone bench --song Resources/Songs/TheEntertainer.mid --json -o build/bench.json
+    idiophone-bench --song Resources/Songs/TheEntertainer.mid --json -o build/bench.json
     python3 docs/plot_benchmarks.py build/bench.json [MACHINE]
 
 Needs matplotlib. Draws docs/images/benchmarks/*.svg and replaces the tables between the markers of
@@ -86,6 +86,15 @@ def callback(figures):
     return (table(("scene", "16 strikes, µs", "worst, µs", "mean, µs", "worst / mean"), rows) +
             f"\n\nA callback with every mode below τ costs "
             f"{100 * figures['silence_over_sound']:.2f} % of a ringing one.")
+
+
+def plugin(figures):
+    rows = [(p["name"], *(f"{1e6 * p[key]:.1f}" for key in ("mean_s", "worst_s")),
+             f"{p['worst_s'] / p['mean_s']:.1f}",
+             *(f"{1e6 * p[key]:.1f}" for key in ("at_another_material_s", "at_another_preset_s")),
+             f"{100 * p['worst_share']:.1f}") for p in figures["presets"]]
+    return table(("preset", "mean, µs", "worst", "worst / mean", "at another material",
+                  "at another preset", "worst of its time, %"), rows)
 
 
 def force(figures):
@@ -230,7 +239,8 @@ def main():
         text, "machine", f"Measured on: {machine}SIMD target {build['simd_target']}, compiler "
                          f"{build['compiler']}.")
     text = replace_between_markers(text, "goals", goals(document))
-    for draw in kernel, callback, force, memory, tau, rings, scale, xylophone, compression:
+    for draw in (kernel, callback, plugin, force, memory, tau, rings, scale, xylophone,
+                 compression):
         if draw.__name__ in document["benchmarks"]:
             text = replace_between_markers(text, draw.__name__,
                                            draw(document["benchmarks"][draw.__name__]))

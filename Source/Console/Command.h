@@ -24,7 +24,6 @@ void addTune(CLI::App& program, Action& chosen);
 void addFit(CLI::App& program, Action& chosen);
 void addToneMap(CLI::App& program, Action& chosen);
 void addSurface(CLI::App& program, Action& chosen);
-void addBench(CLI::App& program, Action& chosen);
 void addPresets(CLI::App& program, Action& chosen);
 void addMaterials(CLI::App& program, Action& chosen);
 void addSofaTable(CLI::App& program, Action& chosen); ///< for SofaHead, not listed

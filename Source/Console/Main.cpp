@@ -25,7 +25,7 @@ int run(int argc, char** argv) {
     Action chosen;
     for (const auto add :
          {addAnalyse, addInfo, addStrike, addRender, addScene, addMesh, addFactory, addTune, addFit,
-          addToneMap, addBench, addSurface, addPresets, addMaterials, addLists, addSofaTable})
+          addToneMap, addSurface, addPresets, addMaterials, addLists, addSofaTable})
         add(program, chosen);
     try {
         program.parse(argc, argv);

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Checks that modules of Source include only modules below them and the libraries they may use.
 
-ROOMS is the whole rule (docs/ARCHITECTURE.md gives the reasons). For each module it lists the other
+MODULES is the whole rule (docs/ARCHITECTURE.md gives the reasons). For each module it lists the other
 modules and the third-party headers that the module may include. Every module may include the
 standard library. Unused entries are allowed; includes without an entry fail.
 
@@ -16,7 +16,7 @@ import re
 import sys
 import tempfile
 
-ROOMS = {
+MODULES = {
     # module: (modules it may include, third-party headers it may include, by prefix)
     "Object": ("", "nlohmann/ tl/"),
     "Parameters": ("", ""),
@@ -31,7 +31,7 @@ ROOMS = {
     "Plugin": ("Editor Output Scene Instrument Analysis Synth Geometry Parameters Object",
                "juce_ nlohmann/ libMTSClient.h"),
     "Console": ("Output Scene Instrument Analysis Synth Geometry Parameters Object",
-                "juce_ CLI/ benchmark/ hwy/ nlohmann/ ebur128.h mysofa.h"),
+                "juce_ CLI/ nlohmann/ ebur128.h mysofa.h"),
 }
 
 # Headers that the build generates, and the one module that may include each.
@@ -56,30 +56,30 @@ def without_comments(text):
         else re.sub(r"[^\n]", " ", found.group()), text)
 
 
-def may_include_library(room, header):
-    return any(header.startswith(prefix) for prefix in words(ROOMS[room][1]))
+def may_include_library(module, header):
+    return any(header.startswith(prefix) for prefix in words(MODULES[module][1]))
 
 
-def fault_of_include(room, header, is_angled, source):
-    """Returns why `room` may not include `header`, or None."""
+def fault_of_include(module, header, is_angled, source):
+    """Returns why `module` may not include `header`, or None."""
     folder = header.split("/")[0]
-    if folder in ROOMS and "/" in header:
-        if folder != room and folder not in words(ROOMS[room][0]):
-            return f"room {room} may not include room {folder}"
+    if folder in MODULES and "/" in header:
+        if folder != module and folder not in words(MODULES[module][0]):
+            return f"module {module} may not include module {folder}"
         if not (source / header).is_file():
             return "no such header"
         return None
     if header in GENERATED:
         owner = GENERATED[header]
-        return None if owner == room else f"only room {owner} may include it"
-    if is_angled and (STANDARD.match(header) or may_include_library(room, header)):
+        return None if owner == module else f"only module {owner} may include it"
+    if is_angled and (STANDARD.match(header) or may_include_library(module, header)):
         return None
     if is_angled:
-        return f"room {room} may not include this library"
-    return "headers of ours are included as \"Room/Name.h\""
+        return f"module {module} may not include this library"
+    return "headers of ours are included as \"Module/Name.h\""
 
 
-def faults_of_file(file, room, source):
+def faults_of_file(file, module, source):
     text = file.read_text(encoding="utf-8")
     name = file.relative_to(source.parent)
     code = without_comments(text)
@@ -87,7 +87,7 @@ def faults_of_file(file, room, source):
         line = code.count("\n", 0, match.start()) + 1
         angled, quoted, computed = match.groups()
         fault = ("includes a macro, which this test cannot follow" if computed
-                 else fault_of_include(room, angled or quoted, angled is not None, source))
+                 else fault_of_include(module, angled or quoted, angled is not None, source))
         if fault:
             yield f"{name}:{line}: {match.group().strip()}: {fault}"
     if file.suffix in HEADER_ENDINGS:
@@ -131,11 +131,11 @@ def headers_graph(source):
 
 
 def faults_of_table():
-    for room, (below, _) in ROOMS.items():
-        yield from (f"room {room} names room {other}, which does not exist"
-                    for other in words(below) if other not in ROOMS)
-    if cycle := cycle_in({room: words(below) for room, (below, _) in ROOMS.items()}):
-        yield "the table of rooms goes round: " + " -> ".join(cycle)
+    for module, (below, _) in MODULES.items():
+        yield from (f"module {module} names module {other}, which does not exist"
+                    for other in words(below) if other not in MODULES)
+    if cycle := cycle_in({module: words(below) for module, (below, _) in MODULES.items()}):
+        yield "the table of modules goes round: " + " -> ".join(cycle)
 
 
 def faults_of(source):
@@ -144,11 +144,11 @@ def faults_of(source):
         if not file.is_file() or file.suffix not in SOURCE_ENDINGS:
             continue
         files += 1
-        room = file.relative_to(source).parts[0]
-        if room in ROOMS:
-            faults += faults_of_file(file, room, source)
+        module = file.relative_to(source).parts[0]
+        if module in MODULES:
+            faults += faults_of_file(file, module, source)
         else:
-            faults.append(f"{file.relative_to(source.parent)}: {room} is no room of the table")
+            faults.append(f"{file.relative_to(source.parent)}: {module} is no module of the table")
     if files == 0:
         faults.append(f"{source}: no source file found")
     if cycle := cycle_in(headers_graph(source)):
@@ -162,28 +162,28 @@ SOUND = {
     "Synth/Bank.cpp": '#include "Object/Thing.h"\n#include <hwy/highway.h>\n',
 }
 PLANTED = {
-    "an upward include": ("Object/Up.cpp", '#include "Synth/Bank.cpp"\n', "may not include room"),
+    "an upward include": ("Object/Up.cpp", '#include "Synth/Bank.cpp"\n', "may not include module"),
     "an upward include with odd spaces": ("Object/Up.cpp", '  #  include  "Synth/Bank.cpp"\n',
-                                          "may not include room"),
+                                          "may not include module"),
     "an upward include in angle brackets": ("Object/Up.cpp", "#include <Synth/Bank.cpp>\n",
-                                            "may not include room"),
+                                            "may not include module"),
     "Synth knowing Analysis": ("Synth/Up.cpp", '#include "Analysis/Solve.h"\n',
-                               "may not include room"),
+                               "may not include module"),
     "the editor knowing the plugin": ("Editor/Up.cpp", '#include "Plugin/Processor.h"\n',
-                                      "may not include room"),
+                                      "may not include module"),
     "JUCE in Synth": ("Synth/Juce.cpp", "#include <juce_core/juce_core.h>\n", "this library"),
     "Eigen in Synth": ("Synth/E.cpp", "#include <Eigen/Core>\n", "this library"),
     "an unlisted library": ("Object/Boost.cpp", "#include <boost/any.hpp>\n", "this library"),
     "another JUCE module than Output's": ("Output/J.cpp", "#include <juce_core/juce_core.h>\n",
                                           "this library"),
-    "a path round the rooms": ("Synth/Dots.cpp", '#include "../Object/Thing.h"\n', "Room/Name.h"),
-    "a generated file in the wrong room": ("Synth/F.cpp", '#include "FactoryFiles.h"\n',
-                                           "only room"),
+    "a path round the modules": ("Synth/Dots.cpp", '#include "../Object/Thing.h"\n', "Module/Name.h"),
+    "a generated file in the wrong module": ("Synth/F.cpp", '#include "FactoryFiles.h"\n',
+                                             "only module"),
     "a header that is not there": ("Synth/No.cpp", '#include "Object/Nothing.h"\n',
                                    "no such header"),
     "an include hidden in a macro": ("Synth/Macro.cpp", "#include HEADER\n", "macro"),
-    "an unknown room": ("Attic/Box.cpp", "int box;\n", "no room of the table"),
-    "a file outside any room": ("Loose.cpp", "int loose;\n", "no room of the table"),
+    "an unknown module": ("Attic/Box.cpp", "int box;\n", "no module of the table"),
+    "a file outside any module": ("Loose.cpp", "int loose;\n", "no module of the table"),
     "a header without #pragma once": ("Object/Twice.h", "// Twice.\n", "#pragma once"),
     "an -inl.h that is not read for each target": ("Synth/Twice-inl.h", "// Twice.\n",
                                                    "#pragma once"),
@@ -191,7 +191,7 @@ PLANTED = {
                                             "opens with a comment"),
     "an upward include after text that looks like a comment": (
         "Object/T.cpp", 'auto all = "/*";\n#include "Synth/Bank.cpp"\nauto end = "*/";\n',
-        "may not include room"),
+        "may not include module"),
     "headers in a circle": ("Object/Self.h", '// Round.\n#pragma once\n#include "Object/Self.h"\n',
                             "circle"),
 }

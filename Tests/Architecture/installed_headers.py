@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 """Checks that the package's headers include and mention only headers and names of the package.
 
-A word in a comment that is spelt like a type, function or header (aWord, AWord, Room/Header.h) must
+A word in a comment that is spelt like a type, function or header (aWord, AWord, Module/Header.h) must
 occur in the code of an installed header or be the name of one. The same holds for a type of another
 header whose name is an ordinary word (Player), in backticks or capitalised within a sentence.
 
-    installed_headers.py SOURCE_FOLDER ROOM/HEADER ...      without .h
+    installed_headers.py SOURCE_FOLDER MODULE/HEADER ...      without .h
 """
 import pathlib
 import re

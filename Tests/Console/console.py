@@ -64,7 +64,7 @@ class ConsoleTest(unittest.TestCase):
             self.assertIn(result.returncode, (1, 2), "a refusal, no signal and no success")
             self.assertEqual(result.stdout, "")
             self.assertEqual(result.stderr.count("\n"), 1, "one line")
-            self.assertTrue(result.stderr.startswith("idiophone: "))
+            self.assertTrue(result.stderr.startswith(pathlib.Path(PROGRAM).stem + ": "))
             self.assertIn(str(naming), result.stderr)
             self.assertIn(saying, result.stderr)
             self.assertEqual(set(self.folder.rglob("*")), before, "no files are left behind")

@@ -1,4 +1,4 @@
-#include "Console/BenchTimer.h"
+#include "Benchmarks/Timer.h"
 
 #include <algorithm>
 #include <array>
@@ -32,7 +32,7 @@ public:
 
 std::vector<double> runAll(std::span<const Contestant> contestants,
                            const std::function<void(benchmark::internal::Benchmark&)>& prepare) {
-    std::array arguments{std::string("idiophone"),
+    std::array arguments{std::string("idiophone-bench"),
                          std::string("--benchmark_enable_random_interleaving=true")};
     std::array<char*, 2> pointers{arguments[0].data(), arguments[1].data()};
     int count = static_cast<int>(pointers.size());
@@ -60,25 +60,36 @@ std::vector<double> leastSeconds(std::span<const Contestant> contestants,
     });
 }
 
-void callInTurn(std::span<const Contestant> contestants, int times) {
-    runAll(contestants, [&](benchmark::internal::Benchmark& registered) {
+Replay replayOf(BenchScene& scene) {
+    return {[&] { scene.restart(); },
+            [&](std::size_t) { benchmark::DoNotOptimize(scene.nextCell()); }};
+}
+
+std::vector<CellTimes>
+replayInTurn(std::span<const Replay> contestants, std::size_t cells, int times) {
+    using Clock = std::chrono::steady_clock;
+    std::vector<CellTimes> least(contestants.size());
+    std::vector<Contestant> calls;
+    for (std::size_t k = 0; k < contestants.size(); ++k) {
+        least[k].seconds.resize(cells, std::numeric_limits<double>::infinity());
+        calls.emplace_back([&replay = contestants[k], &seconds = least[k].seconds] {
+            replay.restart();
+            for (std::size_t cell = 0; cell < seconds.size(); ++cell) {
+                const auto start = Clock::now();
+                replay.render(cell);
+                const std::chrono::duration<double> taken = Clock::now() - start;
+                seconds[cell] = std::min(seconds[cell], taken.count());
+            }
+        });
+    }
+    runAll(calls, [&](benchmark::internal::Benchmark& registered) {
         registered.Iterations(1)->Repetitions(times);
     });
+    return least;
 }
 
-void LeastStepTimes::replay(std::size_t count, const std::function<void(std::size_t step)>& run) {
-    using Clock = std::chrono::steady_clock;
-    least.resize(count, std::numeric_limits<double>::infinity());
-    for (std::size_t step = 0; step < count; ++step) {
-        const auto start = Clock::now();
-        run(step);
-        const std::chrono::duration<double> taken = Clock::now() - start;
-        least[step] = std::min(least[step], taken.count());
-    }
-}
-
-double LeastStepTimes::sum(std::size_t from, std::size_t until) const {
-    const auto begin = least.begin();
+double CellTimes::sum(std::size_t from, std::size_t until) const {
+    const auto begin = seconds.begin();
     return std::accumulate(begin + static_cast<std::ptrdiff_t>(from),
                            begin + static_cast<std::ptrdiff_t>(until), 0.0);
 }

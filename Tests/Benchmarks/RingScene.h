@@ -2,7 +2,7 @@
 // Figure 8, without the rigid bodies.
 #pragma once
 
-#include "Console/BenchScene.h"
+#include "Benchmarks/Scene.h"
 #include "Object/Result.h"
 #include "Synth/ModalPole.h"
 

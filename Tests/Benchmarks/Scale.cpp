@@ -1,13 +1,15 @@
-#include "Console/BenchHeap.h"
-#include "Console/BenchTimer.h"
-#include "Console/Benchmarks.h"
+#include "Benchmarks/Benchmarks.h"
+#include "Benchmarks/Timer.h"
 
 #include <algorithm>
 #include <array>
-#include <benchmark/benchmark.h>
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <random>
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 namespace idiophone {
 namespace {
@@ -23,6 +25,17 @@ constexpr double frameSeconds = 0.01;
 
 const SynthesisSettings unscaled{.tau = 0.02, .modeBudget = 1e9, .compression = 1, .material = {}};
 const SynthesisSettings scaled{.tau = 0.02, .modeBudget = 500, .compression = 1, .material = {}};
+
+/// Returns the bytes in use on the main thread's heap, or nothing if this C library does not report
+/// them.
+std::optional<std::int64_t> heapBytes() {
+#ifdef __GLIBC__
+    const auto heap = mallinfo2();
+    return static_cast<std::int64_t>(heap.uordblks + heap.hblkhd);
+#else
+    return std::nullopt;
+#endif
+}
 
 /// Bodies of one shape in different sizes, each struck repeatedly at its own times.
 struct Crowd {
@@ -56,27 +69,17 @@ struct Run {
     double worstFrameSeconds = 0;
 };
 
-/// The first half second is not counted, because not all bodies have been struck.
-std::size_t firstCell() {
-    return cellsIn(0.5);
-}
-
-Run figuresOf(BenchScene& scene, const LeastStepTimes& times) {
-    Run run;
-    const std::size_t cells = cellsIn(sceneSeconds), first = firstCell();
-    scene.restart();
-    for (std::size_t k = 0; k < cells; ++k) {
-        scene.nextCell();
-        if (k < first)
-            continue;
-        const auto modes = scene.synthesiser().modesMixed();
-        run.modesMost = std::max(run.modesMost, modes);
-        run.modesMixed += static_cast<double>(modes) / static_cast<double>(cells - first);
-    }
+Run figuresOf(BenchScene& scene, const CellTimes& times) {
+    // Not all bodies have been struck in the first half second.
+    const std::size_t cells = cellsIn(sceneSeconds), first = cellsIn(0.5);
+    const auto modes = scene.modesMixed(cells);
+    const auto counted = std::span(modes).subspan(first);
     const auto cellsInFrame = cellsIn(frameSeconds);
-    const double cellsOfFrame = frameSeconds * benchSampleRateHz / cellSamples;
-    run.meanFrameSeconds =
-        times.sum(first, cells) / static_cast<double>(cells - first) * cellsOfFrame;
+    constexpr double cellsOfFrame = frameSeconds / cellSeconds;
+    Run run{.modesMixed = meanOf(counted),
+            .modesMost = std::ranges::max(counted),
+            .meanFrameSeconds =
+                times.sum(first, cells) / static_cast<double>(cells - first) * cellsOfFrame};
     for (std::size_t k = first; k + cellsInFrame <= cells; k += cellsInFrame)
         run.worstFrameSeconds =
             std::max(run.worstFrameSeconds, times.sum(k, k + cellsInFrame) /
@@ -101,30 +104,23 @@ std::string inWords(const Run& run) {
 
 Result<BenchSection> benchScale(const BenchContent& content) {
     const auto rings = objectsNamed(content, "small-ring");
-    if (rings.empty())
-        return failure("The factory has no object 'small-ring'.");
+    if (!rings)
+        return tl::unexpected(rings.error());
     BenchSection section{.name = "scale",
                          .title = "10, 100 and 1000 rings, each of a size of its own and struck " +
                                   figure(strikesPerSecond) +
                                   " times a second; a frame is a hundredth of a second"};
     section.figures["mode_budget"] = scaled.modeBudget;
     for (const std::size_t bodies : bodyCounts) {
-        const auto crowd = crowdOf(rings.front(), bodies);
+        const auto crowd = crowdOf(rings->front(), bodies);
         const auto heapBefore = heapBytes();
         BenchScene withBudget(crowd.slots, crowd.strikes, scaled);
         const auto heapAfter = heapBytes();
         BenchScene without(crowd.slots, crowd.strikes, unscaled);
-        LeastStepTimes budgetTimes, freeTimes;
-        const auto replay = [](BenchScene& scene, LeastStepTimes& times) {
-            scene.restart();
-            times.replay(cellsIn(sceneSeconds),
-                         [&](std::size_t) { benchmark::DoNotOptimize(scene.nextCell()); });
-        };
-        const std::vector<Contestant> contestants{[&] { replay(withBudget, budgetTimes); },
-                                                  [&] { replay(without, freeTimes); }};
-        callInTurn(contestants, replays);
-        const Run budgeted = figuresOf(withBudget, budgetTimes);
-        const Run free = figuresOf(without, freeTimes);
+        const auto times = replayInTurn(std::array{replayOf(withBudget), replayOf(without)},
+                                        cellsIn(sceneSeconds), replays);
+        const Run budgeted = figuresOf(withBudget, times[0]);
+        const Run free = figuresOf(without, times[1]);
 
         const std::string name = std::to_string(bodies) + " bodies";
         section.row(name + ", no budget", inWords(free));

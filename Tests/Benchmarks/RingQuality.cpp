@@ -1,4 +1,4 @@
-#include "Console/BenchRingQuality.h"
+#include "Benchmarks/RingQuality.h"
 
 #include <algorithm>
 #include <cmath>

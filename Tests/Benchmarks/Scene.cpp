@@ -1,8 +1,9 @@
-#include "Console/BenchScene.h"
+#include "Benchmarks/Scene.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 namespace idiophone {
 
@@ -42,6 +43,21 @@ std::vector<float> BenchScene::render(std::size_t cells) {
     return output;
 }
 
+std::vector<std::int64_t> BenchScene::modesMixed(std::size_t cells) {
+    restart();
+    std::vector<std::int64_t> modes;
+    for (std::size_t k = 0; k < cells; ++k) {
+        nextCell();
+        modes.push_back(synth.modesMixed());
+    }
+    return modes;
+}
+
+double meanOf(std::span<const std::int64_t> numbers) {
+    return std::accumulate(numbers.begin(), numbers.end(), 0.0) /
+           static_cast<double>(numbers.size());
+}
+
 double share(std::minstd_rand& random) {
     return static_cast<double>(random() - std::minstd_rand::min()) /
            static_cast<double>(std::minstd_rand::max() - std::minstd_rand::min());
@@ -62,7 +78,10 @@ StrikePoint strikePointAt(const ModalObject& object, const std::array<double, 3>
         }
         point[axis] = std::lerp(low, high, (place[axis] + 1) / 2);
     }
-    const std::size_t row = nearestShapeRow(object, point);
+    return strikePointOfRow(object, nearestShapeRow(object, point));
+}
+
+StrikePoint strikePointOfRow(const ModalObject& object, std::size_t row) {
     const auto vertex = static_cast<std::size_t>(object.shapeVertices[row]);
     const auto normals = vertexNormals(object);
     return {.shapeRows = {static_cast<std::int32_t>(row), 0, 0},

@@ -1,4 +1,4 @@
-#include "Console/BenchFactoryContent.h"
+#include "Benchmarks/FactoryContent.h"
 
 #include "Analysis/FactoryObjects.h"
 #include "Console/MidiSong.h"

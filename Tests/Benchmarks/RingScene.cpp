@@ -1,4 +1,4 @@
-#include "Console/BenchRingScene.h"
+#include "Benchmarks/RingScene.h"
 
 #include "Analysis/ModalAnalysis.h"
 #include "Geometry/ParametricMesh.h"

@@ -1,7 +1,7 @@
-#include "Console/BenchPeak.h"
+#include "Benchmarks/Peak.h"
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "Console/BenchPeak.cpp"
+#define HWY_TARGET_INCLUDE "Benchmarks/Peak.cpp"
 #include <hwy/foreach_target.h> // compiles this file once for each target
 
 #include <hwy/highway.h>

@@ -1,8 +1,8 @@
-#include "Console/BenchNaiveBank.h"
-#include "Console/BenchRingQuality.h"
-#include "Console/BenchRingScene.h"
-#include "Console/BenchTimer.h"
-#include "Console/Benchmarks.h"
+#include "Benchmarks/Benchmarks.h"
+#include "Benchmarks/NaiveBank.h"
+#include "Benchmarks/RingQuality.h"
+#include "Benchmarks/RingScene.h"
+#include "Benchmarks/Timer.h"
 
 #include <algorithm>
 #include <array>
@@ -15,7 +15,6 @@ namespace {
 
 constexpr double sceneSeconds = 2;
 constexpr int replays = 5;
-constexpr double cellSeconds = cellSamples / benchSampleRateHz;
 
 // The threshold at which the paper hears no loss.
 constexpr double tau = 2;
@@ -94,7 +93,7 @@ enum Step { everyPaperMode, paperLoop, kernelStep, cutStep, scaledStep };
 
 struct Curve {
     const char* name;
-    LeastStepTimes times = {};
+    CellTimes times = {};
     double modesMixed = 0; ///< mean
 };
 
@@ -117,7 +116,7 @@ void reportCurves(BenchSection& section, std::span<const Curve> curves) {
                         (k == 0 ? std::string() : "; a factor of " + figure(factor)));
         section.figures["curves"].push_back(
             {{"name", curves[k].name},
-             {"frames_per_second", framesPerSecond(curves[k].times.seconds())},
+             {"frames_per_second", framesPerSecond(curves[k].times.seconds)},
              {"mean_frames_per_second", rate},
              {"modes_mixed_mean", curves[k].modesMixed},
              {"factor", factor}});
@@ -126,7 +125,7 @@ void reportCurves(BenchSection& section, std::span<const Curve> curves) {
 
 void reportGoals(BenchSection& section, std::span<const Curve> curves) {
     const Curve& last = curves[scaledStep];
-    const double flat = flatness(last.times.seconds());
+    const double flat = flatness(last.times.seconds);
     for (const auto& [step, name, key] :
          {std::tuple(everyPaperMode, "all 3N modes of eq. 12", "every_mode_over_everything"),
           std::tuple(paperLoop, "audible modes only", "naive_over_everything")}) {
@@ -141,16 +140,6 @@ void reportGoals(BenchSection& section, std::span<const Curve> curves) {
     section.figures["slowest_tenth_over_mean"] = flat;
     section.goals.push_back({"rings: slowest tenth of a second over the mean while strikes come",
                              flat, BenchGoal::Kind::atLeast, 0.75});
-}
-
-double meanModesMixed(BenchScene& scene, std::size_t cells) {
-    scene.restart();
-    double sum = 0;
-    for (std::size_t k = 0; k < cells; ++k) {
-        scene.nextCell();
-        sum += static_cast<double>(scene.synthesiser().modesMixed());
-    }
-    return sum / static_cast<double>(cells);
 }
 
 BenchSection sectionOf(const RingScene& scene,
@@ -204,23 +193,17 @@ Result<BenchSection> benchRings(const BenchContent&) {
         Curve{"the paper's loop, all 3N modes"}, Curve{"the paper's loop, audible modes"},
         Curve{"our kernel, the same modes"}, Curve{"with compression and truncation"},
         Curve{"with quality scaling"}};
-    const auto naive = [&](NaiveScene& played, Step step) {
-        played.restart();
-        curves[step].times.replay(cells, [&](std::size_t cell) { played.render(cell); });
+    const auto naive = [](NaiveScene& played) {
+        return Replay{[&] { played.restart(); }, [&](std::size_t cell) { played.render(cell); }};
     };
-    const auto ours = [&](BenchScene& played, Step step) {
-        played.restart();
-        curves[step].times.replay(
-            cells, [&](std::size_t) { benchmark::DoNotOptimize(played.nextCell()); });
-    };
-    const std::vector<Contestant> contestants{
-        [&] { naive(everyMode3N, everyPaperMode); }, [&] { naive(audible, paperLoop); },
-        [&] { ours(kernel, kernelStep); }, [&] { ours(cut, cutStep); },
-        [&] { ours(scaled, scaledStep); }};
-    callInTurn(contestants, replays);
-    curves[kernelStep].modesMixed = meanModesMixed(kernel, cells);
-    curves[cutStep].modesMixed = meanModesMixed(cut, cells);
-    curves[scaledStep].modesMixed = meanModesMixed(scaled, cells);
+    auto times = replayInTurn(std::array{naive(everyMode3N), naive(audible), replayOf(kernel),
+                                         replayOf(cut), replayOf(scaled)},
+                              cells, replays);
+    for (std::size_t k = 0; k < curves.size(); ++k)
+        curves[k].times = std::move(times[k]);
+    curves[kernelStep].modesMixed = meanOf(kernel.modesMixed(cells));
+    curves[cutStep].modesMixed = meanOf(cut.modesMixed(cells));
+    curves[scaledStep].modesMixed = meanOf(scaled.modesMixed(cells));
 
     BenchSection section =
         sectionOf(scene, quality, everyMode3N.modeCount(), audible.modeCount(), curves);

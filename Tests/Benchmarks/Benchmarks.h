@@ -1,9 +1,9 @@
-// The benchmarks of `idiophone bench`. They use the engine through its headers, without JUCE. Every
-// ratio comes from times measured side by side in one run.
+// The benchmarks of `idiophone-bench`. All but `plugin` use the engine through its headers, without
+// JUCE. Every ratio comes from times measured side by side in one run.
 #pragma once
 
-#include "Console/BenchReport.h"
-#include "Console/BenchScene.h"
+#include "Benchmarks/Report.h"
+#include "Benchmarks/Scene.h"
 #include "Object/Result.h"
 
 #include <memory>
@@ -23,11 +23,14 @@ struct BenchContent {
     std::vector<SynthesiserSlot> songSlots;
     std::vector<SceneStrike> song; ///< in ascending order of time
     SynthesisSettings songSettings;
+
+    int pluginReplays = 10; ///< of each preset by `plugin`
 };
 
-/// Returns the objects whose names start with `beginning`, in the order of the factory.
-std::vector<std::shared_ptr<const ModalObject>> objectsNamed(const BenchContent& content,
-                                                             std::string_view beginning);
+/// Returns the objects whose names start with `beginning`, in the order of the factory. Fails if
+/// there are fewer than `count`.
+Result<std::vector<std::shared_ptr<const ModalObject>>>
+objectsNamed(const BenchContent& content, const std::string& beginning, std::size_t count = 1);
 
 struct NamedBenchmark {
     const char* name;
@@ -42,6 +45,8 @@ std::span<const NamedBenchmark> namedBenchmarks();
 Result<BenchSection> benchKernel(const BenchContent&);
 /// Compares the worst callback with the mean, and silence with sound.
 Result<BenchSection> benchCallback(const BenchContent&);
+/// Times the plugin's callback with every factory preset.
+Result<BenchSection> benchPlugin(const BenchContent&);
 /// Compares cells under continuous force with the same object's free cells.
 Result<BenchSection> benchForce(const BenchContent&);
 /// Counts entries of the gain matrix before and after compression.

@@ -1,15 +1,18 @@
-#include "Console/Benchmarks.h"
+#include "Benchmarks/Benchmarks.h"
 
 #include <array>
 
 namespace idiophone {
 
-std::vector<std::shared_ptr<const ModalObject>> objectsNamed(const BenchContent& content,
-                                                             std::string_view beginning) {
+Result<std::vector<std::shared_ptr<const ModalObject>>>
+objectsNamed(const BenchContent& content, const std::string& beginning, std::size_t count) {
     std::vector<std::shared_ptr<const ModalObject>> found;
     for (const auto& object : content.factoryObjects)
         if (object->name.starts_with(beginning))
             found.push_back(object);
+    if (found.size() < count)
+        return failure("The benchmark needs " + std::to_string(count) +
+                       " factory objects whose names start with '" + beginning + "'.");
     return found;
 }
 
@@ -18,6 +21,8 @@ std::span<const NamedBenchmark> namedBenchmarks() {
         NamedBenchmark{"kernel", "Modal banks against the FMA peak and the paper's loop",
                        benchKernel},
         NamedBenchmark{"callback", "The worst 64-sample callback against the mean", benchCallback},
+        NamedBenchmark{"plugin", "The plugin's whole callback with every factory preset",
+                       benchPlugin},
         NamedBenchmark{"force", "Continuous force against the free bank", benchForce},
         NamedBenchmark{"memory", "The gain matrix before and after compression", benchMemory},
         NamedBenchmark{"tau", "Modes over time at two truncation thresholds", benchTau},

@@ -2,7 +2,7 @@
 // xylophone.
 #pragma once
 
-#include "Console/Benchmarks.h"
+#include "Benchmarks/Benchmarks.h"
 
 #include <filesystem>
 

@@ -1,11 +1,11 @@
-# idiophone_room(<Room> SOURCES ... [PUBLIC ...] [PRIVATE ...] [PRECOMPILE <header>...]): one static
-# library a room.
-function(idiophone_room room)
+# idiophone_module(<Module> SOURCES ... [PUBLIC ...] [PRIVATE ...] [PRECOMPILE <header>...]): one static
+# library a module.
+function(idiophone_module module)
     cmake_parse_arguments(arg "" "" "SOURCES;PUBLIC;PRIVATE;PRECOMPILE" ${ARGN})
-    string(TOLOWER ${room} lower)
+    string(TOLOWER ${module} lower)
     set(target idiophone_${lower})
     add_library(${target} STATIC ${arg_SOURCES})
-    add_library(Idiophone::${room} ALIAS ${target})
+    add_library(Idiophone::${module} ALIAS ${target})
     target_include_directories(${target} PUBLIC "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/Source>")
     target_link_libraries(${target}
         PUBLIC ${arg_PUBLIC}

@@ -1,11 +1,4 @@
-// Times the plugin's callback as a host drives it. Plays music with every factory preset, changes
-// the material while notes ring and then changes to the next preset. Replays the same blocks
-// several times and counts the minimum processor time of each block.
-//
-//     plugin_callbacks [REPLAYS]
-//
-// prints the table of docs/benchmarks.md. An optimised build fails if a block took longer than it
-// lasts.
+#include "Benchmarks/Benchmarks.h"
 #include "Instrument/FactoryContent.h"
 #include "Plugin/Processor.h"
 #include "Support/Sanitizers.h"
@@ -14,10 +7,7 @@
 #include <array>
 #include <chrono>
 #include <cstdint>
-#include <cstdlib>
 #include <ctime>
-#include <iomanip>
-#include <iostream>
 #include <limits>
 #include <numeric>
 #include <random>
@@ -25,15 +15,13 @@
 #include <thread>
 #include <vector>
 
-using namespace idiophone;
-
+namespace idiophone {
 namespace {
 
 constexpr double rateHz = 48000;
 constexpr int blockSamples = 128;
 constexpr std::size_t aftermath = 12; // blocks in which a change still costs time: 32 ms
 constexpr std::size_t materialBlock = 600, programBlock = 1440, blocks = programBlock + aftermath;
-constexpr int defaultReplays = 10;
 #ifdef NDEBUG
 constexpr bool isBuiltForSpeed = !IDIOPHONE_SANITIZED;
 #else
@@ -77,6 +65,8 @@ std::vector<juce::MidiBuffer> musicOn(const ProcessorView::KeyRange& keys) {
     return music;
 }
 
+/// Plays music with a preset, changes the material while notes ring and then changes to the next
+/// preset. The minimum processor time of each block over all replays counts.
 class Callbacks {
 public:
     explicit Callbacks(int ofProgram) : program(ofProgram) {
@@ -128,32 +118,36 @@ private:
 
 } // namespace
 
-int main(int count, char** arguments) {
-    const int replays = count > 1 ? std::max(1, std::atoi(arguments[1])) : defaultReplays;
+Result<BenchSection> benchPlugin(const BenchContent& content) {
     const juce::ScopedJuceInitialiser_GUI juce;
     Processor processor;
-    std::cout
-        << "| preset | mean, µs | worst | worst / mean | at another material | at another preset "
-           "| worst of its time, % |\n|---|---|---|---|---|---|---|\n"
-        << std::fixed;
+    BenchSection section{.name = "plugin",
+                         .title = "the plugin's callback at 48 kHz in blocks of 128 samples; each "
+                                  "block the least of " +
+                                  std::to_string(content.pluginReplays) + " replays"};
     double dearest = 0;
     for (int program = 0; program < processor.getNumPrograms(); ++program) {
         Callbacks callbacks(program);
-        for (int replay = 0; replay < replays; ++replay)
+        for (int replay = 0; replay < content.pluginReplays; ++replay)
             callbacks.replay(processor);
+        const std::string name = factoryPresets()[static_cast<std::size_t>(program)].name;
         const double mean = callbacks.meanSeconds(), worst = callbacks.worstSeconds();
         const double share = worst * rateHz / blockSamples;
         dearest = std::max(dearest, share);
-        std::cout << std::setprecision(1) << "| "
-                  << factoryPresets()[static_cast<std::size_t>(program)].name << " | " << mean * 1e6
-                  << " | " << worst * 1e6 << " | " << worst / mean << " | "
-                  << callbacks.worstSecondsBehind(materialBlock) * 1e6 << " | "
-                  << callbacks.worstSecondsBehind(programBlock) * 1e6 << " | " << 100 * share
-                  << " |" << std::endl;
+        section.row(name, "mean " + figure(mean * 1e6) + " us, worst " + figure(worst * 1e6) +
+                              " us: " + figure(100 * share) + " % of its own length");
+        section.figures["presets"].push_back(
+            {{"name", name},
+             {"mean_s", mean},
+             {"worst_s", worst},
+             {"at_another_material_s", callbacks.worstSecondsBehind(materialBlock)},
+             {"at_another_preset_s", callbacks.worstSecondsBehind(programBlock)},
+             {"worst_share", share}});
     }
-    if (isBuiltForSpeed && dearest >= 1) {
-        std::cerr << "A block takes longer than it lasts." << std::endl;
-        return 1;
-    }
-    return 0;
+    if (isBuiltForSpeed)
+        section.goals.push_back(
+            {"plugin: dearest block over its own length", dearest, BenchGoal::Kind::atMost, 1});
+    return section;
 }
+
+} // namespace idiophone

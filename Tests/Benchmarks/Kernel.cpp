@@ -1,7 +1,7 @@
-#include "Console/BenchNaiveBank.h"
-#include "Console/BenchPeak.h"
-#include "Console/BenchTimer.h"
-#include "Console/Benchmarks.h"
+#include "Benchmarks/Benchmarks.h"
+#include "Benchmarks/NaiveBank.h"
+#include "Benchmarks/Peak.h"
+#include "Benchmarks/Timer.h"
 #include "Synth/ModalBank.h"
 
 #include <algorithm>
@@ -191,7 +191,6 @@ Result<BenchSection> benchKernel(const BenchContent&) {
         const double naive = seconds[2 * k + 2];
         const auto modes = static_cast<double>(sizes[k].banks * sizes[k].modes);
         const double work = 2 * modes * cellSamples / peak;
-        const double cellSeconds = cellSamples / benchSampleRateHz;
         report(section, sizes[k],
                {.shareOfPeak = work / ours,
                 .naiveShareOfPeak = work / naive,

@@ -2,7 +2,8 @@
 // The minimum counts. Google Benchmark does the timing.
 #pragma once
 
-#include <cstdint>
+#include "Benchmarks/Scene.h"
+
 #include <functional>
 #include <span>
 #include <vector>
@@ -21,23 +22,25 @@ struct TimingWindows {
 std::vector<double> leastSeconds(std::span<const Contestant> contestants,
                                  const TimingWindows& windows = {});
 
-/// Calls each contestant `times` times, one call at a time in random order.
-void callInTurn(std::span<const Contestant> contestants, int times);
-
-/// The minimum time of each step of a repeated sequence. Replays of the same work remove noise step
-/// by step.
-class LeastStepTimes {
-public:
-    /// Runs and times steps 0 to count − 1.
-    void replay(std::size_t count, const std::function<void(std::size_t step)>& run);
-
-    std::span<const double> seconds() const { return least; }
-    /// Returns the sum over steps `from` to `until` − 1.
-    double sum(std::size_t from, std::size_t until) const;
-    double sum() const { return sum(0, least.size()); }
-
-private:
-    std::vector<double> least;
+/// A sequence of cells that can be rendered again.
+struct Replay {
+    std::function<void()> restart;
+    std::function<void(std::size_t cell)> render;
 };
+
+Replay replayOf(BenchScene& scene);
+
+/// The minimum time of each cell over its replays, which removes noise cell by cell.
+struct CellTimes {
+    std::vector<double> seconds;
+
+    /// Returns the sum over cells `from` to `until` − 1.
+    double sum(std::size_t from, std::size_t until) const;
+    double sum() const { return sum(0, seconds.size()); }
+};
+
+/// Renders `cells` cells of each contestant `times` times, one replay at a time in random order.
+std::vector<CellTimes>
+replayInTurn(std::span<const Replay> contestants, std::size_t cells, int times);
 
 } // namespace idiophone

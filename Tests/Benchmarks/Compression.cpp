@@ -1,4 +1,4 @@
-#include "Console/Benchmarks.h"
+#include "Benchmarks/Benchmarks.h"
 #include "Synth/ModeCompression.h"
 
 #include <algorithm>
@@ -28,16 +28,10 @@ struct LevelError {
 
 /// Measures at points over the surface, in the order of its vertices.
 LevelError levelError(const std::shared_ptr<const ModalObject>& object) {
-    const auto normals = vertexNormals(*object);
     LevelError found;
     for (std::size_t k = 0; k < placesStruck; ++k) {
         const std::size_t row = (2 * k + 1) * object->shapeVertexCount() / (2 * placesStruck);
-        const auto vertex = static_cast<std::size_t>(object->shapeVertices[row]);
-        const StrikePoint point{
-            .shapeRows = {static_cast<std::int32_t>(row), 0, 0},
-            .weights = {1, 0, 0},
-            .normal = {normals[3 * vertex], normals[3 * vertex + 1], normals[3 * vertex + 2]}};
-        const Strike strike = strikeInto(point, 0.01, 0);
+        const Strike strike = strikeInto(strikePointOfRow(*object, row), 0.01, 0);
         const double grouped = levelDb(object, strike, 1), single = levelDb(object, strike, 0);
         // Both are −∞ if every mode is beyond the band, as for a pebble.
         const double error = grouped == single ? 0 : std::abs(grouped - single);

@@ -14,6 +14,7 @@
 namespace idiophone {
 
 inline constexpr double benchSampleRateHz = 44100;
+inline constexpr double cellSeconds = cellSamples / benchSampleRateHz;
 
 struct SceneStrike {
     double seconds = 0;
@@ -37,6 +38,9 @@ public:
     /// Renders everything from the start, [cells · 64].
     std::vector<float> render(std::size_t cells);
 
+    /// Renders from the start and returns the number of modes mixed in each cell.
+    std::vector<std::int64_t> modesMixed(std::size_t cells);
+
     Synthesiser& synthesiser() { return synth; }
 
 private:
@@ -52,6 +56,11 @@ private:
 double share(std::minstd_rand& random);
 
 std::size_t cellsIn(double seconds);
+
+double meanOf(std::span<const std::int64_t> numbers);
+
+/// Returns the vertex of a row of the shapes.
+StrikePoint strikePointOfRow(const ModalObject& object, std::size_t row);
 
 /// Returns the vertex nearest to a point of the bounding box (−1 to 1 along x, y and z).
 StrikePoint strikePointAt(const ModalObject& object, const std::array<double, 3>& place);

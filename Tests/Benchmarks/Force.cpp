@@ -1,5 +1,5 @@
-#include "Console/BenchTimer.h"
-#include "Console/Benchmarks.h"
+#include "Benchmarks/Benchmarks.h"
+#include "Benchmarks/Timer.h"
 #include "Synth/ContactForce.h"
 
 #include <algorithm>
@@ -152,15 +152,15 @@ void report(BenchSection& section, std::size_t modes, std::span<const double, 3>
 
 Result<BenchSection> benchForce(const BenchContent& content) {
     const auto bars = objectsNamed(content, "xylophone-");
-    if (bars.empty())
-        return failure("The force benchmark needs a xylophone bar of the factory.");
+    if (!bars)
+        return tl::unexpected(bars.error());
     std::vector<std::unique_ptr<SizeContest>> contests;
     std::vector<Contestant> contestants;
     for (const std::size_t modes : sizes) {
-        auto* contest =
-            contests
-                .emplace_back(std::make_unique<SizeContest>(longRingingObject(*bars[0], modes, 10)))
-                .get();
+        auto* contest = contests
+                            .emplace_back(std::make_unique<SizeContest>(
+                                longRingingObject(*bars->front(), modes, 10)))
+                            .get();
         contestants.push_back([contest] { contest->free.nextCell(); });
         contestants.push_back([contest] { contest->staying.nextCell(); });
         contestants.push_back([contest] { contest->moving.nextCell(); });

@@ -1,5 +1,5 @@
 #include "Analysis/ModalAnalysis.h"
-#include "Console/Benchmarks.h"
+#include "Benchmarks/Benchmarks.h"
 #include "Geometry/ParametricMesh.h"
 #include "Synth/ModeCompression.h"
 

@@ -1,4 +1,4 @@
-#include "Console/BenchNaiveBank.h"
+#include "Benchmarks/NaiveBank.h"
 
 #include <algorithm>
 #include <cmath>

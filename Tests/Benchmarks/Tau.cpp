@@ -1,4 +1,4 @@
-#include "Console/Benchmarks.h"
+#include "Benchmarks/Benchmarks.h"
 
 #include <algorithm>
 #include <array>
@@ -25,14 +25,10 @@ struct ModesOverTime {
 
 ModesOverTime modesMixed(const SynthesiserSlot& slot, const Strike& strike, double tau) {
     BenchScene scene({slot}, {{0, 0, strike}}, settingsAt(tau));
-    constexpr double cellSeconds = cellSamples / benchSampleRateHz;
-    ModesOverTime found;
-    for (std::size_t k = 0; k < cellsIn(longestSeconds); ++k) {
-        scene.nextCell();
-        const std::int64_t modes = scene.synthesiser().modesMixed();
-        found.modes.push_back(modes);
-        found.modeSeconds += static_cast<double>(modes) * cellSeconds;
-        if (modes > 0)
+    ModesOverTime found{.modes = scene.modesMixed(cellsIn(longestSeconds))};
+    for (std::size_t k = 0; k < found.modes.size(); ++k) {
+        found.modeSeconds += static_cast<double>(found.modes[k]) * cellSeconds;
+        if (found.modes[k] > 0)
             found.lastSeconds = static_cast<double>(k) * cellSeconds;
     }
     return found;
@@ -61,7 +57,6 @@ std::shared_ptr<const ModalObject> onlyMode(const ModalObject& bar, std::size_t 
 /// Applies eq. 14 to each mode: t_c = t + ln(A(t)/τ)/α, from the amplitude one cell after the
 /// impulse. Returns the latest time.
 double latestCutoffSeconds(const ModalObject& bar, const Strike& strike, double tau) {
-    constexpr double cellSeconds = cellSamples / benchSampleRateHz;
     double latest = 0;
     for (std::size_t mode = 0; mode < bar.modeCount(); ++mode) {
         BenchScene scene({{onlyMode(bar, mode)}}, {{0, 0, strike}}, settingsAt(0));
@@ -89,12 +84,11 @@ double peakOf(const SynthesiserSlot& slot, const Strike& strike) {
 
 Result<BenchSection> benchTau(const BenchContent& content) {
     const auto bars = objectsNamed(content, barName);
-    if (bars.empty())
-        return failure("The tau benchmark needs the factory's " + std::string(barName) + ".");
-    const ModalObject& bar = *bars.front();
+    if (!bars)
+        return tl::unexpected(bars.error());
+    const ModalObject& bar = *bars->front();
     const Strike strike = strikeInto(strikePointAt(bar, {0, 0, 1}), impulseNewtonSeconds, 0);
-    constexpr double cellSeconds = cellSamples / benchSampleRateHz;
-    const double peakSteps = peakOf({bars.front()}, strike) / pascalsPerTau;
+    const double peakSteps = peakOf({bars->front()}, strike) / pascalsPerTau;
 
     BenchSection section{.name = "tau",
                          .title = "the lowest rosewood bar struck in the middle by an impulse of "
@@ -105,7 +99,7 @@ Result<BenchSection> benchTau(const BenchContent& content) {
     std::array<ModesOverTime, 2> found;
     constexpr std::array taus{0.01, 2.0};
     for (std::size_t k = 0; k < taus.size(); ++k) {
-        found[k] = modesMixed({bars.front()}, strike, taus[k]);
+        found[k] = modesMixed({bars->front()}, strike, taus[k]);
         const double predicted = latestCutoffSeconds(bar, strike, taus[k]);
         const double off = std::abs(predicted - found[k].lastSeconds) / cellSeconds;
         const std::string name = "tau = " + figure(taus[k], 1);

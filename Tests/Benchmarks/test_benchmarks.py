@@ -1,15 +1,15 @@
 import json
 
-from console import OBJECTS, ConsoleTest
+from console import OBJECTS, ConsoleTest, run
 
 SONG = OBJECTS.parent / "Songs" / "TheEntertainer.mid"
 
 
-class Bench(ConsoleTest):
+class Benchmarks(ConsoleTest):
     """Does not check times, because they depend on the machine."""
 
     def bench(self, *arguments):
-        document = self.json("bench", *arguments)
+        document = self.json(*arguments)
         for goal in document["goals"]:
             self.assertIn(goal["relation"], ("at least", "at most"))
             above = goal["measured"] >= goal["bound"]
@@ -106,15 +106,23 @@ class Bench(ConsoleTest):
         self.assertGreater(figures["modes_mixed_most"], figures["modes_mixed_mean"])
         self.assertGreater(figures["share_of_core"], 0)
 
+    def test_the_check_fails_if_a_goal_is_missed(self):
+        path = self.folder / "callback.json"
+        checked = run("callback", "--check", "--json", "-o", path)
+        missed = [goal for goal in json.loads(path.read_text())["goals"] if not goal["met"]]
+        self.assertEqual(checked.returncode, 1 if missed else 0)
+        for goal in missed[:1]:
+            self.assertIn(goal["name"], checked.stderr)
+
     def test_the_text_and_the_file_give_the_same_goals(self):
-        text = self.succeed("bench", "tau").stdout
+        text = self.succeed("tau").stdout
         path = self.folder / "tau.json"
-        self.succeed("bench", "tau", "--json", "-o", path)
+        self.succeed("tau", "--json", "-o", path)
         for goal in json.loads(path.read_text())["goals"]:
             self.assertIn(goal["name"], text)
 
     def test_bad_requests_are_refused_in_one_sentence(self):
-        self.refuse("bench", "speed", naming="speed")
-        self.refuse("bench", "xylophone", naming="--song")
-        self.refuse("bench", "xylophone", "--song", self.folder / "none.mid", naming="none.mid")
-        self.refuse("bench", "tau", "-o", self.folder, naming=self.folder)
+        self.refuse("speed", naming="speed")
+        self.refuse("xylophone", naming="--song")
+        self.refuse("xylophone", "--song", self.folder / "none.mid", naming="none.mid")
+        self.refuse("tau", "-o", self.folder, naming=self.folder)

@@ -2,7 +2,7 @@
 // which the loudest objects sound as they do without a budget.
 #pragma once
 
-#include "Console/BenchRingScene.h"
+#include "Benchmarks/RingScene.h"
 
 namespace idiophone {
 

@@ -1,7 +1,8 @@
-#include "Console/BenchTimer.h"
-#include "Console/Benchmarks.h"
+#include "Benchmarks/Benchmarks.h"
+#include "Benchmarks/Timer.h"
 
 #include <algorithm>
+#include <array>
 #include <benchmark/benchmark.h>
 
 namespace idiophone {
@@ -19,7 +20,6 @@ constexpr double malletSeconds = 0.36e-3;
 
 /// Strikes every object once, one in each cell, and then 16 of them in a single cell.
 std::vector<SceneStrike> strikesOf(std::span<const SynthesiserSlot> slots) {
-    constexpr double cellSeconds = cellSamples / benchSampleRateHz;
     std::vector<SceneStrike> strikes;
     const auto strikeAt = [&](std::size_t slot, double cells) {
         strikes.push_back({cells * cellSeconds, slot,
@@ -40,15 +40,12 @@ struct CallbackFigures {
     std::vector<double> seconds;
 };
 
-CallbackFigures figuresOf(const LeastStepTimes& times) {
-    CallbackFigures found;
-    found.seconds.assign(times.seconds().begin(), times.seconds().end());
-    const auto ringing = times.seconds().subspan(objectCount);
-    found.struckSeconds = times.seconds()[struckCell];
-    found.worstSeconds = *std::max_element(ringing.begin(), ringing.end());
-    found.meanSeconds = times.sum(found.seconds.size() - ringing.size(), found.seconds.size()) /
-                        static_cast<double>(ringing.size());
-    return found;
+CallbackFigures figuresOf(const CellTimes& times) {
+    const auto ringing = std::span(times.seconds).subspan(objectCount);
+    return {.struckSeconds = times.seconds[struckCell],
+            .worstSeconds = std::ranges::max(ringing),
+            .meanSeconds = times.sum(objectCount, lastCell) / static_cast<double>(ringing.size()),
+            .seconds = times.seconds};
 }
 
 void report(BenchSection& section, const std::string& name, const CallbackFigures& found) {
@@ -86,30 +83,24 @@ double silenceOverSound(const std::vector<SynthesiserSlot>& slots) {
 } // namespace
 
 Result<BenchSection> benchCallback(const BenchContent& content) {
-    const auto bars = objectsNamed(content, "xylophone-");
-    if (bars.size() < objectCount)
-        return failure("The callback benchmark needs 37 of the factory's xylophone bars.");
+    const auto bars = objectsNamed(content, "xylophone-", objectCount);
+    if (!bars)
+        return tl::unexpected(bars.error());
     std::vector<SynthesiserSlot> asTheyAre, longRinging;
     for (std::size_t k = 0; k < objectCount; ++k) {
-        asTheyAre.push_back({bars[k]});
-        longRinging.push_back({longRingingObject(*bars[36], 100, static_cast<double>(k))});
+        asTheyAre.push_back({(*bars)[k]});
+        longRinging.push_back({longRingingObject(*bars->at(36), 100, static_cast<double>(k))});
     }
     BenchScene longScene(longRinging, strikesOf(longRinging), {});
     BenchScene barScene(asTheyAre, strikesOf(asTheyAre), {});
-    LeastStepTimes longTimes, barTimes;
-    const auto replay = [](BenchScene& scene, LeastStepTimes& times) {
-        scene.restart();
-        times.replay(lastCell, [&](std::size_t) { benchmark::DoNotOptimize(scene.nextCell()); });
-    };
-    const std::vector<Contestant> contestants{[&] { replay(longScene, longTimes); },
-                                              [&] { replay(barScene, barTimes); }};
-    callInTurn(contestants, replays);
+    const auto times =
+        replayInTurn(std::array{replayOf(longScene), replayOf(barScene)}, lastCell, replays);
 
     BenchSection section{.name = "callback",
                          .title = "37 objects ringing, 16 of them struck in one callback of 64 "
                                   "samples; each callback the least of 20 replays"};
-    report(section, "37 objects of 100 long modes", figuresOf(longTimes));
-    report(section, "37 factory xylophone bars", figuresOf(barTimes));
+    report(section, "37 objects of 100 long modes", figuresOf(times[0]));
+    report(section, "37 factory xylophone bars", figuresOf(times[1]));
     const double silence = silenceOverSound(longRinging);
     section.row("every mode below tau", figure(100 * silence) + " % of a ringing callback");
     section.figures["silence_over_sound"] = silence;

@@ -1,6 +1,6 @@
-#include "Console/BenchReport.h"
+#include "Benchmarks/Report.h"
 
-#include "Console/BenchPeak.h"
+#include "Benchmarks/Peak.h"
 
 #include <algorithm>
 #include <cmath>
