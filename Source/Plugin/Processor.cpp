@@ -171,7 +171,7 @@ void Processor::report(std::span<float* const> channels, int count) noexcept {
     if (auto* player = sound.player()) {
         modulationWheel = player->modulationWheel();
         modesMixed = player->synthesiser().modesMixed();
-        lateImpacts = player->lateImpacts();
+        lateEvents = player->lateEvents();
         semitonesBelowPlayed = player->semitonesBelowEqual();
         playedResizedKeys = player->hasPlayedResizedKeys();
         capture.take(*player);

@@ -316,7 +316,7 @@ private:
     std::atomic<double> stageSeconds{0}; ///< time that bodies move after a note
     std::atomic<int> modulationWheel{HeldContacts::controllerAtRest}; ///< last position
     std::atomic<std::int64_t> modesMixed{0};
-    std::atomic<std::int64_t> lateImpacts{0};
+    std::atomic<std::int64_t> lateEvents{0};
     std::atomic<std::int64_t> notFinite{0};
     std::atomic<float> peak{0};
     /// Odd while values and their player are being handed over.

@@ -48,15 +48,16 @@ posed(const RigidBodyModel& model, const Eigen::Vector3d& place, const Eigen::Qu
 
 Error crowdedFault(const Scene& scene) {
     return {"the scene " + inQuotes(scene.name) + " has too many bodies in one place: more than " +
-            std::to_string(RigidWorld::mostPairs) + " pairs of them, or of their parts, meet"};
+            std::to_string(RigidWorld::maximumPairs) + " pairs of them, or of their parts, meet"};
 }
 
-SceneSimulation::SceneSimulation(std::shared_ptr<const SceneAssets> playedAssets, SceneCall wanted)
-    : assets(std::move(playedAssets)), scene(assets->scene()), call(std::move(wanted)),
-      seed(call.seed.value_or(scene.seed)),
+SceneSimulation::SceneSimulation(std::shared_ptr<const SceneAssets> playedAssets,
+                                 SimulationSetup wanted)
+    : assets(std::move(playedAssets)), scene(assets->scene()), setup(std::move(wanted)),
+      seed(setup.seed.value_or(scene.seed)),
       rigid(kindsOf(*assets), scene.stepsPerSecond, scene.gravityMetresPerSecond2),
       kicks(scene.kicks), tracker(assets, rigid.stepSeconds()),
-      overSeconds(call.seconds.value_or(scene.seconds)) {
+      overSeconds(setup.seconds.value_or(scene.seconds)) {
     standKeyboard();
     takeHand();
     planReleases();
@@ -99,7 +100,7 @@ void SceneSimulation::planReleases() {
             const auto& model = *assets->roles()[release.kind].kind.model;
             const double moves = model.isFixed ? 0 : 1;
             const Eigen::Vector3d place = chance.draw(release.positionMetres) +
-                                          moves * call.raisedMetres * Eigen::Vector3d::UnitZ();
+                                          moves * setup.raisedMetres * Eigen::Vector3d::UnitZ();
             const auto turn = release.isTurnedAtRandom ? chance.turn()
                                                        : turned(chance.draw(release.turnedDegrees));
             const double share = release.count > 1 ? k / (release.count - 1.0) : 0;
@@ -109,8 +110,8 @@ void SceneSimulation::planReleases() {
                  .slot = newSlot(release.kind),
                  .motion = {.pose = posed(model, place, turn),
                             .velocity =
-                                call.speedRatio * chance.draw(release.velocityMetresPerSecond),
-                            .spin = call.speedRatio *
+                                setup.speedRatio * chance.draw(release.velocityMetresPerSecond),
+                            .spin = setup.speedRatio *
                                     radiansPerSecond(chance.draw(release.spinTurnsPerSecond))},
                  .lastsUntil = std::numeric_limits<double>::infinity()});
         }
@@ -120,7 +121,7 @@ void SceneSimulation::planNotes() {
     if (!scene.noteDrop)
         return;
     const auto& drop = *scene.noteDrop;
-    auto& notes = call.notes;
+    auto& notes = setup.notes;
     std::ranges::stable_sort(notes, {}, &SceneNote::seconds);
     const LowestPoint outer(outerVertices(*assets->roles()[drop.kind].kind.model));
     std::uint32_t number = firstNote;
@@ -291,8 +292,8 @@ void SceneSimulation::kick(double now) {
                 continue;
             SceneRandom chance(seed, firstKick + static_cast<std::uint32_t>(nextKick << 14 | body));
             const auto velocity = chance.draw(kick.velocityMetresPerSecond);
-            rigid.setVelocity(body, call.speedRatio * velocity,
-                              call.speedRatio *
+            rigid.setVelocity(body, setup.speedRatio * velocity,
+                              setup.speedRatio *
                                   radiansPerSecond(chance.draw(kick.spinTurnsPerSecond)));
         }
     }
@@ -348,7 +349,7 @@ bool SceneSimulation::finished() const {
 }
 
 bool SceneSimulation::isCutShort() const {
-    return rigid.work() > call.mostWork || (call.isStopped != nullptr && *call.isStopped);
+    return rigid.work() > setup.maximumWork || (setup.isStopped != nullptr && *setup.isStopped);
 }
 
 } // namespace idiophone

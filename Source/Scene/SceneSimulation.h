@@ -37,7 +37,7 @@ struct SceneImpact {
 };
 
 /// How to perform a scene, beyond its file.
-struct SceneCall {
+struct SimulationSetup {
     /// In any order. Notes without a target are ignored. The bodies of the first notes may start to
     /// fall before time 0.
     std::vector<SceneNote> notes = {};
@@ -46,7 +46,7 @@ struct SceneCall {
     double raisedMetres = 0;                ///< added to the initial height of moving bodies
     double speedRatio = 1;                  ///< factor of initial speeds
     /// In the units of `RigidWorld::work`. The simulation stops when it has done this much.
-    double mostWork = std::numeric_limits<double>::infinity();
+    double maximumWork = std::numeric_limits<double>::infinity();
     /// Set by another thread to stop the simulation. May be null.
     const std::atomic<bool>* isStopped = nullptr;
 };
@@ -54,11 +54,11 @@ struct SceneCall {
 /// Returns the error for a scene whose run is crowded.
 Error crowdedFault(const Scene& scene);
 
-/// One thread at a time; not for the audio thread. The same scene assets and call give the same
+/// One thread at a time; not for the audio thread. The same scene assets and setup give the same
 /// bits.
 class SceneSimulation {
 public:
-    explicit SceneSimulation(std::shared_ptr<const SceneAssets> assets, SceneCall call = {});
+    explicit SceneSimulation(std::shared_ptr<const SceneAssets> assets, SimulationSetup setup = {});
 
     /// Returns the slots from which the synthesiser is made. Slots of removed bodies are reused.
     const std::vector<SynthesiserSlot>& slots() const { return allSlots; }
@@ -86,7 +86,7 @@ public:
     bool finished() const;
     /// Returns whether it ended early because the world is crowded (`RigidWorld::isCrowded`).
     bool isCrowded() const { return rigid.isCrowded(); }
-    /// Returns whether it ended early because of the call's `mostWork` or `isStopped`.
+    /// Returns whether it ended early because of the setup's `maximumWork` or `isStopped`.
     bool isCutShort() const;
 
     struct Figures {
@@ -127,7 +127,7 @@ private:
 
     std::shared_ptr<const SceneAssets> assets;
     const Scene& scene;
-    SceneCall call;
+    SimulationSetup setup;
     std::uint32_t seed;
     RigidWorld rigid;
     double leadSeconds = 0; ///< how long the world starts before time 0

@@ -15,9 +15,9 @@ namespace {
 // Generous bounds, as in HandText.h.
 constexpr double fastestMetresPerSecond = 100;
 constexpr double fastestTurnsPerSecond = 100;
-constexpr int mostBodies = 10000;
-constexpr std::size_t mostKinds = 24; // SceneAssets uses one bit for each
-constexpr std::size_t mostEntries = 10000;
+constexpr int maximumBodies = 10000;
+constexpr std::size_t maximumKinds = 24; // SceneAssets uses one bit for each
+constexpr std::size_t maximumEntries = 10000;
 
 constexpr std::array<std::pair<std::string_view, BodyForm>, 6> formNames{{
     {"hull", BodyForm::hull},
@@ -86,7 +86,7 @@ void parsePasses(const JsonPlace& place,
                  const std::vector<BodyTemplate>& kinds) {
     if (!place.has("passes"))
         return;
-    for (const auto& name : place.at("passes").list(mostKinds))
+    for (const auto& name : place.at("passes").list(maximumKinds))
         kind.passes.push_back(parseKindName(name, kinds));
 }
 
@@ -106,7 +106,7 @@ Release parseRelease(const JsonPlace& place, const std::vector<BodyTemplate>& ki
     Release release;
     release.kind = parseKindName(place.at("kind"), kinds);
     if (place.has("count"))
-        release.count = place.at("count").integer(1, mostBodies);
+        release.count = place.at("count").integer(1, maximumBodies);
     if (place.has("time"))
         release.seconds = place.at("time").number(0, longestSeconds);
     if (place.has("over"))
@@ -219,7 +219,7 @@ void parseTimes(const JsonPlace& root, Scene& scene) {
 }
 
 void parseKinds(const JsonPlace& root, Scene& scene) {
-    const auto places = root.at("kinds").list(mostKinds);
+    const auto places = root.at("kinds").list(maximumKinds);
     for (const auto& place : places) {
         scene.kinds.push_back(parseKind(place));
         const auto& name = scene.kinds.back().name;
@@ -247,15 +247,15 @@ Scene parse(const JsonPlace& root) {
     if (root.has("kinds"))
         parseKinds(root, scene);
     if (root.has("bodies"))
-        for (const auto& place : root.at("bodies").list(mostEntries))
+        for (const auto& place : root.at("bodies").list(maximumEntries))
             scene.releases.push_back(parseRelease(place, scene.kinds));
     int count = 0;
     for (const auto& release : scene.releases)
         count += release.count;
-    if (count > mostBodies)
-        root.at("bodies").fail("are more than " + std::to_string(mostBodies));
+    if (count > maximumBodies)
+        root.at("bodies").fail("are more than " + std::to_string(maximumBodies));
     if (root.has("kicks"))
-        for (const auto& place : root.at("kicks").list(mostEntries))
+        for (const auto& place : root.at("kicks").list(maximumEntries))
             scene.kicks.push_back(parseKick(place, scene.kinds));
     if (root.has("keyboard"))
         scene.keyboard = parseKeyboard(root.at("keyboard"));

@@ -34,7 +34,7 @@ TEST_CASE("A screen reader can read the status line, including errors") {
     status.sentence = "The wok is missing.";
     status.isError = true;
     status.delaySeconds = 0.25;
-    status.lateImpacts = 2;
+    status.lateEvents = 2;
     bar.show(status);
     CHECK(saidOf(bar) == "The wok is missing.; heard 250 ms after the key, 2 impacts late; 1 mode");
 }

@@ -16,8 +16,8 @@ constexpr int goodNote = 60, badNote = 61;
 /// Plays a constant after each note, and NaN after the bad note.
 class BreakingStage final : public Stage {
 public:
-    std::unique_ptr<StagePerformance> perform(double, std::uint64_t) const override {
-        return std::make_unique<Performance>();
+    std::unique_ptr<StagePlayer> makePlayer(double, std::uint64_t) const override {
+        return std::make_unique<Breaking>();
     }
     const std::string& objectOf(std::size_t) const override { return object; }
     std::span<const BodyPose> firstPoses() const override { return {&pose, 1}; }
@@ -25,11 +25,11 @@ public:
     double lengthSeconds() const override { return 0; }
 
 private:
-    struct Performance final : StagePerformance {
-        void cue(int midiNote, int, std::int64_t, double) noexcept override {
+    struct Breaking final : StagePlayer {
+        void startNote(int midiNote, int, std::int64_t, double) noexcept override {
             sample = midiNote == badNote ? std::numeric_limits<float>::quiet_NaN() : sample + 0.1f;
         }
-        void countCuesFrom(std::uint32_t) noexcept override {}
+        void countNotesFrom(std::uint32_t) noexcept override {}
         void sound(std::int64_t, Synthesiser&, std::span<const CellOutput>) noexcept override {}
         void release(Synthesiser&, std::span<const CellOutput>) noexcept override {}
         void hear(std::span<const CellOutput>, const CellOutput& ears) noexcept override {
@@ -41,7 +41,7 @@ private:
         void stop() noexcept override {}
         void reset() noexcept override { sample = 0; }
         bool silent() const noexcept override { return sample == 0; }
-        std::int64_t lateImpacts() const noexcept override { return 0; }
+        std::int64_t lateEvents() const noexcept override { return 0; }
         std::span<const PlacedImpact> takeImpacts() noexcept override { return {}; }
         std::uint32_t number() const noexcept override { return 1; }
         std::span<const BodyPose> poses() const noexcept override { return {&pose, 1}; }

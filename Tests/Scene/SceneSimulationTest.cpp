@@ -256,7 +256,7 @@ TEST_CASE("A simulation ends when bodies, or their parts, are crowded") {
 
 TEST_CASE("A simulation stops at its work limit or when another thread stops it") {
     const auto assets = factoryAssets("Cylinder off a table");
-    SceneSimulation little(assets, {.mostWork = 100});
+    SceneSimulation little(assets, {.maximumWork = 100});
     little.advanceTo(1);
     CHECK(little.isCutShort());
     CHECK(little.finished());

@@ -91,7 +91,7 @@ TEST_CASE("A die hits its bar after the scene's delay, from any height") {
         player.setOffline(true);
         const auto sound = play(player, {{0.1003, 72, velocity}}, 1, 256);
         CHECK_THAT(onsetSeconds(sound), WithinAbs(0.1003 + delay, 0.002));
-        CHECK(player.lateImpacts() == 0);
+        CHECK(player.lateEvents() == 0);
     }
 }
 
@@ -119,7 +119,7 @@ TEST_CASE("An impact that is not waited for is late and is counted") {
     };
     // This thread renders a second much faster than the worker simulates it. If the system suspends
     // this thread meanwhile, the test tries again.
-    for (int attempt = 0; attempt < 100 && player.lateImpacts() == 0; ++attempt) {
+    for (int attempt = 0; attempt < 100 && player.lateEvents() == 0; ++attempt) {
         player.reset();
         isHeard = isHeardIn({{0, 72, 100}}, 1);
         for (int waited = 0; waited < 60'000 && !isHeard; ++waited) {
@@ -128,7 +128,7 @@ TEST_CASE("An impact that is not waited for is late and is counted") {
         }
         REQUIRE(isHeard);
     }
-    CHECK(player.lateImpacts() > 0);
+    CHECK(player.lateEvents() > 0);
 }
 
 TEST_CASE("Keys of a scene without notes restart it") {

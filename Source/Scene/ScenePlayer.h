@@ -15,13 +15,14 @@
 
 namespace idiophone {
 
-class SceneShow final : public StagePerformance {
+class ScenePlayer final : public StagePlayer {
 public:
     /// `stage` must outlive it.
-    SceneShow(const SceneStage& stage, double sampleRateHz, std::uint64_t seed);
+    ScenePlayer(const SceneStage& stage, double sampleRateHz, std::uint64_t seed);
 
-    void cue(int midiNote, int velocity, std::int64_t cell, double sampleInCell) noexcept override;
-    void countCuesFrom(std::uint32_t number) noexcept override { cueCount = number; }
+    void
+    startNote(int midiNote, int velocity, std::int64_t cell, double sampleInCell) noexcept override;
+    void countNotesFrom(std::uint32_t number) noexcept override { noteCount = number; }
     void sound(std::int64_t cell,
                Synthesiser& synthesiser,
                std::span<const CellOutput> cellsOfSlots) noexcept override;
@@ -33,7 +34,7 @@ public:
     void stop() noexcept override;
     void reset() noexcept override;
     bool silent() const noexcept override;
-    std::int64_t lateImpacts() const noexcept override { return lateCount; }
+    std::int64_t lateEvents() const noexcept override { return lateCount; }
     std::span<const PlacedImpact> takeImpacts() noexcept override;
     std::uint32_t number() const noexcept override { return ownNumber; }
     std::span<const BodyPose> poses() const noexcept override { return bodyPoses; }
@@ -45,7 +46,7 @@ private:
 
     /// A note's simulation while it sounds: a ring of the blocks received so far.
     struct Simulation {
-        std::uint32_t number = 0; ///< of its cue; 0: idle
+        std::uint32_t number = 0; ///< of its note; 0: idle
         std::int64_t startCell = 0;
         double startSample = 0; ///< within that cell
         std::array<SimulationBlock*, blockCapacity> blocks{};
@@ -75,8 +76,8 @@ private:
     SimulationThread worker;
     std::vector<Simulation> simulations;
     std::size_t nextSimulation = 0;
-    std::uint32_t cueCount = 0;
-    std::uint32_t cuesEver = 0; ///< identifies blocks from before a reset
+    std::uint32_t noteCount = 0;
+    std::uint32_t notesEver = 0; ///< identifies blocks from before a reset
     TouchVoices voices;
     std::array<std::uint32_t, TouchTracker::voiceCount> pairOfVoice{}; ///< 0: not in use
     std::array<bool, TouchTracker::voiceCount> isPressed{};            ///< in this cell

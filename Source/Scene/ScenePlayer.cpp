@@ -1,4 +1,4 @@
-#include "Scene/SceneShow.h"
+#include "Scene/ScenePlayer.h"
 
 #include <algorithm>
 #include <atomic>
@@ -14,10 +14,10 @@ std::uint32_t nextNumber() noexcept {
 
 } // namespace
 
-SceneShow::SceneShow(const SceneStage& playedStage, double sampleRateHz, std::uint64_t seed)
+ScenePlayer::ScenePlayer(const SceneStage& playedStage, double sampleRateHz, std::uint64_t seed)
     : stage(playedStage), rate(sampleRateHz),
       firstSeed(stage.assets()->scene().seed + static_cast<std::uint32_t>(seed - 1)),
-      worker(stage, sampleRateHz), simulations(stage.actCount()),
+      worker(stage, sampleRateHz), simulations(stage.simulationCount()),
       voices(*stage.assets(), sampleRateHz, seed),
       ears(stage.assets()->scene().listener, nullptr, stage.slots().size(), sampleRateHz),
       places(stage.places()), bodyPoses(stage.firstPoses().begin(), stage.firstPoses().end()),
@@ -25,17 +25,20 @@ SceneShow::SceneShow(const SceneStage& playedStage, double sampleRateHz, std::ui
     recentImpacts.reserve(impactCapacity);
 }
 
-void SceneShow::cue(int midiNote, int velocity, std::int64_t cell, double sampleInCell) noexcept {
+void ScenePlayer::startNote(int midiNote,
+                            int velocity,
+                            std::int64_t cell,
+                            double sampleInCell) noexcept {
     const auto index = nextSimulation;
-    const SimulationCue wanted{.simulation = static_cast<std::uint32_t>(index),
-                               .number = cuesEver + 1,
-                               .midiNote = midiNote,
-                               .velocity = velocity,
-                               .seed = firstSeed + cueCount};
-    if (!worker.cue(wanted))
+    const SimulationNote wanted{.simulation = static_cast<std::uint32_t>(index),
+                                .number = notesEver + 1,
+                                .midiNote = midiNote,
+                                .velocity = velocity,
+                                .seed = firstSeed + noteCount};
+    if (!worker.start(wanted))
         return;
-    ++cuesEver;
-    ++cueCount;
+    ++notesEver;
+    ++noteCount;
     nextSimulation = (nextSimulation + 1) % simulations.size();
     auto& simulation = simulations[index];
     clear(simulation);
@@ -44,9 +47,9 @@ void SceneShow::cue(int midiNote, int velocity, std::int64_t cell, double sample
     simulation.startSample = sampleInCell;
 }
 
-void SceneShow::sound(std::int64_t cell,
-                      Synthesiser& synthesiser,
-                      std::span<const CellOutput> cellsOfSlots) noexcept {
+void ScenePlayer::sound(std::int64_t cell,
+                        Synthesiser& synthesiser,
+                        std::span<const CellOutput> cellsOfSlots) noexcept {
     if (std::exchange(areImpactsTaken, false))
         recentImpacts.clear();
     takeBlocks();
@@ -61,7 +64,7 @@ void SceneShow::sound(std::int64_t cell,
     crowded.strikeBefore(cellSamples, begun);
 }
 
-void SceneShow::playSimulations(const BegunCell& cell) noexcept {
+void ScenePlayer::playSimulations(const BegunCell& cell) noexcept {
     isPressed.fill(false);
     if (mayWait)
         waitFor(cell.index);
@@ -71,26 +74,26 @@ void SceneShow::playSimulations(const BegunCell& cell) noexcept {
     releaseOthers(cell.synthesiser, cell.cellsOfSlots);
 }
 
-void SceneShow::release(Synthesiser& synthesiser,
-                        std::span<const CellOutput> cellsOfSlots) noexcept {
+void ScenePlayer::release(Synthesiser& synthesiser,
+                          std::span<const CellOutput> cellsOfSlots) noexcept {
     isPressed.fill(false);
     releaseOthers(synthesiser, cellsOfSlots);
 }
 
 /// Releases the voices that are no longer pressed.
-void SceneShow::releaseOthers(Synthesiser& synthesiser,
-                              std::span<const CellOutput> cellsOfSlots) noexcept {
+void ScenePlayer::releaseOthers(Synthesiser& synthesiser,
+                                std::span<const CellOutput> cellsOfSlots) noexcept {
     for (std::size_t voice = 0; voice < isPressed.size(); ++voice)
         if (!isPressed[voice] && std::exchange(pairOfVoice[voice], 0u) != 0)
             voices.release(voice, synthesiser, cellsOfSlots);
 }
 
-void SceneShow::hear(std::span<const CellOutput> cellsOfSlots, const CellOutput& heard) noexcept {
+void ScenePlayer::hear(std::span<const CellOutput> cellsOfSlots, const CellOutput& heard) noexcept {
     ears.hear(cellsOfSlots, places, heard);
 }
 
 /// Gives back the simulation's blocks and resets it.
-void SceneShow::clear(Simulation& simulation) noexcept {
+void ScenePlayer::clear(Simulation& simulation) noexcept {
     while (simulation.count > 0)
         drop(simulation);
     simulation.number = 0;
@@ -98,14 +101,14 @@ void SceneShow::clear(Simulation& simulation) noexcept {
     simulation.isAllKnown = simulation.isPlaced = false;
 }
 
-void SceneShow::drop(Simulation& simulation) noexcept {
+void ScenePlayer::drop(Simulation& simulation) noexcept {
     worker.giveBack(simulation.blocks[simulation.first]);
     simulation.first = (simulation.first + 1) % blockCapacity;
     --simulation.count;
     simulation.impactsDone = 0;
 }
 
-void SceneShow::takeBlocks() noexcept {
+void ScenePlayer::takeBlocks() noexcept {
     while (auto* block = worker.take()) {
         auto& simulation = simulations[block->simulation];
         if (block->number != simulation.number || simulation.count == blockCapacity) {
@@ -119,7 +122,7 @@ void SceneShow::takeBlocks() noexcept {
 }
 
 /// Waits until everything before the cell's end is known.
-void SceneShow::waitFor(std::int64_t cell) noexcept {
+void ScenePlayer::waitFor(std::int64_t cell) noexcept {
     const auto isKnown = [&](const Simulation& simulation) {
         return simulation.number == 0 || simulation.isAllKnown ||
                simulation.knownCells > cell - simulation.startCell;
@@ -132,7 +135,7 @@ void SceneShow::waitFor(std::int64_t cell) noexcept {
     }
 }
 
-void SceneShow::play(Simulation& simulation, const BegunCell& cell) noexcept {
+void ScenePlayer::play(Simulation& simulation, const BegunCell& cell) noexcept {
     // The simulation's cells lie between those of the sound. This cell ends within its cell `now`.
     const auto now = cell.index - simulation.startCell;
     const double startSeconds =
@@ -166,13 +169,13 @@ void SceneShow::play(Simulation& simulation, const BegunCell& cell) noexcept {
     }
 }
 
-std::span<const PlacedImpact> SceneShow::takeImpacts() noexcept {
+std::span<const PlacedImpact> ScenePlayer::takeImpacts() noexcept {
     if (std::exchange(areImpactsTaken, true))
         return {};
     return recentImpacts;
 }
 
-void SceneShow::strike(const SceneImpact& impact, double sample, const BegunCell& cell) noexcept {
+void ScenePlayer::strike(const SceneImpact& impact, double sample, const BegunCell& cell) noexcept {
     if (impact.slot >= cell.cellsOfSlots.size() ||
         !crowded.strike(impact.slot, impact.strike, sample, cell))
         return;
@@ -187,7 +190,7 @@ void SceneShow::strike(const SceneImpact& impact, double sample, const BegunCell
 }
 
 /// Presses the pair's voice, or a free one.
-void SceneShow::press(const TouchState& state, const BegunCell& cell) noexcept {
+void ScenePlayer::press(const TouchState& state, const BegunCell& cell) noexcept {
     auto voice = std::ranges::find(pairOfVoice, state.pair);
     if (voice == pairOfVoice.end())
         voice = std::ranges::find(pairOfVoice, 0u);
@@ -200,7 +203,7 @@ void SceneShow::press(const TouchState& state, const BegunCell& cell) noexcept {
 }
 
 /// Moves places evenly to those of the first block, or at once for a new simulation.
-void SceneShow::place(Simulation& simulation, std::int64_t cellsLeft) noexcept {
+void ScenePlayer::place(Simulation& simulation, std::int64_t cellsLeft) noexcept {
     const double share =
         simulation.isPlaced ? 1.0 / static_cast<double>(std::max<std::int64_t>(cellsLeft, 1)) : 1;
     for (const auto& placed : simulation.front().places)
@@ -208,10 +211,10 @@ void SceneShow::place(Simulation& simulation, std::int64_t cellsLeft) noexcept {
     simulation.isPlaced = true;
 }
 
-void SceneShow::stop() noexcept {
+void ScenePlayer::stop() noexcept {
     for (std::size_t index = 0; index < simulations.size(); ++index) {
         if (simulations[index].number != 0)
-            worker.cue({.simulation = static_cast<std::uint32_t>(index)});
+            worker.start({.simulation = static_cast<std::uint32_t>(index)});
         clear(simulations[index]);
     }
     std::ranges::copy(stage.firstPoses(), bodyPoses.begin());
@@ -220,10 +223,10 @@ void SceneShow::stop() noexcept {
     ownNumber = nextNumber();
 }
 
-void SceneShow::reset() noexcept {
+void ScenePlayer::reset() noexcept {
     stop();
     nextSimulation = 0;
-    cueCount = 0;
+    noteCount = 0;
     lateCount = 0;
     voices.reset();
     pairOfVoice.fill(0);
@@ -231,7 +234,7 @@ void SceneShow::reset() noexcept {
     std::ranges::copy(stage.places(), places.begin());
 }
 
-bool SceneShow::silent() const noexcept {
+bool ScenePlayer::silent() const noexcept {
     return ears.silent() && crowded.empty() &&
            std::ranges::all_of(
                simulations, [](const Simulation& simulation) { return simulation.number == 0; }) &&
