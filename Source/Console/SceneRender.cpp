@@ -30,7 +30,7 @@ public:
                      double sampleRateHz)
         : motion(moved), sound(assets, motion.slots(), sampleRateHz, assets.scene().seed, head) {
         sound.setSettings(synthesisSettings(parameters));
-        tally.notesLeftOut = motion.figures().notesLeftOut;
+        tally.notesLeftOut = motion.notesLeftOut();
     }
 
     /// Returns the next cell. The result is valid until the next call.
