@@ -18,10 +18,8 @@ ScenePlayer::ScenePlayer(const SceneStage& playedStage, double sampleRateHz, std
     : stage(playedStage), rate(sampleRateHz),
       firstSeed(stage.assets()->scene().seed + static_cast<std::uint32_t>(seed - 1)),
       worker(stage, sampleRateHz), simulations(stage.simulationCount()),
-      voices(*stage.assets(), sampleRateHz, seed),
-      ears(stage.assets()->scene().listener, nullptr, stage.slots().size(), sampleRateHz),
-      places(stage.places()), bodyPoses(stage.firstPoses().begin(), stage.firstPoses().end()),
-      ownNumber(nextNumber()) {
+      bodies(*stage.assets(), stage.slots().size(), sampleRateHz, seed), places(stage.places()),
+      bodyPoses(stage.firstPoses().begin(), stage.firstPoses().end()), ownNumber(nextNumber()) {
     recentImpacts.reserve(impactCapacity);
 }
 
@@ -40,11 +38,10 @@ void ScenePlayer::startNote(int midiNote,
     ++notesEver;
     ++noteCount;
     nextSimulation = (nextSimulation + 1) % simulations.size();
-    auto& simulation = simulations[index];
-    clear(simulation);
-    simulation.number = wanted.number;
-    simulation.startCell = cell;
-    simulation.startSample = sampleInCell;
+    clear(simulations[index]);
+    simulations[index].number = wanted.number;
+    simulations[index].startCell = cell;
+    simulations[index].startSample = sampleInCell;
 }
 
 void ScenePlayer::sound(std::int64_t cell,
@@ -54,68 +51,57 @@ void ScenePlayer::sound(std::int64_t cell,
         recentImpacts.clear();
     takeBlocks();
     const BegunCell begun{synthesiser, cellsOfSlots, cell};
-    if (!paused)
-        playSimulations(begun);
-    else {
-        release(synthesiser, cellsOfSlots);
-        for (auto& simulation : simulations)
-            ++simulation.startCell;
-    }
-    crowded.strikeBefore(cellSamples, begun);
-}
-
-void ScenePlayer::playSimulations(const BegunCell& cell) noexcept {
     isPressed.fill(false);
-    if (mayWait)
-        waitFor(cell.index);
+    if (mayWait && !paused)
+        waitFor(cell);
     for (auto& simulation : simulations)
-        if (simulation.number != 0)
-            play(simulation, cell);
-    releaseOthers(cell.synthesiser, cell.cellsOfSlots);
+        if (paused)
+            ++simulation.startCell;
+        else if (simulation.number != 0)
+            play(simulation, begun);
+    releaseOthers(begun);
+    bodies.crowded.strikeBefore(cellSamples, begun);
 }
 
 void ScenePlayer::release(Synthesiser& synthesiser,
                           std::span<const CellOutput> cellsOfSlots) noexcept {
     isPressed.fill(false);
-    releaseOthers(synthesiser, cellsOfSlots);
+    releaseOthers({synthesiser, cellsOfSlots});
 }
 
 /// Releases the voices that are no longer pressed.
-void ScenePlayer::releaseOthers(Synthesiser& synthesiser,
-                                std::span<const CellOutput> cellsOfSlots) noexcept {
+void ScenePlayer::releaseOthers(const BegunCell& cell) noexcept {
     for (std::size_t voice = 0; voice < isPressed.size(); ++voice)
         if (!isPressed[voice] && std::exchange(pairOfVoice[voice], 0u) != 0)
-            voices.release(voice, synthesiser, cellsOfSlots);
+            bodies.contacts.release(voice, cell);
 }
 
 void ScenePlayer::hear(std::span<const CellOutput> cellsOfSlots, const CellOutput& heard) noexcept {
-    ears.hear(cellsOfSlots, places, heard);
+    bodies.ears.hear(cellsOfSlots, places, heard);
 }
 
 /// Gives back the simulation's blocks and resets it.
 void ScenePlayer::clear(Simulation& simulation) noexcept {
-    while (simulation.count > 0)
+    while (simulation.first != nullptr)
         drop(simulation);
-    simulation.number = 0;
-    simulation.knownCells = 0;
-    simulation.isAllKnown = simulation.isPlaced = false;
+    simulation = {};
 }
 
 void ScenePlayer::drop(Simulation& simulation) noexcept {
-    worker.giveBack(simulation.blocks[simulation.first]);
-    simulation.first = (simulation.first + 1) % blockCapacity;
-    --simulation.count;
+    auto* const done = std::exchange(simulation.first, simulation.first->next);
+    worker.giveBack(done);
     simulation.impactsDone = 0;
 }
 
 void ScenePlayer::takeBlocks() noexcept {
     while (auto* block = worker.take()) {
         auto& simulation = simulations[block->simulation];
-        if (block->number != simulation.number || simulation.count == blockCapacity) {
+        if (block->number != simulation.number) {
             worker.giveBack(block);
             continue;
         }
-        simulation.blocks[(simulation.first + simulation.count++) % blockCapacity] = block;
+        (simulation.first == nullptr ? simulation.first : simulation.last->next) = block;
+        simulation.last = block;
         simulation.knownCells = block->endCell();
         simulation.isAllKnown = block->isLast;
     }
@@ -141,8 +127,8 @@ void ScenePlayer::play(Simulation& simulation, const BegunCell& cell) noexcept {
     const double startSeconds =
         (static_cast<double>(now * cellSamples) - simulation.startSample) / rate;
     const double endSeconds = startSeconds + cellSamples / rate;
-    while (simulation.count > 0) {
-        auto& block = simulation.front();
+    while (simulation.first != nullptr) {
+        auto& block = *simulation.first;
         for (; simulation.impactsDone < block.impacts.size(); ++simulation.impactsDone) {
             const auto& impact = block.impacts[simulation.impactsDone];
             if (impact.seconds >= endSeconds)
@@ -176,17 +162,13 @@ std::span<const PlacedImpact> ScenePlayer::takeImpacts() noexcept {
 }
 
 void ScenePlayer::strike(const SceneImpact& impact, double sample, const BegunCell& cell) noexcept {
-    if (impact.slot >= cell.cellsOfSlots.size() ||
-        !crowded.strike(impact.slot, impact.strike, sample, cell))
+    if (!bodies.strike(impact, sample, cell) || recentImpacts.size() == impactCapacity)
         return;
-    if (recentImpacts.size() < impactCapacity)
-        recentImpacts.push_back(
-            {.seconds =
-                 (static_cast<double>(cell.index * cellSamples) + std::max(sample, 0.0)) / rate,
-             .slot = impact.slot,
-             .strike = impact.strike,
-             .pointMetres = {impact.pointMetres.x(), impact.pointMetres.y(),
-                             impact.pointMetres.z()}});
+    recentImpacts.push_back(
+        {.seconds = (static_cast<double>(cell.index * cellSamples) + std::max(sample, 0.0)) / rate,
+         .slot = impact.slot,
+         .strike = impact.strike,
+         .pointMetres = {impact.pointMetres.x(), impact.pointMetres.y(), impact.pointMetres.z()}});
 }
 
 /// Presses the pair's voice, or a free one.
@@ -199,14 +181,14 @@ void ScenePlayer::press(const TouchState& state, const BegunCell& cell) noexcept
     *voice = state.pair;
     const auto index = static_cast<std::size_t>(voice - pairOfVoice.begin());
     isPressed[index] = true;
-    voices.press(index, state, cell.synthesiser, cell.cellsOfSlots);
+    bodies.contacts.press(index, state, cell);
 }
 
 /// Moves places evenly to those of the first block, or at once for a new simulation.
 void ScenePlayer::place(Simulation& simulation, std::int64_t cellsLeft) noexcept {
     const double share =
         simulation.isPlaced ? 1.0 / static_cast<double>(std::max<std::int64_t>(cellsLeft, 1)) : 1;
-    for (const auto& placed : simulation.front().places)
+    for (const auto& placed : simulation.first->places)
         places[placed.slot] += share * (placed.metres - places[placed.slot]);
     simulation.isPlaced = true;
 }
@@ -218,7 +200,7 @@ void ScenePlayer::stop() noexcept {
         clear(simulations[index]);
     }
     std::ranges::copy(stage.firstPoses(), bodyPoses.begin());
-    crowded.clear();
+    bodies.crowded.clear();
     recentImpacts.clear();
     ownNumber = nextNumber();
 }
@@ -228,14 +210,14 @@ void ScenePlayer::reset() noexcept {
     nextSimulation = 0;
     noteCount = 0;
     lateCount = 0;
-    voices.reset();
+    bodies.contacts.reset();
     pairOfVoice.fill(0);
-    ears.reset();
+    bodies.ears.reset();
     std::ranges::copy(stage.places(), places.begin());
 }
 
 bool ScenePlayer::silent() const noexcept {
-    return ears.silent() && crowded.empty() &&
+    return bodies.silent() &&
            std::ranges::all_of(
                simulations, [](const Simulation& simulation) { return simulation.number == 0; }) &&
            std::ranges::all_of(pairOfVoice, [](std::uint32_t pair) { return pair == 0; });

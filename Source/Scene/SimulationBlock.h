@@ -41,6 +41,7 @@ struct SimulationBlock {
     std::uint32_t number = 0; ///< number of the note
     std::int64_t firstCell = 0;
     bool isLast = false;
+    SimulationBlock* next = nullptr;  ///< [audio thread] the next received block of the simulation
     std::vector<SceneImpact> impacts; ///< impacts before the block's end, in order of time
     std::vector<Touched> touches;     ///< contacts, cell by cell
     std::vector<Placed> places;       ///< moving bodies at the block's end
@@ -53,6 +54,7 @@ struct SimulationBlock {
         number = ofNote;
         firstCell = fromCell;
         isLast = false;
+        next = nullptr;
         impacts.clear();
         touches.clear();
         places.clear();
