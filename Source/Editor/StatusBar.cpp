@@ -62,8 +62,7 @@ juce::String StatusBar::delayText() const {
     const auto delay =
         "heard " + juce::String(juce::roundToInt(1000 * shown.delaySeconds)) + " ms after the key";
     return shown.lateEvents == 0 ? delay
-                                 : delay + ", " + juce::String(shown.lateEvents) +
-                                       (shown.lateEvents == 1 ? " impact late" : " impacts late");
+                                 : delay + ", " + juce::String(shown.lateEvents) + " late";
 }
 
 juce::String StatusBar::description() const {

@@ -268,6 +268,11 @@ void Player::setOffline(bool isOffline) noexcept {
         performance->setOffline(isOffline);
 }
 
+void Player::waitForSimulation() noexcept {
+    if (performance)
+        performance->waitForSimulation();
+}
+
 void Player::pauseStage(bool isPaused) noexcept {
     if (performance)
         performance->setPaused(isPaused);

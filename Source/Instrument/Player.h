@@ -121,6 +121,8 @@ public:
 
     /// On a stage: sets whether `process` may wait for the simulation.
     void setOffline(bool isOffline) noexcept;
+    /// On a stage: see StagePlayer::waitForSimulation.
+    void waitForSimulation() noexcept;
     /// On a stage: stops bodies in place, or returns them to their state before the first note.
     void pauseStage(bool isPaused) noexcept;
     void resetStage() noexcept;
@@ -130,8 +132,8 @@ public:
     std::uint32_t performanceNumber() const noexcept; ///< StagePlayer::number, or 0
     /// Returns where the bodies of the slots are; empty without a stage.
     std::span<const BodyPose> bodyPoses() const noexcept;
-    /// Returns the number of impacts of a stage's bodies that became known too late to act at their
-    /// time.
+    /// Returns the number of impacts and contacts of a stage's bodies that became known too late to
+    /// act at their time.
     std::int64_t lateEvents() const noexcept;
 
     /// Sets the host's tempo from the next cell on; 0 if it gives none.

@@ -35,6 +35,10 @@ public:
     /// Sets the number of the next note, from 0 on. It seeds the random part of its bodies' motion.
     virtual void countNotesFrom(std::uint32_t number) noexcept = 0;
 
+    /// Returns when the simulation is as far ahead of the sound as its worker would be, about a
+    /// second. Not for the audio thread, but for its caller between two blocks.
+    virtual void waitForSimulation() noexcept = 0;
+
     /// Adds the sound of the bodies in the newest cell, each slot's to its own output. Call it once
     /// a cell, after `Synthesiser::beginCell`.
     virtual void sound(std::int64_t cell,
@@ -51,7 +55,7 @@ public:
                       const CellOutput& ears) noexcept = 0;
 
     /// Sets whether it may wait for the simulation. If not, impacts that become known too late act
-    /// as soon as possible and count as late.
+    /// as soon as possible, and contacts act from then on. Both count as late events.
     virtual void setOffline(bool isOffline) noexcept = 0;
 
     /// Stops bodies in place; later they go on from there.

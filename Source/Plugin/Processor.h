@@ -167,12 +167,15 @@ public:
     /// [message thread] Returns whether the host calls `processBlock`. Otherwise the window's
     /// strikes are refused: all would wait and sound at once when the host goes on.
     bool isProcessing() const;
+    /// [message thread] Polls the audio thread and the workshop. A timer calls it every
+    /// `pollMilliseconds`.
+    void poll();
+    /// [any thread, between two callbacks] See StagePlayer::waitForSimulation.
+    void waitForSimulation();
 
 private:
-    /// Interval at which the message thread polls the audio thread and the workshop.
-    static constexpr int lookMilliseconds = 50;
+    static constexpr int pollMilliseconds = 50;
 
-    void look();
     void followProgramChange();
     void chooseProgram(int index, std::int64_t request);
     Result<bool> loadProgram(int index, std::int64_t request);

@@ -121,6 +121,12 @@ void ScenePlayer::waitFor(std::int64_t cell) noexcept {
     }
 }
 
+void ScenePlayer::waitForSimulation() noexcept {
+    takeBlocks(); // gives back those of former notes, so that the worker may go on
+    while (worker.help())
+        takeBlocks();
+}
+
 void ScenePlayer::play(Simulation& simulation, const BegunCell& cell) noexcept {
     // The simulation's cells lie between those of the sound. This cell ends within its cell `now`.
     const auto now = cell.index - simulation.startCell;
@@ -138,9 +144,14 @@ void ScenePlayer::play(Simulation& simulation, const BegunCell& cell) noexcept {
                 ++lateCount;
             strike(impact, sample, cell);
         }
+        // A contact that was late in several cells of the block counts once, by the last of them.
+        const auto lastLate = std::min(now - 1, block.endCell()) - 1;
         for (const auto& touched : block.touches)
             if (touched.cell == now - 1)
                 press(touched.state, cell);
+            else if (touched.cell == lastLate && lastLate >= simulation.contactCells)
+                ++lateCount;
+        simulation.contactCells = std::max(simulation.contactCells, std::min(now, block.endCell()));
         place(simulation, block.endCell() - now);
         if (now < block.endCell())
             return;

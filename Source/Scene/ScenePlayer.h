@@ -21,6 +21,7 @@ public:
     void
     startNote(int midiNote, int velocity, std::int64_t cell, double sampleInCell) noexcept override;
     void countNotesFrom(std::uint32_t number) noexcept override { noteCount = number; }
+    void waitForSimulation() noexcept override;
     void sound(std::int64_t cell,
                Synthesiser& synthesiser,
                std::span<const CellOutput> cellsOfSlots) noexcept override;
@@ -47,6 +48,7 @@ private:
         double startSample = 0;                            ///< within that cell
         SimulationBlock *first = nullptr, *last = nullptr; ///< received, and not played completely
         std::size_t impactsDone = 0;                       ///< of the first block
+        std::int64_t contactCells = 0; ///< the contacts of the cells before are played or late
         std::int64_t knownCells = 0;
         bool isAllKnown = false;
         bool isPlaced = false;

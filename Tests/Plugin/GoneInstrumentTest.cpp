@@ -63,6 +63,7 @@ private:
         void sound(std::int64_t, Synthesiser&, std::span<const CellOutput>) noexcept override {}
         void release(Synthesiser&, std::span<const CellOutput>) noexcept override {}
         void hear(std::span<const CellOutput>, const CellOutput&) noexcept override {}
+        void waitForSimulation() noexcept override {}
         void setOffline(bool) noexcept override {}
         void setPaused(bool) noexcept override {}
         void stop() noexcept override {}
