@@ -29,7 +29,7 @@ public:
         bool isError = false;
         std::int64_t modesMixed = 0;  ///< in the last rendered cell
         double delaySeconds = 0;      ///< on a stage: from a key to its sound; otherwise 0
-        std::int64_t lateImpacts = 0; ///< on a stage: impacts known too late to sound in time
+        std::int64_t lateEvents = 0; ///< on a stage: impacts and contacts known too late
         float peak = 0;               ///< output peak since the last call; full scale is 1
     };
 

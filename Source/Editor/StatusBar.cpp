@@ -38,7 +38,7 @@ void StatusBar::show(ProcessorView::Status status) {
     const bool sameSentence = status.isError == shown.isError && status.sentence == shown.sentence;
     const bool same = decibels == shownDecibels && status.modesMixed == shown.modesMixed &&
                       sameSentence && status.delaySeconds == shown.delaySeconds &&
-                      status.lateImpacts == shown.lateImpacts;
+                      status.lateEvents == shown.lateEvents;
     shown = std::move(status);
     shownDecibels = decibels;
     if (!same)
@@ -61,9 +61,8 @@ juce::String StatusBar::delayText() const {
         return {};
     const auto delay =
         "heard " + juce::String(juce::roundToInt(1000 * shown.delaySeconds)) + " ms after the key";
-    return shown.lateImpacts == 0 ? delay
-                                  : delay + ", " + juce::String(shown.lateImpacts) +
-                                        (shown.lateImpacts == 1 ? " impact late" : " impacts late");
+    return shown.lateEvents == 0 ? delay
+                                 : delay + ", " + juce::String(shown.lateEvents) + " late";
 }
 
 juce::String StatusBar::description() const {

@@ -86,7 +86,7 @@ Player::Player(std::shared_ptr<const Instrument> instrument,
       slotHeld(playedInstrument->slots().size(), false),
       slotPressed(playedInstrument->slots().size(), 0) {
     if (playedInstrument->stage()) {
-        performance = playedInstrument->stage()->perform(sampleRateHz, seed);
+        performance = playedInstrument->stage()->makePlayer(sampleRateHz, seed);
         slotSamples.resize(synth.slotCount() * cellSamples);
         slotCells = cellsOfSlotsIn(slotSamples);
         remains.resize(slotSamples.size());
@@ -268,6 +268,11 @@ void Player::setOffline(bool isOffline) noexcept {
         performance->setOffline(isOffline);
 }
 
+void Player::waitForSimulation() noexcept {
+    if (performance)
+        performance->waitForSimulation();
+}
+
 void Player::pauseStage(bool isPaused) noexcept {
     if (performance)
         performance->setPaused(isPaused);
@@ -290,8 +295,8 @@ std::span<const BodyPose> Player::bodyPoses() const noexcept {
     return performance ? performance->poses() : std::span<const BodyPose>();
 }
 
-std::int64_t Player::lateImpacts() const noexcept {
-    return performance ? performance->lateImpacts() : 0;
+std::int64_t Player::lateEvents() const noexcept {
+    return performance ? performance->lateEvents() : 0;
 }
 
 void Player::prepare(const ParameterValues& parameters, int awaitedWheel) {

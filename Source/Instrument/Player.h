@@ -121,18 +121,20 @@ public:
 
     /// On a stage: sets whether `process` may wait for the simulation.
     void setOffline(bool isOffline) noexcept;
+    /// On a stage: see StagePlayer::waitForSimulation.
+    void waitForSimulation() noexcept;
     /// On a stage: stops bodies in place, or returns them to their state before the first note.
     void pauseStage(bool isPaused) noexcept;
     void resetStage() noexcept;
     /// Returns the impacts of the stage's bodies since the last call; valid until the next
     /// `process`.
     std::span<const PlacedImpact> takeImpacts() noexcept;
-    std::uint32_t performanceNumber() const noexcept; ///< StagePerformance::number, or 0
+    std::uint32_t performanceNumber() const noexcept; ///< StagePlayer::number, or 0
     /// Returns where the bodies of the slots are; empty without a stage.
     std::span<const BodyPose> bodyPoses() const noexcept;
-    /// Returns the number of impacts of a stage's bodies that became known too late to act at their
-    /// time.
-    std::int64_t lateImpacts() const noexcept;
+    /// Returns the number of impacts and contacts of a stage's bodies that became known too late to
+    /// act at their time.
+    std::int64_t lateEvents() const noexcept;
 
     /// Sets the host's tempo from the next cell on; 0 if it gives none.
     void setTempo(double beatsPerMinute) { tempo = beatsPerMinute; }
@@ -210,8 +212,8 @@ private:
     ParameterGlide glide;
     alignas(64) std::array<float, cellSamples> leftCell{};
     alignas(64) std::array<float, cellSamples> rightCell{};
-    std::unique_ptr<StagePerformance> performance; ///< for an instrument on a stage
-    AlignedVector<float> slotSamples;              ///< [slots, 64] on a stage
+    std::unique_ptr<StagePlayer> performance; ///< for an instrument on a stage
+    AlignedVector<float> slotSamples;         ///< [slots, 64] on a stage
     std::vector<CellOutput>
         slotCells; ///< output of each slot: its own in slotSamples, or the one cell
     int cellPosition = cellSamples;

@@ -26,7 +26,7 @@ bool Player::beginSong() {
     if (performance) {
         if (beginsAnew)
             performance->reset();
-        performance->countCuesFrom(before);
+        performance->countNotesFrom(before);
     }
     loudness.beginSong();
     return beginsAnew;

@@ -21,7 +21,7 @@ void Player::strikeFor(const MidiEvent& event) {
         return;
     if (performance) {
         const int softened = std::max(1, static_cast<int>(std::lround(softness * velocity)));
-        performance->cue(event.bytes[1] & 0x7f, softened, cellIndex, cellPosition);
+        performance->startNote(event.bytes[1] & 0x7f, softened, cellIndex, cellPosition);
         return;
     }
     const auto number = strikeCount++;

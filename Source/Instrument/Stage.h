@@ -24,16 +24,20 @@ struct BodyPose {
 /// The stage of one player. Constructed and destroyed off the audio thread; the rest is for the
 /// audio thread and neither allocates, locks nor throws. The exception is offline mode: then it
 /// waits for its worker, or does the work itself.
-class StagePerformance {
+class StagePlayer {
 public:
-    virtual ~StagePerformance() = default;
+    virtual ~StagePlayer() = default;
 
     /// Starts the bodies of a note at a sample of the newest cell, or beyond its end.
     virtual void
-    cue(int midiNote, int velocity, std::int64_t cell, double sampleInCell) noexcept = 0;
+    startNote(int midiNote, int velocity, std::int64_t cell, double sampleInCell) noexcept = 0;
 
-    /// Sets the number of the next cue, from 0 on. It seeds the random part of its bodies' motion.
-    virtual void countCuesFrom(std::uint32_t number) noexcept = 0;
+    /// Sets the number of the next note, from 0 on. It seeds the random part of its bodies' motion.
+    virtual void countNotesFrom(std::uint32_t number) noexcept = 0;
+
+    /// Returns when the simulation is as far ahead of the sound as its worker would be, about a
+    /// second. Not for the audio thread, but for its caller between two blocks.
+    virtual void waitForSimulation() noexcept = 0;
 
     /// Adds the sound of the bodies in the newest cell, each slot's to its own output. Call it once
     /// a cell, after `Synthesiser::beginCell`.
@@ -51,7 +55,7 @@ public:
                       const CellOutput& ears) noexcept = 0;
 
     /// Sets whether it may wait for the simulation. If not, impacts that become known too late act
-    /// as soon as possible and count as late.
+    /// as soon as possible, and contacts act from then on. Both count as late events.
     virtual void setOffline(bool isOffline) noexcept = 0;
 
     /// Stops bodies in place; later they go on from there.
@@ -63,7 +67,7 @@ public:
 
     /// Returns whether nothing moves, and no sound is on its way to the listener.
     virtual bool silent() const noexcept = 0;
-    virtual std::int64_t lateImpacts() const noexcept = 0;
+    virtual std::int64_t lateEvents() const noexcept = 0;
     /// Returns the impacts since the last call, in seconds since the first cell. The next `sound`
     /// forgets them.
     virtual std::span<const PlacedImpact> takeImpacts() noexcept = 0;
@@ -78,10 +82,10 @@ class Stage {
 public:
     virtual ~Stage() = default;
 
-    /// Makes a performance for an instrument on this stage. The same seed, cues and offline state
+    /// Makes a performance for an instrument on this stage. The same seed, notes and offline state
     /// give the same bits.
-    virtual std::unique_ptr<StagePerformance> perform(double sampleRateHz,
-                                                      std::uint64_t seed) const = 0;
+    virtual std::unique_ptr<StagePlayer> makePlayer(double sampleRateHz,
+                                                    std::uint64_t seed) const = 0;
 
     /// Returns the name of a slot's object in the scene: a factory object or a file's path.
     virtual const std::string& objectOf(std::size_t slot) const = 0;

@@ -171,7 +171,7 @@ void Processor::report(std::span<float* const> channels, int count) noexcept {
     if (auto* player = sound.player()) {
         modulationWheel = player->modulationWheel();
         modesMixed = player->synthesiser().modesMixed();
-        lateImpacts = player->lateImpacts();
+        lateEvents = player->lateEvents();
         semitonesBelowPlayed = player->semitonesBelowEqual();
         playedResizedKeys = player->hasPlayedResizedKeys();
         capture.take(*player);
@@ -185,7 +185,7 @@ Processor::Processor()
       parameters(*this), pendingKeys(static_cast<int>(factoryPresets().size())) {
     setCurrentProgram(0);
     soundToTell = movedToTell = 0; // the host has not asked yet
-    looks.emplace(lookMilliseconds, [this] { look(); });
+    looks.emplace(pollMilliseconds, [this] { poll(); });
 }
 
 Processor::~Processor() {
@@ -320,7 +320,12 @@ Result<std::unique_ptr<Player>> Processor::newPlayer(const std::shared_ptr<const
         preset.name.empty() ? "The sound" : oneLine(preset.name));
 }
 
-void Processor::look() {
+void Processor::waitForSimulation() {
+    if (auto* player = sound.player())
+        player->waitForSimulation();
+}
+
+void Processor::poll() {
     lookForCallbacks();
     if (const auto times = notFinite.load(); std::exchange(notFiniteShown, times) != times)
         reportError("The sound was not finite, and begins anew with the next note.");

@@ -167,12 +167,15 @@ public:
     /// [message thread] Returns whether the host calls `processBlock`. Otherwise the window's
     /// strikes are refused: all would wait and sound at once when the host goes on.
     bool isProcessing() const;
+    /// [message thread] Polls the audio thread and the workshop. A timer calls it every
+    /// `pollMilliseconds`.
+    void poll();
+    /// [any thread, between two callbacks] See StagePlayer::waitForSimulation.
+    void waitForSimulation();
 
 private:
-    /// Interval at which the message thread polls the audio thread and the workshop.
-    static constexpr int lookMilliseconds = 50;
+    static constexpr int pollMilliseconds = 50;
 
-    void look();
     void followProgramChange();
     void chooseProgram(int index, std::int64_t request);
     Result<bool> loadProgram(int index, std::int64_t request);
@@ -316,7 +319,7 @@ private:
     std::atomic<double> stageSeconds{0}; ///< time that bodies move after a note
     std::atomic<int> modulationWheel{HeldContacts::controllerAtRest}; ///< last position
     std::atomic<std::int64_t> modesMixed{0};
-    std::atomic<std::int64_t> lateImpacts{0};
+    std::atomic<std::int64_t> lateEvents{0};
     std::atomic<std::int64_t> notFinite{0};
     std::atomic<float> peak{0};
     /// Odd while values and their player are being handed over.

@@ -281,7 +281,7 @@ ProcessorView::Status Processor::takeStatus() {
     Status status{.sentence = {},
                   .isError = false,
                   .modesMixed = modesMixed,
-                  .lateImpacts = lateImpacts,
+                  .lateEvents = lateEvents,
                   .peak = peak.exchange(0)};
     const std::scoped_lock lock(soundMutex);
     if (instrument != nullptr && instrument->stage() != nullptr)

@@ -16,23 +16,23 @@ namespace {
 constexpr double roundestSection = 1.25; // maximum ratio of a ring's width and height
 constexpr int capsules = 16;
 constexpr int sectors = 20; // of a ring
-constexpr int mostHullVertices = 72;
+constexpr int maximumHullVertices = 72;
 constexpr double marginShare = 0.01; // of a shape's smallest size
-constexpr double mostMarginMetres = 5e-4;
-constexpr double mostMarginOfDepth = 0.1; // from the middle to the nearest face
+constexpr double maximumMarginMetres = 5e-4;
+constexpr double maximumMarginOfDepth = 0.1; // from the middle to the nearest face
 
 /// Returns all corners if they are few. Otherwise returns the extreme corners in directions along a
 /// spiral on the sphere.
 std::vector<btVector3> fewer(const btAlignedObjectArray<btVector3>& corners) {
     std::vector<btVector3> kept;
-    if (corners.size() <= mostHullVertices) {
+    if (corners.size() <= maximumHullVertices) {
         for (int k = 0; k < corners.size(); ++k)
             kept.push_back(corners[k]);
         return kept;
     }
     const double turn = std::numbers::pi * (3 - std::sqrt(5.0));
-    for (int direction = 0; direction < mostHullVertices; ++direction) {
-        const double z = 1 - (2 * direction + 1.0) / mostHullVertices;
+    for (int direction = 0; direction < maximumHullVertices; ++direction) {
+        const double z = 1 - (2 * direction + 1.0) / maximumHullVertices;
         const double radius = std::sqrt(1 - z * z);
         const btVector3 way(radius * std::cos(turn * direction),
                             radius * std::sin(turn * direction), z);
@@ -94,11 +94,11 @@ btCollisionShape* CollisionShape::hull(const std::vector<Eigen::Vector3d>& point
     btConvexHullComputer computer;
     const auto compute = [&](double margin) {
         return computer.compute(points.front().data(), sizeof(Eigen::Vector3d),
-                                static_cast<int>(points.size()), margin, mostMarginOfDepth);
+                                static_cast<int>(points.size()), margin, maximumMarginOfDepth);
     };
     // A body that lies askew in its box is thinner than it; compute() reduces the margin then.
-    double margin =
-        compute(std::min(mostMarginMetres, marginShare * boundingBox(points).sizes().minCoeff()));
+    double margin = compute(
+        std::min(maximumMarginMetres, marginShare * boundingBox(points).sizes().minCoeff()));
     if (computer.vertices.size() == 0) // too thin for any margin
         margin = compute(0);
     auto* shape = own<btConvexHullShape>();
@@ -107,7 +107,7 @@ btCollisionShape* CollisionShape::hull(const std::vector<Eigen::Vector3d>& point
     shape->recalcLocalAabb();
     shape->setMargin(margin);
     constexpr int fewestFaces = 4; // with fewer faces Bullet reads beyond its list
-    if (computer.vertices.size() <= mostHullVertices && computer.faces.size() >= fewestFaces)
+    if (computer.vertices.size() <= maximumHullVertices && computer.faces.size() >= fewestFaces)
         shape->initializePolyhedralFeatures(); // lets whole faces collide
     return shape;
 }
@@ -169,7 +169,7 @@ btCollisionShape* CollisionShape::round(const RigidBodyModel& model) {
     } else {
         const double radius = half.head<2>().maxCoeff();
         shape = own<btCylinderShapeZ>(btVector3(radius, radius, half.z()));
-        shape->setMargin(std::min(mostMarginMetres, marginShare * half.minCoeff()));
+        shape->setMargin(std::min(maximumMarginMetres, marginShare * half.minCoeff()));
     }
     auto* centred = own<btCompoundShape>();
     centred->addChildShape(btTransform(btQuaternion::getIdentity(), toBullet(box.center())), shape);
@@ -194,7 +194,7 @@ btCollisionShape* CollisionShape::surface(const RigidBodyModel& model) {
     shape->setOptimizedBvh(trees.emplace_back(std::make_unique<SurfaceTree>(mesh)).get());
     const bool isShell = model.object->body == BodyKind::shell;
     shape->setMargin(isShell ? model.sizeRatio * model.object->thicknessMetres / 2
-                             : mostMarginMetres);
+                             : maximumMarginMetres);
     auto& map = *edges.emplace_back(std::make_unique<btTriangleInfoMap>());
     // Coinciding corners have the same bits. With its default threshold, 0.1 mm, Bullet ignores all
     // faces smaller than half a square centimetre.

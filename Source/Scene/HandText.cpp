@@ -7,7 +7,7 @@
 namespace idiophone {
 namespace {
 
-constexpr std::size_t mostRows = 100'000;
+constexpr std::size_t maximumRows = 100'000;
 constexpr double strongestNewtons = 1000;
 constexpr double slowestTapMetresPerSecond = 1e-4, fastestTapMetresPerSecond = 100;
 
@@ -21,7 +21,7 @@ struct Row {
 std::vector<Row>
 parseRows(const JsonPlace& place, const std::string& what, double lowest, double highest) {
     std::vector<Row> rows;
-    for (const auto& row : place.list(mostRows)) {
+    for (const auto& row : place.list(maximumRows)) {
         const auto figures = row.list(5);
         if (figures.size() != 5)
             row.fail("is not a list of five numbers: s, x, y, z and " + what);

@@ -13,7 +13,7 @@ using std::numbers::pi;
 constexpr double headRadiusMetres = 0.0875, soundMetresPerSecond = 343;
 constexpr double headSeconds = headRadiusMetres / soundMetresPerSecond;
 constexpr double earDegrees = 100; // from straight ahead: a little behind the middle
-constexpr double leastHighGain = 0.1, darkestDegrees = 150;
+constexpr double minimumHighGain = 0.1, darkestDegrees = 150;
 constexpr double airDecibelsAMetre = 0.16;
 
 /// Delay around the far side of the sphere (Woodworth). 0 if the sound comes straight at the ear.
@@ -24,8 +24,8 @@ double delaySeconds(double incidenceRadians) {
 }
 
 double highFrequencyGain(double incidenceRadians) {
-    return 1 + leastHighGain / 2 +
-           (1 - leastHighGain / 2) * std::cos(incidenceRadians * 180 / darkestDegrees);
+    return 1 + minimumHighGain / 2 +
+           (1 - minimumHighGain / 2) * std::cos(incidenceRadians * 180 / darkestDegrees);
 }
 
 } // namespace

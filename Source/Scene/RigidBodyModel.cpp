@@ -14,7 +14,7 @@ namespace idiophone {
 namespace {
 
 // With smaller bodies, the solver would divide by numbers that are too small.
-constexpr double leastMetres = 1e-9, leastMassKg = 1e-24;
+constexpr double minimumMetres = 1e-9, minimumMassKg = 1e-24;
 
 /// Returns right-handed axes in columns, in ascending order of inertia.
 Eigen::Matrix3d principalAxes(const Eigen::Matrix3d& inertia, Eigen::Vector3d& moments) {
@@ -49,12 +49,12 @@ Result<BoxSearch> touchingFaces(const BodyTemplate& kind, const ModalObject& obj
     if (object.faceCount() == 0)
         return fault("no faces");
     // Bullet numbers faces with 21 bits and does not check.
-    if (object.faceCount() > mostSurfaceFaces)
-        return fault("more than " + std::to_string(mostSurfaceFaces) + " faces");
+    if (object.faceCount() > maximumSurfaceFaces)
+        return fault("more than " + std::to_string(maximumSurfaceFaces) + " faces");
     const auto mesh = collisionSurface(object);
     if (mesh.faceCount() == 0)
         return fault("no face with an area");
-    if (const auto touching = BoxTree(mesh).touchingFaces(mostTouchingFaces))
+    if (const auto touching = BoxTree(mesh).touchingFaces(maximumTouchingFaces))
         return *touching;
     return fault("too many faces that lie on or across each other");
 }
@@ -86,8 +86,8 @@ makeRigidBodyModel(const BodyTemplate& kind,
         model.meshFromBody.linear() = principalAxes(inertia, model.inertiaKgM2);
         model.meshFromBody.translation() =
             s * Eigen::Map<const Eigen::Vector3d>(own.mass.centreMetres.data());
-        if (!(model.massKg > leastMassKg) ||
-            !(model.inertiaKgM2.minCoeff() > leastMetres * leastMetres * model.massKg))
+        if (!(model.massKg > minimumMassKg) ||
+            !(model.inertiaKgM2.minCoeff() > minimumMetres * minimumMetres * model.massKg))
             return failure(inQuotes(kind.name) + " cannot move: its object " + inQuotes(own.name) +
                            " has no mass");
     }
@@ -99,7 +99,7 @@ makeRigidBodyModel(const BodyTemplate& kind,
         model.touchingFaces = *touching;
     }
     const Eigen::Vector3d sizes = boundingBox(outerVertices(model)).sizes();
-    if (!(sizes.minCoeff() > leastMetres) && kind.form != BodyForm::surface &&
+    if (!(sizes.minCoeff() > minimumMetres) && kind.form != BodyForm::surface &&
         kind.form != BodyForm::ground)
         return failure(inQuotes(kind.name) + " is as flat as a sheet: its object " +
                        inQuotes(own.name) + " has no thickness");
@@ -109,11 +109,11 @@ makeRigidBodyModel(const BodyTemplate& kind,
 }
 
 Mesh collisionSurface(const ModalObject& object) {
-    constexpr Eigen::Index mostSmoothFaces = 24000; // each subdivision turns one face into four
+    constexpr Eigen::Index maximumSmoothFaces = 24000; // each subdivision turns one face into four
     Mesh mesh = objectMesh(object);
     dropDegenerateFaces(mesh);
     dropDuplicateFaces(mesh);
-    for (auto faces = 4 * mesh.faceCount(); faces > 0 && faces <= mostSmoothFaces; faces *= 4)
+    for (auto faces = 4 * mesh.faceCount(); faces > 0 && faces <= maximumSmoothFaces; faces *= 4)
         mesh = subdivided(mesh, 1);
     return mesh;
 }

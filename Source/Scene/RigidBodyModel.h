@@ -33,10 +33,10 @@ struct RigidBodyModel {
 };
 
 /// The maximum number of faces of an object whose form is `surface`.
-inline constexpr std::size_t mostSurfaceFaces = 100'000;
+inline constexpr std::size_t maximumSurfaceFaces = 100'000;
 /// The maximum work for all surfaces of a scene, which takes a second or two. Sound meshes have
 /// about ten pairs and under a hundred boxes per face.
-inline constexpr BoxSearch mostTouchingFaces{.pairs = 5'000'000, .boxes = 50'000'000};
+inline constexpr BoxSearch maximumTouchingFaces{.pairs = 5'000'000, .boxes = 50'000'000};
 
 /// The error names the kind and the reason. An object may have no mass or be too flat for its form.
 /// A surface may have no faces or too many. `likeSurface` may be null or a surface of the same

@@ -60,7 +60,7 @@ public:
         if ((first->m_collisionFilterGroup & second->m_collisionFilterMask) == 0 ||
             (second->m_collisionFilterGroup & first->m_collisionFilterMask) == 0)
             return false;
-        isReached = isReached || bodies.getNumOverlappingPairs() >= RigidWorld::mostPairs;
+        isReached = isReached || bodies.getNumOverlappingPairs() >= RigidWorld::maximumPairs;
         return !isReached;
     }
 
@@ -72,7 +72,7 @@ private:
                         btCollisionDispatcher& dispatcher,
                         const btDispatcherInfo& how) {
         auto& limit = static_cast<PairLimit&>(dispatcher);
-        limit.isReached = limit.isReached || limit.getNumManifolds() >= RigidWorld::mostPairs;
+        limit.isReached = limit.isReached || limit.getNumManifolds() >= RigidWorld::maximumPairs;
         if (!limit.isReached)
             defaultNearCallback(pair, dispatcher, how);
     }

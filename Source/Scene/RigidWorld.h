@@ -31,7 +31,7 @@ public:
     /// Each pair takes memory, about a gigabyte at the maximum. A heap of thousands of bodies has
     /// as many pairs, as do 300 bodies in one place. A hundred rings have 1300 pairs of bodies and
     /// 4400 of parts.
-    static constexpr int mostPairs = 50'000;
+    static constexpr int maximumPairs = 50'000;
 
     RigidWorld(std::vector<Kind> kinds, double stepsPerSecond, double gravityMetresPerSecond2);
     ~RigidWorld();
@@ -53,7 +53,7 @@ public:
     void step();
     double seconds() const;
     double stepSeconds() const;
-    /// Returns whether the pairs of bodies, or of their parts, exceeded `mostPairs`. The pairs
+    /// Returns whether the pairs of bodies, or of their parts, exceeded `maximumPairs`. The pairs
     /// beyond pass through each other, so that further steps are useless.
     bool isCrowded() const;
     /// Returns the work of all steps so far, in units of about a microsecond: bodies and their

@@ -115,7 +115,8 @@ Result<void> SceneAssets::loadKinds(ObjectLibrary& library) {
         const auto& own = allRoles.back().kind.model->touchingFaces;
         touching.pairs += own.pairs;
         touching.boxes += own.boxes;
-        if (touching.pairs > mostTouchingFaces.pairs || touching.boxes > mostTouchingFaces.boxes)
+        if (touching.pairs > maximumTouchingFaces.pairs ||
+            touching.boxes > maximumTouchingFaces.boxes)
             return failure("the surfaces in the scene " + inQuotes(played.name) +
                            " have too many faces together");
     }

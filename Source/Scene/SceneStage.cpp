@@ -4,7 +4,7 @@
 #include "Object/OneLine.h"
 #include "Scene/FactoryScenes.h"
 #include "Scene/SceneFile.h"
-#include "Scene/SceneShow.h"
+#include "Scene/ScenePlayer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,10 +12,10 @@
 namespace idiophone {
 namespace {
 
-constexpr std::size_t mostMovingSlots = 64; // of all simulations, unless a single one has more
+constexpr std::size_t maximumMovingSlots = 64; // of all simulations, unless a single one has more
 constexpr int middleVelocity = 64;
 constexpr double longestRehearsalSeconds = 3;
-constexpr double mostWorkBefore = 2e6; // a few seconds, in the units of RigidWorld::work
+constexpr double maximumWorkBefore = 2e6; // a few seconds, in the units of RigidWorld::work
 
 /// Interpolates from the softest to the hardest note.
 double between(const std::array<double, 2>& ends, int velocity) {
@@ -79,14 +79,14 @@ Result<void> SceneStage::setUp() {
         bodies += count;
         moving += played->roles()[release.kind].kind.model->isFixed ? 0 : count;
     }
-    if (bodies > mostBodies)
+    if (bodies > maximumBodies)
         return failure("the scene " + inQuotes(scene.name) + " has " + std::to_string(bodies) +
-                       " bodies, more than the " + std::to_string(mostBodies) +
+                       " bodies, more than the " + std::to_string(maximumBodies) +
                        " that keys can set in motion");
     int note = 0;
     while (note < 127 && !played->target(note))
         ++note;
-    SceneSimulation prototype(played, rehearsalCall(note));
+    SceneSimulation prototype(played, trialSetup(note));
     prototype.advanceTo(0);
     if (prototype.isCrowded())
         return tl::unexpected(crowdedFault(scene));
@@ -97,7 +97,7 @@ Result<void> SceneStage::setUp() {
     const auto moves = [&](std::size_t slot) { return !prototype.isFixed(slot); };
     const std::size_t simulations =
         moving == 0 ? maximumSimulations
-                    : std::clamp<std::size_t>(mostMovingSlots / moving, 1, maximumSimulations);
+                    : std::clamp<std::size_t>(maximumMovingSlots / moving, 1, maximumSimulations);
     for (std::size_t simulation = 0; simulation < simulations; ++simulation) {
         SlotMap own;
         for (std::size_t slot = 0; slot < slots.size(); ++slot) {
@@ -129,34 +129,34 @@ double SceneStage::lengthSeconds() const {
 }
 
 Result<double> SceneStage::firstImpactSeconds() const {
-    SceneSimulation rehearsal(played, rehearsalCall(0));
+    SceneSimulation trial(played, trialSetup(0));
     const double longest = std::min(longestRehearsalSeconds, played->scene().seconds);
-    for (double seconds = 0; seconds < longest && !rehearsal.isCutShort(); seconds += 0.01) {
-        rehearsal.advanceTo(seconds);
-        if (const auto impact = rehearsal.takeImpact(seconds))
+    for (double seconds = 0; seconds < longest && !trial.isCutShort(); seconds += 0.01) {
+        trial.advanceTo(seconds);
+        if (const auto impact = trial.takeImpact(seconds))
             return impact->seconds;
-        if (rehearsal.isCrowded())
+        if (trial.isCrowded())
             return tl::unexpected(crowdedFault(played->scene()));
     }
     return 0;
 }
 
-SceneCall SceneStage::rehearsalCall(int midiNote) const {
-    auto call = callFor(midiNote, middleVelocity, played->scene().seed);
-    call.mostWork = mostWorkBefore;
-    return call;
+SimulationSetup SceneStage::trialSetup(int midiNote) const {
+    auto setup = setupFor(midiNote, middleVelocity, played->scene().seed);
+    setup.maximumWork = maximumWorkBefore;
+    return setup;
 }
 
-SceneCall SceneStage::callFor(int midiNote, int velocity, std::uint32_t seed) const {
+SimulationSetup SceneStage::setupFor(int midiNote, int velocity, std::uint32_t seed) const {
     const auto& scene = played->scene();
-    SceneCall call{.seed = seed};
+    SimulationSetup setup{.seed = seed};
     if (scene.noteDrop) {
-        call.notes = {{.seconds = delay, .note = midiNote, .velocity = velocity}};
-        call.seconds = 0;
+        setup.notes = {{.seconds = delay, .note = midiNote, .velocity = velocity}};
+        setup.seconds = 0;
     }
-    call.raisedMetres = between(scene.keyThrow.raisedMetres, velocity);
-    call.speedRatio = between(scene.keyThrow.speedRatios, velocity);
-    return call;
+    setup.raisedMetres = between(scene.keyThrow.raisedMetres, velocity);
+    setup.speedRatio = between(scene.keyThrow.speedRatios, velocity);
+    return setup;
 }
 
 std::array<int, 128> SceneStage::slotOfKey(int lowestNote, int highestNote) const {
@@ -175,9 +175,8 @@ std::array<int, 128> SceneStage::slotOfKey(int lowestNote, int highestNote) cons
     return slots;
 }
 
-std::unique_ptr<StagePerformance> SceneStage::perform(double sampleRateHz,
-                                                      std::uint64_t seed) const {
-    return std::make_unique<SceneShow>(*this, sampleRateHz, seed);
+std::unique_ptr<StagePlayer> SceneStage::makePlayer(double sampleRateHz, std::uint64_t seed) const {
+    return std::make_unique<ScenePlayer>(*this, sampleRateHz, seed);
 }
 
 } // namespace idiophone

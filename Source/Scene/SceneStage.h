@@ -33,15 +33,14 @@ public:
     using SlotMap = std::vector<std::size_t>;
 
     /// The maximum number of bodies. No machine simulates more of them in real time.
-    static constexpr std::size_t mostBodies = 500;
+    static constexpr std::size_t maximumBodies = 500;
 
-    /// Refuses more than `mostBodies` bodies, a crowded scene (RigidWorld::isCrowded) and one that
-    /// takes too long to begin. The error names the scene.
+    /// Refuses more than `maximumBodies` bodies, a crowded scene (RigidWorld::isCrowded) and one
+    /// that takes too long to begin. The error names the scene.
     static Result<std::shared_ptr<const SceneStage>>
     make(std::shared_ptr<const SceneAssets> assets);
 
-    std::unique_ptr<StagePerformance> perform(double sampleRateHz,
-                                              std::uint64_t seed) const override;
+    std::unique_ptr<StagePlayer> makePlayer(double sampleRateHz, std::uint64_t seed) const override;
     const std::string& objectOf(std::size_t slot) const override {
         return played->roles()[allRoles[slot]].object;
     }
@@ -53,23 +52,23 @@ public:
     const std::vector<SynthesiserSlot>& slots() const { return allSlots; }
     /// Returns the initial place of each slot's body.
     const std::vector<Eigen::Vector3d>& places() const { return firstPlaces; }
-    std::size_t actCount() const { return slotsOfSimulations.size(); }
+    std::size_t simulationCount() const { return slotsOfSimulations.size(); }
     const SlotMap& slotsOfSimulation(std::size_t simulation) const {
         return slotsOfSimulations[simulation];
     }
     /// Returns the slot that shows each note in the window, −1 for notes without effect.
     std::array<int, 128> slotOfKey(int lowestNote, int highestNote) const;
 
-    /// Returns the call that performs a note.
-    SceneCall callFor(int midiNote, int velocity, std::uint32_t seed) const;
+    /// Returns the setup of the simulation of a note.
+    SimulationSetup setupFor(int midiNote, int velocity, std::uint32_t seed) const;
 
 private:
     explicit SceneStage(std::shared_ptr<const SceneAssets> assets) : played(std::move(assets)) {}
 
     Result<void> setUp();
-    /// Returns the call of the note at middle velocity, limited to a few seconds of work.
-    SceneCall rehearsalCall(int midiNote) const;
-    /// Rehearses a note at middle velocity. Returns 0 if nothing is struck soon or within the work
+    /// Returns the setup of the note at middle velocity, limited to a few seconds of work.
+    SimulationSetup trialSetup(int midiNote) const;
+    /// Simulates a note at middle velocity. Returns 0 if nothing is struck soon or within the work
     /// limit.
     Result<double> firstImpactSeconds() const;
 

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 
 namespace idiophone {
 namespace {
@@ -15,9 +16,9 @@ namespace {
 // Generous bounds, as in HandText.h.
 constexpr double fastestMetresPerSecond = 100;
 constexpr double fastestTurnsPerSecond = 100;
-constexpr int mostBodies = 10000;
-constexpr std::size_t mostKinds = 24; // SceneAssets uses one bit for each
-constexpr std::size_t mostEntries = 10000;
+constexpr int maximumBodies = 10000;
+constexpr std::size_t maximumKinds = 24; // SceneAssets uses one bit for each
+constexpr std::size_t maximumEntries = 10000;
 
 constexpr std::array<std::pair<std::string_view, BodyForm>, 6> formNames{{
     {"hull", BodyForm::hull},
@@ -27,6 +28,17 @@ constexpr std::array<std::pair<std::string_view, BodyForm>, 6> formNames{{
     {"surface", BodyForm::surface},
     {"ground", BodyForm::ground},
 }};
+
+/// Reads a member by a function of `JsonPlace` or of this file. Without it the value stays.
+template <class Value, class Function, class... Arguments>
+void read(const JsonPlace& place,
+          const char* key,
+          Value& value,
+          Function function,
+          const Arguments&... arguments) {
+    if (place.has(key))
+        value = std::invoke(function, place.at(key), arguments...);
+}
 
 BodyForm parseForm(const JsonPlace& place) {
     const auto name = place.text();
@@ -53,28 +65,19 @@ BodyTemplate parseKind(const JsonPlace& place) {
     kind.name = place.at("name").text();
     if (place.has("ball") == place.has("object"))
         place.fail("needs either 'object' or 'ball'");
-    if (place.has("object"))
-        kind.object = place.at("object").text();
-    else
-        kind.ball = parseBall(place.at("ball"));
+    read(place, "object", kind.object, &JsonPlace::text);
+    read(place, "ball", kind.ball, parseBall);
     if (kind.ball)
         kind.form = BodyForm::sphere;
-    if (place.has("form"))
-        kind.form = parseForm(place.at("form"));
-    if (place.has("fixed"))
-        kind.isFixed = place.at("fixed").truth();
-    if (place.has("size"))
-        kind.sizeRatio = place.at("size").number(0.001, 1000);
-    if (place.has("friction"))
-        kind.friction = place.at("friction").number(0, 10);
-    if (place.has("restitution"))
-        kind.restitution = place.at("restitution").number(0, 1);
-    if (place.has("rolling_friction"))
-        kind.rollingFrictionMetres = place.at("rolling_friction").number(0, 1);
-    if (place.has("contact_radius"))
-        kind.contactRadiusMetres = place.at("contact_radius").number(1e-5, farthestMetres);
-    if (place.has("surface"))
-        kind.surface = surfaceAt(place.at("surface"));
+    read(place, "form", kind.form, parseForm);
+    read(place, "fixed", kind.isFixed, &JsonPlace::truth);
+    read(place, "size", kind.sizeRatio, &JsonPlace::number, 0.001, 1000);
+    read(place, "friction", kind.friction, &JsonPlace::number, 0, 10);
+    read(place, "restitution", kind.restitution, &JsonPlace::number, 0, 1);
+    read(place, "rolling_friction", kind.rollingFrictionMetres, &JsonPlace::number, 0, 1);
+    read(place, "contact_radius", kind.contactRadiusMetres, &JsonPlace::number, 1e-5,
+         farthestMetres);
+    read(place, "surface", kind.surface, surfaceAt);
     if (!kind.isFixed && (kind.form == BodyForm::surface || kind.form == BodyForm::ground))
         place.at("form").fail("is for fixed bodies only");
     return kind;
@@ -86,14 +89,13 @@ void parsePasses(const JsonPlace& place,
                  const std::vector<BodyTemplate>& kinds) {
     if (!place.has("passes"))
         return;
-    for (const auto& name : place.at("passes").list(mostKinds))
+    for (const auto& name : place.at("passes").list(maximumKinds))
         kind.passes.push_back(parseKindName(name, kinds));
 }
 
 Scattered parseScattered(const JsonPlace& place, const char* key, double reach) {
     Scattered quantity;
-    if (place.has(key))
-        quantity.mean = place.at(key).vector(reach);
+    read(place, key, quantity.mean, &JsonPlace::vector, reach);
     const std::string scatter = std::string(key) + "_scatter";
     if (place.has(scatter.c_str()))
         quantity.reach = place.at(scatter.c_str()).vector(reach).cwiseAbs();
@@ -105,16 +107,12 @@ Release parseRelease(const JsonPlace& place, const std::vector<BodyTemplate>& ki
                  "turned_at_random", "velocity", "velocity_scatter", "spin", "spin_scatter"});
     Release release;
     release.kind = parseKindName(place.at("kind"), kinds);
-    if (place.has("count"))
-        release.count = place.at("count").integer(1, mostBodies);
-    if (place.has("time"))
-        release.seconds = place.at("time").number(0, longestSeconds);
-    if (place.has("over"))
-        release.overSeconds = place.at("over").number(0, longestSeconds);
+    read(place, "count", release.count, &JsonPlace::integer, 1, maximumBodies);
+    read(place, "time", release.seconds, &JsonPlace::number, 0, longestSeconds);
+    read(place, "over", release.overSeconds, &JsonPlace::number, 0, longestSeconds);
     release.positionMetres = parseScattered(place, "at", farthestMetres);
     release.turnedDegrees = parseScattered(place, "turned", 360);
-    if (place.has("turned_at_random"))
-        release.isTurnedAtRandom = place.at("turned_at_random").truth();
+    read(place, "turned_at_random", release.isTurnedAtRandom, &JsonPlace::truth);
     release.velocityMetresPerSecond = parseScattered(place, "velocity", fastestMetresPerSecond);
     release.spinTurnsPerSecond = parseScattered(place, "spin", fastestTurnsPerSecond);
     return release;
@@ -136,10 +134,8 @@ KeyboardStage parseKeyboard(const JsonPlace& place) {
     place.allow({"preset", "spacing", "at"});
     KeyboardStage stage;
     stage.preset = place.at("preset").text();
-    if (place.has("spacing"))
-        stage.spacingMetres = place.at("spacing").number(0.001, 10);
-    if (place.has("at"))
-        stage.positionMetres = place.at("at").vector(farthestMetres);
+    read(place, "spacing", stage.spacingMetres, &JsonPlace::number, 0.001, 10);
+    read(place, "at", stage.positionMetres, &JsonPlace::vector, farthestMetres);
     return stage;
 }
 
@@ -154,10 +150,8 @@ std::array<double, 2> parseSpan(const JsonPlace& place, double lowest, double hi
 KeyThrow parseKeyThrow(const JsonPlace& place) {
     place.allow({"raise", "speed"});
     KeyThrow keys;
-    if (place.has("raise"))
-        keys.raisedMetres = parseSpan(place.at("raise"), 0, 100);
-    if (place.has("speed"))
-        keys.speedRatios = parseSpan(place.at("speed"), 0, 100);
+    read(place, "raise", keys.raisedMetres, parseSpan, 0, 100);
+    read(place, "speed", keys.speedRatios, parseSpan, 0, 100);
     return keys;
 }
 
@@ -174,20 +168,16 @@ NoteDrop parseNoteDrop(const JsonPlace& place, const std::vector<BodyTemplate>& 
     }
     if (place.has("scatter"))
         drop.reachMetres = place.at("scatter").vector(10).cwiseAbs().head<2>();
-    if (place.has("life"))
-        drop.lifeSeconds = place.at("life").number(0.01, 60);
-    if (place.has("at"))
-        drop.positionMetres = place.at("at").vector(farthestMetres);
+    read(place, "life", drop.lifeSeconds, &JsonPlace::number, 0.01, 60);
+    read(place, "at", drop.positionMetres, &JsonPlace::vector, farthestMetres);
     return drop;
 }
 
 Listener parseListener(const JsonPlace& place) {
     place.allow({"at", "towards"});
     Listener listener;
-    if (place.has("at"))
-        listener.positionMetres = place.at("at").vector(farthestMetres);
-    if (place.has("towards"))
-        listener.towardsMetres = place.at("towards").vector(farthestMetres);
+    read(place, "at", listener.positionMetres, &JsonPlace::vector, farthestMetres);
+    read(place, "towards", listener.towardsMetres, &JsonPlace::vector, farthestMetres);
     if ((listener.towardsMetres - listener.positionMetres).norm() < 1e-6)
         place.fail("is at the place it looks towards");
     return listener;
@@ -208,18 +198,15 @@ ParameterValues parseParameters(const JsonPlace& place) {
 }
 
 void parseTimes(const JsonPlace& root, Scene& scene) {
-    if (root.has("seconds"))
-        scene.seconds = root.at("seconds").number(0.001, longestSeconds);
+    read(root, "seconds", scene.seconds, &JsonPlace::number, 0.001, longestSeconds);
     if (root.has("seed"))
         scene.seed = static_cast<std::uint32_t>(root.at("seed").integer(0, 1'000'000'000));
-    if (root.has("steps_per_second"))
-        scene.stepsPerSecond = root.at("steps_per_second").number(1000, 20000);
-    if (root.has("gravity"))
-        scene.gravityMetresPerSecond2 = root.at("gravity").number(0, 100);
+    read(root, "steps_per_second", scene.stepsPerSecond, &JsonPlace::number, 1000, 20000);
+    read(root, "gravity", scene.gravityMetresPerSecond2, &JsonPlace::number, 0, 100);
 }
 
 void parseKinds(const JsonPlace& root, Scene& scene) {
-    const auto places = root.at("kinds").list(mostKinds);
+    const auto places = root.at("kinds").list(maximumKinds);
     for (const auto& place : places) {
         scene.kinds.push_back(parseKind(place));
         const auto& name = scene.kinds.back().name;
@@ -241,34 +228,27 @@ Scene parse(const JsonPlace& root) {
                 "listener", "parameters"});
     Scene scene;
     scene.name = root.at("name").text();
-    if (root.has("description"))
-        scene.description = root.at("description").text();
+    read(root, "description", scene.description, &JsonPlace::text);
     parseTimes(root, scene);
     if (root.has("kinds"))
         parseKinds(root, scene);
     if (root.has("bodies"))
-        for (const auto& place : root.at("bodies").list(mostEntries))
+        for (const auto& place : root.at("bodies").list(maximumEntries))
             scene.releases.push_back(parseRelease(place, scene.kinds));
     int count = 0;
     for (const auto& release : scene.releases)
         count += release.count;
-    if (count > mostBodies)
-        root.at("bodies").fail("are more than " + std::to_string(mostBodies));
+    if (count > maximumBodies)
+        root.at("bodies").fail("are more than " + std::to_string(maximumBodies));
     if (root.has("kicks"))
-        for (const auto& place : root.at("kicks").list(mostEntries))
+        for (const auto& place : root.at("kicks").list(maximumEntries))
             scene.kicks.push_back(parseKick(place, scene.kinds));
-    if (root.has("keyboard"))
-        scene.keyboard = parseKeyboard(root.at("keyboard"));
-    if (root.has("notes"))
-        scene.noteDrop = parseNoteDrop(root.at("notes"), scene.kinds);
-    if (root.has("keys"))
-        scene.keyThrow = parseKeyThrow(root.at("keys"));
-    if (root.has("hand"))
-        scene.hand = parseHand(root.at("hand"), scene.kinds);
-    if (root.has("listener"))
-        scene.listener = parseListener(root.at("listener"));
-    if (root.has("parameters"))
-        scene.parameters = parseParameters(root.at("parameters"));
+    read(root, "keyboard", scene.keyboard, parseKeyboard);
+    read(root, "notes", scene.noteDrop, parseNoteDrop, scene.kinds);
+    read(root, "keys", scene.keyThrow, parseKeyThrow);
+    read(root, "hand", scene.hand, parseHand, scene.kinds);
+    read(root, "listener", scene.listener, parseListener);
+    read(root, "parameters", scene.parameters, parseParameters);
     if (scene.releases.empty() && !scene.noteDrop)
         root.fail("has nothing that moves: neither 'bodies' nor 'notes'");
     const auto isPlayed = [&](const Release& release) { return release.kind == scene.hand->kind; };

@@ -1,4 +1,4 @@
-// The messages between a simulation thread and the audio thread: cues in one direction, blocks of
+// The messages between a simulation thread and the audio thread: notes in one direction, blocks of
 // simulated motion in the other.
 #pragma once
 
@@ -14,7 +14,7 @@
 namespace idiophone {
 
 /// Starts a note in a simulation. `number` is unique, from 1 on; 0 ends the simulation.
-struct SimulationCue {
+struct SimulationNote {
     std::uint32_t simulation = 0;
     std::uint32_t number = 0;
     int midiNote = 0;
@@ -38,9 +38,10 @@ struct SimulationBlock {
     };
 
     std::uint32_t simulation = 0;
-    std::uint32_t number = 0; ///< number of the cue
+    std::uint32_t number = 0; ///< number of the note
     std::int64_t firstCell = 0;
     bool isLast = false;
+    SimulationBlock* next = nullptr;  ///< [audio thread] the next received block of the simulation
     std::vector<SceneImpact> impacts; ///< impacts before the block's end, in order of time
     std::vector<Touched> touches;     ///< contacts, cell by cell
     std::vector<Placed> places;       ///< moving bodies at the block's end
@@ -48,11 +49,12 @@ struct SimulationBlock {
     std::int64_t endCell() const { return firstCell + cells; }
 
     /// Makes this an empty block that starts at a cell. Keeps its memory.
-    void clear(std::uint32_t ofSimulation, std::uint32_t ofCue, std::int64_t fromCell) noexcept {
+    void clear(std::uint32_t ofSimulation, std::uint32_t ofNote, std::int64_t fromCell) noexcept {
         simulation = ofSimulation;
-        number = ofCue;
+        number = ofNote;
         firstCell = fromCell;
         isLast = false;
+        next = nullptr;
         impacts.clear();
         touches.clear();
         places.clear();

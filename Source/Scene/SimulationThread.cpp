@@ -10,7 +10,7 @@
 namespace idiophone {
 namespace {
 
-constexpr std::chrono::milliseconds betweenLooks{4};
+constexpr std::chrono::milliseconds pollingInterval{4};
 constexpr double faintNewtons = 1e-9;
 
 /// Makes the pairs of all simulations distinct.
@@ -37,8 +37,8 @@ private:
 } // namespace
 
 SimulationThread::SimulationThread(const SceneStage& playedStage, double sampleRateHz)
-    : stage(playedStage), cellSeconds(cellSamples / sampleRateHz), simulations(stage.actCount()),
-      thread([this] { runThread(); }) {}
+    : stage(playedStage), cellSeconds(cellSamples / sampleRateHz),
+      simulations(stage.simulationCount()), thread([this] { runThread(); }) {}
 
 SimulationThread::~SimulationThread() {
     isStopping = true;
@@ -61,7 +61,7 @@ void SimulationThread::runThread() noexcept {
     while (!isStopping) {
         std::unique_lock lock(working);
         if (!workOnce())
-            stopped.wait_for(lock, betweenLooks, [this] { return isStopping.load(); });
+            stopped.wait_for(lock, pollingInterval, [this] { return isStopping.load(); });
     }
 }
 
@@ -69,7 +69,7 @@ void SimulationThread::runThread() noexcept {
 bool SimulationThread::workOnce() noexcept {
     const DefaultFloatingPoint sameOnEveryThread;
     takeUsed();
-    takeCues();
+    takeNotes();
     Simulation* next = nullptr;
     for (Simulation& simulation : simulations)
         if ((simulation.begins || simulation.run != nullptr) &&
@@ -80,13 +80,13 @@ bool SimulationThread::workOnce() noexcept {
         return false;
     auto* block = freeBlocks.back();
     freeBlocks.pop_back();
-    block->clear(next->cue.simulation, next->cue.number, next->cellsDone);
+    block->clear(next->note.simulation, next->note.number, next->cellsDone);
     try {
         if (std::exchange(next->begins, false))
             begin(*next);
-        fill(*block, *next, stage.slotsOfSimulation(next->cue.simulation));
+        fill(*block, *next, stage.slotsOfSimulation(next->note.simulation));
     } catch (const std::exception&) {
-        block->clear(next->cue.simulation, next->cue.number, next->cellsDone);
+        block->clear(next->note.simulation, next->note.number, next->cellsDone);
         block->isLast = true;
     }
     ++next->blocksOut;
@@ -117,21 +117,21 @@ void SimulationThread::takeUsed() {
     });
 }
 
-void SimulationThread::takeCues() {
-    cues.consume_all([this](const SimulationCue& cue) {
-        auto& simulation = simulations[cue.simulation];
-        simulation.cue = cue;
+void SimulationThread::takeNotes() {
+    notes.consume_all([this](const SimulationNote& note) {
+        auto& simulation = simulations[note.simulation];
+        simulation.note = note;
         simulation.cellsDone = 0;
         simulation.run.reset();
-        simulation.begins = cue.number != 0;
+        simulation.begins = note.number != 0;
     });
 }
 
 void SimulationThread::begin(Simulation& simulation) const {
-    const auto& cue = simulation.cue;
-    auto call = stage.callFor(cue.midiNote, cue.velocity, cue.seed);
-    call.isStopped = &isStopping;
-    simulation.run = std::make_unique<SceneSimulation>(stage.assets(), std::move(call));
+    const auto& note = simulation.note;
+    auto setup = stage.setupFor(note.midiNote, note.velocity, note.seed);
+    setup.isStopped = &isStopping;
+    simulation.run = std::make_unique<SceneSimulation>(stage.assets(), std::move(setup));
 }
 
 void SimulationThread::fill(SimulationBlock& block,
@@ -151,7 +151,7 @@ void SimulationThread::fill(SimulationBlock& block,
                 continue;
             block.touches.push_back({.cell = cell, .state = state});
             auto& told = block.touches.back().state;
-            told.pair = pairOf(simulation.cue.number, state.pair);
+            told.pair = pairOf(simulation.note.number, state.pair);
             for (auto& slot : told.slots)
                 slot = ofStage(slot);
         }

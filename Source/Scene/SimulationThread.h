@@ -14,9 +14,9 @@
 
 namespace idiophone {
 
-/// Three lock-free queues connect the audio thread and the owner of `working`. They carry cues,
+/// Three lock-free queues connect the audio thread and the owner of `working`. They carry notes,
 /// filled blocks and used blocks. The filled blocks of a simulation are in order of time. If memory
-/// runs out, a simulation ends early: no exception leaves the thread. The worker polls for cues
+/// runs out, a simulation ends early: no exception leaves the thread. The worker polls for notes
 /// every few milliseconds, because the audio thread may not notify it.
 class SimulationThread {
 public:
@@ -26,8 +26,8 @@ public:
     SimulationThread(const SimulationThread&) = delete;
     SimulationThread& operator=(const SimulationThread&) = delete;
 
-    /// [audio thread] Sends a cue. Returns false and drops it if the queue is full.
-    bool cue(const SimulationCue& cue) noexcept { return cues.push(cue); }
+    /// [audio thread] Sends a note. Returns false and drops it if the queue is full.
+    bool start(const SimulationNote& note) noexcept { return notes.push(note); }
     /// [audio thread] Returns the next block or nullptr. The caller gives it back.
     SimulationBlock* take() noexcept;
     void giveBack(SimulationBlock* block) noexcept { used.push(block); }
@@ -41,7 +41,7 @@ private:
     static constexpr std::size_t blockCapacity = SceneStage::maximumSimulations * blocksAhead;
 
     struct Simulation {
-        SimulationCue cue;
+        SimulationNote note;
         bool begins = false;                  ///< its run has not been created yet
         std::unique_ptr<SceneSimulation> run; ///< null while the simulation is idle
         std::int64_t cellsDone = 0;
@@ -51,7 +51,7 @@ private:
     void runThread() noexcept;
     bool workOnce() noexcept;
     void takeUsed();
-    void takeCues();
+    void takeNotes();
     bool hasFreeBlock() noexcept;
     void begin(Simulation& simulation) const;
     void
@@ -62,7 +62,7 @@ private:
 
     template <class Message, std::size_t room>
     using Queue = boost::lockfree::spsc_queue<Message, boost::lockfree::capacity<room>>;
-    Queue<SimulationCue, 256> cues;
+    Queue<SimulationNote, 256> notes;
     Queue<SimulationBlock*, blockCapacity> ready, used;
 
     std::mutex working; ///< its owner does the worker's job

@@ -6,7 +6,7 @@ namespace idiophone {
 namespace {
 
 // The cubic uses one sample before and two after.
-constexpr double leastDelaySamples = 1;
+constexpr double minimumDelaySamples = 1;
 constexpr std::size_t points = 4;
 
 } // namespace
@@ -24,7 +24,7 @@ void SphereSource::forget() noexcept {
 
 SphereSource::Ear SphereSource::earOf(const EarPath& path, double gain) const noexcept {
     const auto shadow = headShadow(path.highFrequencyGain, rateHz);
-    const double delay = leastDelaySamples + path.delaySeconds * rateHz;
+    const double delay = minimumDelaySamples + path.delaySeconds * rateHz;
     const double d = delay - std::floor(delay);
     return {.delay = {.samples = static_cast<std::size_t>(delay) - 1,
                       .weights = {static_cast<float>(-d * (d - 1) * (d - 2) / 6),

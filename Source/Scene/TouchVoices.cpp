@@ -27,29 +27,26 @@ TouchVoices::TouchVoices(const SceneAssets& assets, double sampleRateHz, std::ui
 
 void TouchVoices::press(std::size_t index,
                         const TouchState& state,
-                        Synthesiser& synthesiser,
-                        std::span<const CellOutput> cellsOfSlots) noexcept {
+                        const BegunCell& cell) noexcept {
     auto& voice = voices[index];
     alignas(64) std::array<float, cellSamples> newtons;
     if (!render(voice, state, newtons))
         return;
     for (std::size_t side = 0; side < 2; ++side)
-        if (const auto slot = state.slots[side]; slot < cellsOfSlots.size())
-            synthesiser.applyForce(slot,
-                                   {.contact = index,
-                                    .start = {.points = {voice.last.points[side], {}}},
-                                    .end = {.points = {state.points[side], {}}},
-                                    .newtons = newtons},
-                                   cellsOfSlots[slot]);
+        if (const auto slot = state.slots[side]; slot < cell.cellsOfSlots.size())
+            cell.synthesiser.applyForce(slot,
+                                        {.contact = index,
+                                         .start = {.points = {voice.last.points[side], {}}},
+                                         .end = {.points = {state.points[side], {}}},
+                                         .newtons = newtons},
+                                        cell.cellsOfSlots[slot]);
     voice.last = state;
 }
 
-void TouchVoices::release(std::size_t index,
-                          Synthesiser& synthesiser,
-                          std::span<const CellOutput> cellsOfSlots) noexcept {
+void TouchVoices::release(std::size_t index, const BegunCell& cell) noexcept {
     auto state = voices[index].last;
     state.forceNewtons = 0;
-    press(index, state, synthesiser, cellsOfSlots);
+    press(index, state, cell);
 }
 
 void TouchVoices::reset() noexcept {

@@ -2,10 +2,10 @@
 // time.
 #pragma once
 
+#include "Instrument/CellStrikes.h"
 #include "Scene/SceneAssets.h"
 #include "Scene/TouchTracker.h"
 #include "Synth/ContactForce.h"
-#include "Synth/Synthesiser.h"
 
 #include <array>
 #include <span>
@@ -21,15 +21,10 @@ public:
 
     /// Sets a voice until the end of the current cell. The state's slots are the synthesiser's;
     /// `noSlot` and unknown slots are skipped.
-    void press(std::size_t voice,
-               const TouchState& state,
-               Synthesiser& synthesiser,
-               std::span<const CellOutput> cellsOfSlots) noexcept;
+    void press(std::size_t voice, const TouchState& state, const BegunCell& cell) noexcept;
 
     /// Fades the voice's force to 0 until the end of the current cell.
-    void release(std::size_t voice,
-                 Synthesiser& synthesiser,
-                 std::span<const CellOutput> cellsOfSlots) noexcept;
+    void release(std::size_t voice, const BegunCell& cell) noexcept;
 
     void reset() noexcept; ///< to the state after construction
 

@@ -34,9 +34,9 @@ TEST_CASE("A screen reader can read the status line, including errors") {
     status.sentence = "The wok is missing.";
     status.isError = true;
     status.delaySeconds = 0.25;
-    status.lateImpacts = 2;
+    status.lateEvents = 2;
     bar.show(status);
-    CHECK(saidOf(bar) == "The wok is missing.; heard 250 ms after the key, 2 impacts late; 1 mode");
+    CHECK(saidOf(bar) == "The wok is missing.; heard 250 ms after the key, 2 late; 1 mode");
 }
 
 TEST_CASE("A screen reader can read the counts of the quality page") {

@@ -45,7 +45,7 @@ void claimMotion(Scene scene) {
     const auto assets = SceneAssets::make(std::move(scene), ObjectLibrary::shared());
     if (!assets)
         return claimSentence(assets.error());
-    SceneSimulation run(*assets, {.notes = {{.note = 60, .velocity = 64}}, .mostWork = 1000});
+    SceneSimulation run(*assets, {.notes = {{.note = 60, .velocity = 64}}, .maximumWork = 1000});
     double before = -1;
     for (const double seconds : {0.001, 0.01, 0.1}) {
         run.advanceTo(seconds);

@@ -47,8 +47,8 @@ class StrikingStage final : public Stage {
 public:
     explicit StrikingStage(std::size_t slot) : struck{.slot = slot, .strike = {}} {}
 
-    std::unique_ptr<StagePerformance> perform(double, std::uint64_t) const override {
-        return std::make_unique<Performance>(struck);
+    std::unique_ptr<StagePlayer> makePlayer(double, std::uint64_t) const override {
+        return std::make_unique<Striking>(struck);
     }
     const std::string& objectOf(std::size_t) const override { return object; }
     std::span<const BodyPose> firstPoses() const override { return {}; }
@@ -56,19 +56,20 @@ public:
     double lengthSeconds() const override { return 0; }
 
 private:
-    struct Performance final : StagePerformance {
-        explicit Performance(const PlacedImpact& impact) : struck(impact) {}
-        void cue(int, int, std::int64_t, double) noexcept override {}
-        void countCuesFrom(std::uint32_t) noexcept override {}
+    struct Striking final : StagePlayer {
+        explicit Striking(const PlacedImpact& impact) : struck(impact) {}
+        void startNote(int, int, std::int64_t, double) noexcept override {}
+        void countNotesFrom(std::uint32_t) noexcept override {}
         void sound(std::int64_t, Synthesiser&, std::span<const CellOutput>) noexcept override {}
         void release(Synthesiser&, std::span<const CellOutput>) noexcept override {}
         void hear(std::span<const CellOutput>, const CellOutput&) noexcept override {}
+        void waitForSimulation() noexcept override {}
         void setOffline(bool) noexcept override {}
         void setPaused(bool) noexcept override {}
         void stop() noexcept override {}
         void reset() noexcept override {}
         bool silent() const noexcept override { return true; }
-        std::int64_t lateImpacts() const noexcept override { return 0; }
+        std::int64_t lateEvents() const noexcept override { return 0; }
         std::span<const PlacedImpact> takeImpacts() noexcept override { return {&struck, 1}; }
         std::uint32_t number() const noexcept override { return 1; }
         std::span<const BodyPose> poses() const noexcept override { return {}; }

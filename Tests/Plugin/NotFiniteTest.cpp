@@ -16,8 +16,8 @@ constexpr int goodNote = 60, badNote = 61;
 /// Plays a constant after each note, and NaN after the bad note.
 class BreakingStage final : public Stage {
 public:
-    std::unique_ptr<StagePerformance> perform(double, std::uint64_t) const override {
-        return std::make_unique<Performance>();
+    std::unique_ptr<StagePlayer> makePlayer(double, std::uint64_t) const override {
+        return std::make_unique<Breaking>();
     }
     const std::string& objectOf(std::size_t) const override { return object; }
     std::span<const BodyPose> firstPoses() const override { return {&pose, 1}; }
@@ -25,23 +25,24 @@ public:
     double lengthSeconds() const override { return 0; }
 
 private:
-    struct Performance final : StagePerformance {
-        void cue(int midiNote, int, std::int64_t, double) noexcept override {
+    struct Breaking final : StagePlayer {
+        void startNote(int midiNote, int, std::int64_t, double) noexcept override {
             sample = midiNote == badNote ? std::numeric_limits<float>::quiet_NaN() : sample + 0.1f;
         }
-        void countCuesFrom(std::uint32_t) noexcept override {}
+        void countNotesFrom(std::uint32_t) noexcept override {}
         void sound(std::int64_t, Synthesiser&, std::span<const CellOutput>) noexcept override {}
         void release(Synthesiser&, std::span<const CellOutput>) noexcept override {}
         void hear(std::span<const CellOutput>, const CellOutput& ears) noexcept override {
             for (std::size_t c = 0; c < ears.channels(); ++c)
                 std::ranges::fill(ears[c], sample);
         }
+        void waitForSimulation() noexcept override {}
         void setOffline(bool) noexcept override {}
         void setPaused(bool) noexcept override {}
         void stop() noexcept override {}
         void reset() noexcept override { sample = 0; }
         bool silent() const noexcept override { return sample == 0; }
-        std::int64_t lateImpacts() const noexcept override { return 0; }
+        std::int64_t lateEvents() const noexcept override { return 0; }
         std::span<const PlacedImpact> takeImpacts() noexcept override { return {}; }
         std::uint32_t number() const noexcept override { return 1; }
         std::span<const BodyPose> poses() const noexcept override { return {&pose, 1}; }
@@ -79,7 +80,7 @@ TEST_CASE("A sound that is not finite becomes silence and is reported, and the n
     processor.prepareToPlay(rateHz, blockSize);
     CHECK(loudest(render(processor, 4800, blockSize, struck(goodNote))) > 0.05f);
     CHECK(processor.timesNotFinite() == 0);
-    juce::Timer::callPendingTimersSynchronously();
+    processor.poll();
     CHECK_FALSE(processor.takeStatus().isError);
 
     CHECK(loudest(render(processor, blockSize, blockSize, struck(badNote))) == 0);
@@ -89,9 +90,6 @@ TEST_CASE("A sound that is not finite becomes silence and is reported, and the n
     CHECK(loudest(render(processor, 4800, blockSize, struck(goodNote))) > 0.05f);
     CHECK(processor.timesNotFinite() == 1);
 
-    for (int looks = 0; looks < 1000 && !processor.takeStatus().isError; ++looks) {
-        juce::Thread::sleep(5);
-        juce::Timer::callPendingTimersSynchronously();
-    }
+    processor.poll();
     CHECK(processor.takeStatus().sentence.find("not finite") != std::string::npos);
 }

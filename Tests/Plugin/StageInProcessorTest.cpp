@@ -44,7 +44,7 @@ HostSound bounce(const std::string& state, int blockSize) {
     restoreBytes(processor, state);
     processor.prepareToPlay(rate, blockSize);
     const auto sound = render(processor, rate, blockSize, chord());
-    CHECK(processor.takeStatus().lateImpacts == 0);
+    CHECK(processor.takeStatus().lateEvents == 0);
     return sound;
 }
 
@@ -112,7 +112,7 @@ TEST_CASE("In real time a scene sounds as in a bounce if its worker is not late"
         juce::Thread::sleep(milliseconds);
         sound.append(render(processor, rate - 480, 480, {}));
     }
-    CHECK(processor.takeStatus().lateImpacts == 0);
+    CHECK(processor.takeStatus().lateEvents == 0);
     CHECK(sound == expected);
 }
 

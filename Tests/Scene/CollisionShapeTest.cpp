@@ -320,14 +320,14 @@ TEST_CASE("The surfaces of a scene have a common limit") {
         const std::shared_ptr<const ModalObject> floor = objectOf(heaps, "Steel");
         const auto touching = makeRigidBodyModel(surfaceKind(), floor).value()->touchingFaces;
         REQUIRE(touching.pairs > 500'000);
-        isRefusedBeyond(mostTouchingFaces.pairs / touching.pairs, floor);
+        isRefusedBeyond(maximumTouchingFaces.pairs / touching.pairs, floor);
     }
     SECTION("of boxes searched, even if no faces touch") {
         const std::shared_ptr<const ModalObject> floor = objectOf(lattice(80), "Steel");
         const auto touching = makeRigidBodyModel(surfaceKind(), floor).value()->touchingFaces;
         REQUIRE(touching.pairs == 0);
-        REQUIRE(touching.boxes > mostTouchingFaces.boxes / 20);
-        isRefusedBeyond(mostTouchingFaces.boxes / touching.boxes, floor);
+        REQUIRE(touching.boxes > maximumTouchingFaces.boxes / 20);
+        isRefusedBeyond(maximumTouchingFaces.boxes / touching.boxes, floor);
     }
 }
 

@@ -57,7 +57,7 @@ TEST_CASE("Every note's die hits its bar within 2 ms of the score") {
     motion.advanceTo(5.5);
     CHECK_FALSE(motion.finished());
     const auto impacts = impactsUntil(motion, 6.5);
-    CHECK(motion.figures().notesLeftOut == 0);
+    CHECK(motion.notesLeftOut() == 0);
 
     for (const auto& note : notes) {
         double nearest = 1;
@@ -129,7 +129,7 @@ TEST_CASE("Kinds of one object share its surface") {
 TEST_CASE("Notes outside the keyboard are ignored and counted") {
     SceneSimulation motion(factoryAssets("Dice on a xylophone"),
                            {.notes = {{1, 20, 100}, {1, 72, 100}, {2, 126, 9}}});
-    CHECK(motion.figures().notesLeftOut == 2);
+    CHECK(motion.notesLeftOut() == 2);
 }
 
 TEST_CASE("Dice of a long song reuse the slots of removed dice") {
@@ -256,7 +256,7 @@ TEST_CASE("A simulation ends when bodies, or their parts, are crowded") {
 
 TEST_CASE("A simulation stops at its work limit or when another thread stops it") {
     const auto assets = factoryAssets("Cylinder off a table");
-    SceneSimulation little(assets, {.mostWork = 100});
+    SceneSimulation little(assets, {.maximumWork = 100});
     little.advanceTo(1);
     CHECK(little.isCutShort());
     CHECK(little.finished());

@@ -1,6 +1,7 @@
 // Tests the sound of scenes.
 #include "Scene/SceneSound.h"
 #include "Scene/FactoryScenes.h"
+#include "Synth/AlignedVector.h"
 
 #include <algorithm>
 #include <catch2/catch_test_macros.hpp>
@@ -15,6 +16,43 @@ namespace {
 
 constexpr double rateHz = 48000;
 
+/// The sound of a simulation on a synthesiser of its own.
+class Rig {
+public:
+    Rig(const SceneAssets& assets, const SceneSimulation& motion)
+        : synth(motion.slots(), rateHz, 1), sound(assets, synth.slotCount(), rateHz),
+          slotSamples(synth.slotCount() * cellSamples), cells(cellsOfSlotsIn(slotSamples)) {}
+
+    double cellStartSeconds() const {
+        return static_cast<double>(cellIndex) * cellSamples / rateHz;
+    }
+    void beginCell() {
+        ++cellIndex;
+        synth.beginCell(cells);
+    }
+    bool strike(const SceneImpact& impact) {
+        return sound.strike(impact, (impact.seconds - cellStartSeconds()) * rateHz,
+                            {synth, cells, cellIndex});
+    }
+    /// Appends the cell at the left ear to `samples`.
+    void finishCell(const SceneSimulation& motion, std::vector<float>& samples) {
+        const BegunCell cell{synth, cells, cellIndex};
+        for (std::size_t voice = 0; voice < motion.touches().size(); ++voice)
+            sound.contacts.press(voice, motion.touches()[voice], cell);
+        sound.crowded.strikeBefore(cellSamples, cell);
+        sound.ears.hear(cells, motion.places(), {left, right});
+        samples.insert(samples.end(), left.begin(), left.end());
+    }
+
+private:
+    Synthesiser synth;
+    SceneSound sound;
+    AlignedVector<float> slotSamples;
+    std::vector<CellOutput> cells;
+    std::int64_t cellIndex = -1;
+    alignas(64) std::array<float, cellSamples> left{}, right{};
+};
+
 /// A scene's sound at the left ear, and the count of refused impacts.
 struct Performance {
     std::vector<float> samples;
@@ -26,24 +64,17 @@ struct Performance {
 Performance perform(const Scene& scene, double seconds) {
     const auto assets = SceneAssets::make(scene, ObjectLibrary::shared()).value();
     SceneSimulation motion(assets);
-    SceneSound sound(*assets, motion.slots(), rateHz),
-        touchesAlone(*assets, motion.slots(), rateHz);
+    Rig sound(*assets, motion), touchesAlone(*assets, motion);
     Performance result;
-    alignas(64) std::array<float, cellSamples> left, right;
-    const CellOutput cell(left, right);
-    const auto finish = [&](SceneSound& heard, std::vector<float>& samples) {
-        heard.touch(motion.touches());
-        heard.finishCell(motion.places(), cell);
-        samples.insert(samples.end(), left.begin(), left.end());
-    };
-    while (sound.cellEndSeconds() < seconds) {
-        motion.advanceTo(sound.nextCellEndSeconds());
+    while (static_cast<double>(result.samples.size()) < seconds * rateHz) {
         sound.beginCell();
         touchesAlone.beginCell();
-        while (const auto impact = motion.takeImpact(sound.cellEndSeconds()))
+        const double end = sound.cellStartSeconds() + cellSamples / rateHz;
+        motion.advanceTo(end);
+        while (const auto impact = motion.takeImpact(end))
             result.leftOut += sound.strike(*impact) ? 0 : 1;
-        finish(sound, result.samples);
-        finish(touchesAlone, result.withoutImpacts);
+        sound.finishCell(motion, result.samples);
+        touchesAlone.finishCell(motion, result.withoutImpacts);
         for (const auto& state : motion.touches())
             result.touched = std::max(result.touched, state.forceNewtons);
     }
@@ -118,16 +149,13 @@ TEST_CASE("Any number of simultaneous impacts on one body sounds") {
     auto impact = motion.takeImpact(1).value();
     impact.seconds = 0;
     const auto playedAtOnce = [&](int count) {
-        SceneSound sound(*assets, motion.slots(), rateHz);
-        alignas(64) std::array<float, cellSamples> left, right;
-        const CellOutput cell(left, right);
+        Rig sound(*assets, motion);
         std::vector<float> samples;
         for (int k = 0; k < 400; ++k) {
             sound.beginCell();
             for (int struck = 0; k == 0 && struck < count; ++struck)
                 CHECK(sound.strike(impact));
-            sound.finishCell(motion.places(), cell);
-            samples.insert(samples.end(), left.begin(), left.end());
+            sound.finishCell(motion, samples);
         }
         return rms(samples, 0.1, 0.5);
     };

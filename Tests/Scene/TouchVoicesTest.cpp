@@ -23,7 +23,7 @@ public:
     /// Renders the next cell under a state. Returns whether each slot sounds in it.
     std::array<bool, 2> press(const TouchState& state) {
         synthesiser.beginCell(cells);
-        voices.press(0, state, synthesiser, cells);
+        voices.press(0, state, {synthesiser, cells});
         const auto sounds = [&](std::size_t slot) {
             return std::ranges::any_of(cells[slot][0], [](float x) { return x != 0; });
         };

@@ -2,12 +2,10 @@
 // listener.
 #pragma once
 
-#include "Instrument/CellStrikes.h"
 #include "Instrument/Stage.h"
-#include "Scene/SceneEars.h"
+#include "Scene/SceneSound.h"
 #include "Scene/SceneStage.h"
 #include "Scene/SimulationThread.h"
-#include "Scene/TouchVoices.h"
 
 #include <array>
 #include <cstdint>
@@ -15,13 +13,15 @@
 
 namespace idiophone {
 
-class SceneShow final : public StagePerformance {
+class ScenePlayer final : public StagePlayer {
 public:
     /// `stage` must outlive it.
-    SceneShow(const SceneStage& stage, double sampleRateHz, std::uint64_t seed);
+    ScenePlayer(const SceneStage& stage, double sampleRateHz, std::uint64_t seed);
 
-    void cue(int midiNote, int velocity, std::int64_t cell, double sampleInCell) noexcept override;
-    void countCuesFrom(std::uint32_t number) noexcept override { cueCount = number; }
+    void
+    startNote(int midiNote, int velocity, std::int64_t cell, double sampleInCell) noexcept override;
+    void countNotesFrom(std::uint32_t number) noexcept override { noteCount = number; }
+    void waitForSimulation() noexcept override;
     void sound(std::int64_t cell,
                Synthesiser& synthesiser,
                std::span<const CellOutput> cellsOfSlots) noexcept override;
@@ -33,37 +33,32 @@ public:
     void stop() noexcept override;
     void reset() noexcept override;
     bool silent() const noexcept override;
-    std::int64_t lateImpacts() const noexcept override { return lateCount; }
+    std::int64_t lateEvents() const noexcept override { return lateCount; }
     std::span<const PlacedImpact> takeImpacts() noexcept override;
     std::uint32_t number() const noexcept override { return ownNumber; }
     std::span<const BodyPose> poses() const noexcept override { return bodyPoses; }
 
 private:
-    static constexpr std::size_t blockCapacity = 128;   // more than the worker runs ahead
     static constexpr std::size_t impactCapacity = 1024; // between two calls of takeImpacts
-    static constexpr std::size_t crowdedCapacity = 1024;
 
-    /// A note's simulation while it sounds: a ring of the blocks received so far.
+    /// A note's simulation while it sounds.
     struct Simulation {
-        std::uint32_t number = 0; ///< of its cue; 0: idle
+        std::uint32_t number = 0; ///< of its note; 0: idle
         std::int64_t startCell = 0;
-        double startSample = 0; ///< within that cell
-        std::array<SimulationBlock*, blockCapacity> blocks{};
-        std::size_t first = 0, count = 0;
-        std::size_t impactsDone = 0; ///< of the first block
+        double startSample = 0;                            ///< within that cell
+        SimulationBlock *first = nullptr, *last = nullptr; ///< received, and not played completely
+        std::size_t impactsDone = 0;                       ///< of the first block
+        std::int64_t contactCells = 0; ///< the contacts of the cells before are played or late
         std::int64_t knownCells = 0;
         bool isAllKnown = false;
         bool isPlaced = false;
-
-        SimulationBlock& front() { return *blocks[first]; }
     };
 
     void clear(Simulation& simulation) noexcept;
     void drop(Simulation& simulation) noexcept;
     void takeBlocks() noexcept;
     void waitFor(std::int64_t cell) noexcept;
-    void playSimulations(const BegunCell& cell) noexcept;
-    void releaseOthers(Synthesiser& synthesiser, std::span<const CellOutput> cellsOfSlots) noexcept;
+    void releaseOthers(const BegunCell& cell) noexcept;
     void play(Simulation& simulation, const BegunCell& cell) noexcept;
     void strike(const SceneImpact& impact, double sample, const BegunCell& cell) noexcept;
     void press(const TouchState& state, const BegunCell& cell) noexcept;
@@ -75,15 +70,13 @@ private:
     SimulationThread worker;
     std::vector<Simulation> simulations;
     std::size_t nextSimulation = 0;
-    std::uint32_t cueCount = 0;
-    std::uint32_t cuesEver = 0; ///< identifies blocks from before a reset
-    TouchVoices voices;
+    std::uint32_t noteCount = 0;
+    std::uint32_t notesEver = 0; ///< identifies blocks from before a reset
+    SceneSound bodies;
     std::array<std::uint32_t, TouchTracker::voiceCount> pairOfVoice{}; ///< 0: not in use
     std::array<bool, TouchTracker::voiceCount> isPressed{};            ///< in this cell
-    SceneEars ears;
-    std::vector<Eigen::Vector3d> places;  ///< by slot
-    std::vector<BodyPose> bodyPoses;      ///< by slot
-    CellStrikes crowded{crowdedCapacity}; ///< impacts on slots with no free contact
+    std::vector<Eigen::Vector3d> places;                               ///< by slot
+    std::vector<BodyPose> bodyPoses;                                   ///< by slot
     std::vector<PlacedImpact> recentImpacts;
     bool areImpactsTaken = false;
     std::uint32_t ownNumber;

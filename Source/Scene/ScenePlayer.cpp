@@ -1,4 +1,4 @@
-#include "Scene/SceneShow.h"
+#include "Scene/ScenePlayer.h"
 
 #include <algorithm>
 #include <atomic>
@@ -14,112 +14,101 @@ std::uint32_t nextNumber() noexcept {
 
 } // namespace
 
-SceneShow::SceneShow(const SceneStage& playedStage, double sampleRateHz, std::uint64_t seed)
+ScenePlayer::ScenePlayer(const SceneStage& playedStage, double sampleRateHz, std::uint64_t seed)
     : stage(playedStage), rate(sampleRateHz),
       firstSeed(stage.assets()->scene().seed + static_cast<std::uint32_t>(seed - 1)),
-      worker(stage, sampleRateHz), simulations(stage.actCount()),
-      voices(*stage.assets(), sampleRateHz, seed),
-      ears(stage.assets()->scene().listener, nullptr, stage.slots().size(), sampleRateHz),
-      places(stage.places()), bodyPoses(stage.firstPoses().begin(), stage.firstPoses().end()),
-      ownNumber(nextNumber()) {
+      worker(stage, sampleRateHz), simulations(stage.simulationCount()),
+      bodies(*stage.assets(), stage.slots().size(), sampleRateHz, seed), places(stage.places()),
+      bodyPoses(stage.firstPoses().begin(), stage.firstPoses().end()), ownNumber(nextNumber()) {
     recentImpacts.reserve(impactCapacity);
 }
 
-void SceneShow::cue(int midiNote, int velocity, std::int64_t cell, double sampleInCell) noexcept {
+void ScenePlayer::startNote(int midiNote,
+                            int velocity,
+                            std::int64_t cell,
+                            double sampleInCell) noexcept {
     const auto index = nextSimulation;
-    const SimulationCue wanted{.simulation = static_cast<std::uint32_t>(index),
-                               .number = cuesEver + 1,
-                               .midiNote = midiNote,
-                               .velocity = velocity,
-                               .seed = firstSeed + cueCount};
-    if (!worker.cue(wanted))
+    const SimulationNote wanted{.simulation = static_cast<std::uint32_t>(index),
+                                .number = notesEver + 1,
+                                .midiNote = midiNote,
+                                .velocity = velocity,
+                                .seed = firstSeed + noteCount};
+    if (!worker.start(wanted))
         return;
-    ++cuesEver;
-    ++cueCount;
+    ++notesEver;
+    ++noteCount;
     nextSimulation = (nextSimulation + 1) % simulations.size();
-    auto& simulation = simulations[index];
-    clear(simulation);
-    simulation.number = wanted.number;
-    simulation.startCell = cell;
-    simulation.startSample = sampleInCell;
+    clear(simulations[index]);
+    simulations[index].number = wanted.number;
+    simulations[index].startCell = cell;
+    simulations[index].startSample = sampleInCell;
 }
 
-void SceneShow::sound(std::int64_t cell,
-                      Synthesiser& synthesiser,
-                      std::span<const CellOutput> cellsOfSlots) noexcept {
+void ScenePlayer::sound(std::int64_t cell,
+                        Synthesiser& synthesiser,
+                        std::span<const CellOutput> cellsOfSlots) noexcept {
     if (std::exchange(areImpactsTaken, false))
         recentImpacts.clear();
     takeBlocks();
     const BegunCell begun{synthesiser, cellsOfSlots, cell};
-    if (!paused)
-        playSimulations(begun);
-    else {
-        release(synthesiser, cellsOfSlots);
-        for (auto& simulation : simulations)
-            ++simulation.startCell;
-    }
-    crowded.strikeBefore(cellSamples, begun);
-}
-
-void SceneShow::playSimulations(const BegunCell& cell) noexcept {
     isPressed.fill(false);
-    if (mayWait)
-        waitFor(cell.index);
+    if (mayWait && !paused)
+        waitFor(cell);
     for (auto& simulation : simulations)
-        if (simulation.number != 0)
-            play(simulation, cell);
-    releaseOthers(cell.synthesiser, cell.cellsOfSlots);
+        if (paused)
+            ++simulation.startCell;
+        else if (simulation.number != 0)
+            play(simulation, begun);
+    releaseOthers(begun);
+    bodies.crowded.strikeBefore(cellSamples, begun);
 }
 
-void SceneShow::release(Synthesiser& synthesiser,
-                        std::span<const CellOutput> cellsOfSlots) noexcept {
+void ScenePlayer::release(Synthesiser& synthesiser,
+                          std::span<const CellOutput> cellsOfSlots) noexcept {
     isPressed.fill(false);
-    releaseOthers(synthesiser, cellsOfSlots);
+    releaseOthers({synthesiser, cellsOfSlots});
 }
 
 /// Releases the voices that are no longer pressed.
-void SceneShow::releaseOthers(Synthesiser& synthesiser,
-                              std::span<const CellOutput> cellsOfSlots) noexcept {
+void ScenePlayer::releaseOthers(const BegunCell& cell) noexcept {
     for (std::size_t voice = 0; voice < isPressed.size(); ++voice)
         if (!isPressed[voice] && std::exchange(pairOfVoice[voice], 0u) != 0)
-            voices.release(voice, synthesiser, cellsOfSlots);
+            bodies.contacts.release(voice, cell);
 }
 
-void SceneShow::hear(std::span<const CellOutput> cellsOfSlots, const CellOutput& heard) noexcept {
-    ears.hear(cellsOfSlots, places, heard);
+void ScenePlayer::hear(std::span<const CellOutput> cellsOfSlots, const CellOutput& heard) noexcept {
+    bodies.ears.hear(cellsOfSlots, places, heard);
 }
 
 /// Gives back the simulation's blocks and resets it.
-void SceneShow::clear(Simulation& simulation) noexcept {
-    while (simulation.count > 0)
+void ScenePlayer::clear(Simulation& simulation) noexcept {
+    while (simulation.first != nullptr)
         drop(simulation);
-    simulation.number = 0;
-    simulation.knownCells = 0;
-    simulation.isAllKnown = simulation.isPlaced = false;
+    simulation = {};
 }
 
-void SceneShow::drop(Simulation& simulation) noexcept {
-    worker.giveBack(simulation.blocks[simulation.first]);
-    simulation.first = (simulation.first + 1) % blockCapacity;
-    --simulation.count;
+void ScenePlayer::drop(Simulation& simulation) noexcept {
+    auto* const done = std::exchange(simulation.first, simulation.first->next);
+    worker.giveBack(done);
     simulation.impactsDone = 0;
 }
 
-void SceneShow::takeBlocks() noexcept {
+void ScenePlayer::takeBlocks() noexcept {
     while (auto* block = worker.take()) {
         auto& simulation = simulations[block->simulation];
-        if (block->number != simulation.number || simulation.count == blockCapacity) {
+        if (block->number != simulation.number) {
             worker.giveBack(block);
             continue;
         }
-        simulation.blocks[(simulation.first + simulation.count++) % blockCapacity] = block;
+        (simulation.first == nullptr ? simulation.first : simulation.last->next) = block;
+        simulation.last = block;
         simulation.knownCells = block->endCell();
         simulation.isAllKnown = block->isLast;
     }
 }
 
 /// Waits until everything before the cell's end is known.
-void SceneShow::waitFor(std::int64_t cell) noexcept {
+void ScenePlayer::waitFor(std::int64_t cell) noexcept {
     const auto isKnown = [&](const Simulation& simulation) {
         return simulation.number == 0 || simulation.isAllKnown ||
                simulation.knownCells > cell - simulation.startCell;
@@ -132,14 +121,20 @@ void SceneShow::waitFor(std::int64_t cell) noexcept {
     }
 }
 
-void SceneShow::play(Simulation& simulation, const BegunCell& cell) noexcept {
+void ScenePlayer::waitForSimulation() noexcept {
+    takeBlocks(); // gives back those of former notes, so that the worker may go on
+    while (worker.help())
+        takeBlocks();
+}
+
+void ScenePlayer::play(Simulation& simulation, const BegunCell& cell) noexcept {
     // The simulation's cells lie between those of the sound. This cell ends within its cell `now`.
     const auto now = cell.index - simulation.startCell;
     const double startSeconds =
         (static_cast<double>(now * cellSamples) - simulation.startSample) / rate;
     const double endSeconds = startSeconds + cellSamples / rate;
-    while (simulation.count > 0) {
-        auto& block = simulation.front();
+    while (simulation.first != nullptr) {
+        auto& block = *simulation.first;
         for (; simulation.impactsDone < block.impacts.size(); ++simulation.impactsDone) {
             const auto& impact = block.impacts[simulation.impactsDone];
             if (impact.seconds >= endSeconds)
@@ -149,9 +144,14 @@ void SceneShow::play(Simulation& simulation, const BegunCell& cell) noexcept {
                 ++lateCount;
             strike(impact, sample, cell);
         }
+        // A contact that was late in several cells of the block counts once, by the last of them.
+        const auto lastLate = std::min(now - 1, block.endCell()) - 1;
         for (const auto& touched : block.touches)
             if (touched.cell == now - 1)
                 press(touched.state, cell);
+            else if (touched.cell == lastLate && lastLate >= simulation.contactCells)
+                ++lateCount;
+        simulation.contactCells = std::max(simulation.contactCells, std::min(now, block.endCell()));
         place(simulation, block.endCell() - now);
         if (now < block.endCell())
             return;
@@ -166,28 +166,24 @@ void SceneShow::play(Simulation& simulation, const BegunCell& cell) noexcept {
     }
 }
 
-std::span<const PlacedImpact> SceneShow::takeImpacts() noexcept {
+std::span<const PlacedImpact> ScenePlayer::takeImpacts() noexcept {
     if (std::exchange(areImpactsTaken, true))
         return {};
     return recentImpacts;
 }
 
-void SceneShow::strike(const SceneImpact& impact, double sample, const BegunCell& cell) noexcept {
-    if (impact.slot >= cell.cellsOfSlots.size() ||
-        !crowded.strike(impact.slot, impact.strike, sample, cell))
+void ScenePlayer::strike(const SceneImpact& impact, double sample, const BegunCell& cell) noexcept {
+    if (!bodies.strike(impact, sample, cell) || recentImpacts.size() == impactCapacity)
         return;
-    if (recentImpacts.size() < impactCapacity)
-        recentImpacts.push_back(
-            {.seconds =
-                 (static_cast<double>(cell.index * cellSamples) + std::max(sample, 0.0)) / rate,
-             .slot = impact.slot,
-             .strike = impact.strike,
-             .pointMetres = {impact.pointMetres.x(), impact.pointMetres.y(),
-                             impact.pointMetres.z()}});
+    recentImpacts.push_back(
+        {.seconds = (static_cast<double>(cell.index * cellSamples) + std::max(sample, 0.0)) / rate,
+         .slot = impact.slot,
+         .strike = impact.strike,
+         .pointMetres = {impact.pointMetres.x(), impact.pointMetres.y(), impact.pointMetres.z()}});
 }
 
 /// Presses the pair's voice, or a free one.
-void SceneShow::press(const TouchState& state, const BegunCell& cell) noexcept {
+void ScenePlayer::press(const TouchState& state, const BegunCell& cell) noexcept {
     auto voice = std::ranges::find(pairOfVoice, state.pair);
     if (voice == pairOfVoice.end())
         voice = std::ranges::find(pairOfVoice, 0u);
@@ -196,43 +192,43 @@ void SceneShow::press(const TouchState& state, const BegunCell& cell) noexcept {
     *voice = state.pair;
     const auto index = static_cast<std::size_t>(voice - pairOfVoice.begin());
     isPressed[index] = true;
-    voices.press(index, state, cell.synthesiser, cell.cellsOfSlots);
+    bodies.contacts.press(index, state, cell);
 }
 
 /// Moves places evenly to those of the first block, or at once for a new simulation.
-void SceneShow::place(Simulation& simulation, std::int64_t cellsLeft) noexcept {
+void ScenePlayer::place(Simulation& simulation, std::int64_t cellsLeft) noexcept {
     const double share =
         simulation.isPlaced ? 1.0 / static_cast<double>(std::max<std::int64_t>(cellsLeft, 1)) : 1;
-    for (const auto& placed : simulation.front().places)
+    for (const auto& placed : simulation.first->places)
         places[placed.slot] += share * (placed.metres - places[placed.slot]);
     simulation.isPlaced = true;
 }
 
-void SceneShow::stop() noexcept {
+void ScenePlayer::stop() noexcept {
     for (std::size_t index = 0; index < simulations.size(); ++index) {
         if (simulations[index].number != 0)
-            worker.cue({.simulation = static_cast<std::uint32_t>(index)});
+            worker.start({.simulation = static_cast<std::uint32_t>(index)});
         clear(simulations[index]);
     }
     std::ranges::copy(stage.firstPoses(), bodyPoses.begin());
-    crowded.clear();
+    bodies.crowded.clear();
     recentImpacts.clear();
     ownNumber = nextNumber();
 }
 
-void SceneShow::reset() noexcept {
+void ScenePlayer::reset() noexcept {
     stop();
     nextSimulation = 0;
-    cueCount = 0;
+    noteCount = 0;
     lateCount = 0;
-    voices.reset();
+    bodies.contacts.reset();
     pairOfVoice.fill(0);
-    ears.reset();
+    bodies.ears.reset();
     std::ranges::copy(stage.places(), places.begin());
 }
 
-bool SceneShow::silent() const noexcept {
-    return ears.silent() && crowded.empty() &&
+bool ScenePlayer::silent() const noexcept {
+    return bodies.silent() &&
            std::ranges::all_of(
                simulations, [](const Simulation& simulation) { return simulation.number == 0; }) &&
            std::ranges::all_of(pairOfVoice, [](std::uint32_t pair) { return pair == 0; });
