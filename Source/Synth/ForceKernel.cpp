@@ -97,14 +97,14 @@ HWY_INLINE void findIncrements(const ForcedModes& modes,
                                 hn::Load(f, channels[c].startIm + g)};
             Complex all;
             if (Moves) {
-                const Complex way{hn::Sub(hn::Load(f, channels[c].endRe + g), start.re),
-                                  hn::Sub(hn::Load(f, channels[c].endIm + g), start.im)};
+                const Complex change{hn::Sub(hn::Load(f, channels[c].endRe + g), start.re),
+                                     hn::Sub(hn::Load(f, channels[c].endIm + g), start.im)};
                 Complex heard[subBlocks];
 #pragma GCC unroll 4
                 for (std::size_t b = 0; b < subBlocks; ++b) {
-                    const auto share = hn::Set(f, shareOfWay(b));
-                    heard[b] = product(Complex{hn::MulAdd(way.re, share, start.re),
-                                               hn::MulAdd(way.im, share, start.im)},
+                    const auto share = hn::Set(f, fractionAt(b));
+                    heard[b] = product(Complex{hn::MulAdd(change.re, share, start.re),
+                                               hn::MulAdd(change.im, share, start.im)},
                                        sums[b]);
                 }
                 all = product(joined(heard, subBlock), power[1]);
@@ -184,11 +184,11 @@ void convolve(const float* HWY_RESTRICT impulses,
     constexpr std::size_t vectors = subBlockSamples / lanes;
     for (std::size_t b = 0; b < subBlocks; ++b) {
         const std::size_t first = b * subBlockSamples;
-        const auto share = hn::Set(f, shareOfWay(b));
+        const auto share = hn::Set(f, fractionAt(b));
         for (std::size_t k = 0; k < cellSize - first; k += lanes) {
             const auto from = hn::LoadU(f, startResponse + k);
-            const auto way = hn::Sub(hn::LoadU(f, endResponse + k), from);
-            hn::Store(hn::MulAdd(share, way, from), f, response + cellSize + k);
+            const auto change = hn::Sub(hn::LoadU(f, endResponse + k), from);
+            hn::Store(hn::MulAdd(share, change, from), f, response + cellSize + k);
         }
         for (std::size_t n = first; n < cellSize; n += subBlockSamples) {
             // Separate sums for even and odd impulses; otherwise each product would wait for the
@@ -217,11 +217,11 @@ void convolve(const float* HWY_RESTRICT impulses,
 
 void blend(const float* HWY_RESTRICT from,
            const float* HWY_RESTRICT to,
-           float way,
+           float fraction,
            std::size_t count,
            float* HWY_RESTRICT output) {
     const Floats f;
-    const auto share = hn::Set(f, way);
+    const auto share = hn::Set(f, fraction);
     for (std::size_t g = 0; g < count; g += hn::MaxLanes(f)) {
         const auto start = hn::Load(f, from + g);
         hn::Store(hn::MulAdd(share, hn::Sub(hn::Load(f, to + g), start), start), f, output + g);
@@ -257,8 +257,8 @@ void convolveForce(std::span<const float, subBlocks * subBlockSamples> impulses,
 }
 
 void blendResponses(
-    const float* from, const float* to, float way, std::size_t count, float* output) noexcept {
-    HWY_DYNAMIC_DISPATCH(blend)(from, to, way, count, output);
+    const float* from, const float* to, float fraction, std::size_t count, float* output) noexcept {
+    HWY_DYNAMIC_DISPATCH(blend)(from, to, fraction, count, output);
 }
 
 } // namespace idiophone

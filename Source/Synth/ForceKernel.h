@@ -46,12 +46,12 @@ void convolveForce(std::span<const float, cellSize> impulses,
                    std::span<const float, cellSize> endResponse,
                    std::span<float, cellSize> output) noexcept;
 
-/// Computes output = from + way (to − from) over whole blocks.
+/// Computes output = from + fraction (to − from) over whole blocks.
 void blendResponses(
-    const float* from, const float* to, float way, std::size_t count, float* output) noexcept;
+    const float* from, const float* to, float fraction, std::size_t count, float* output) noexcept;
 
 /// Returns the position of the middle of sub-block b between start (0) and end (1).
-constexpr float shareOfWay(std::size_t block) noexcept {
+constexpr float fractionAt(std::size_t block) noexcept {
     return (static_cast<float>(block) + 0.5f) / static_cast<float>(subBlocks);
 }
 

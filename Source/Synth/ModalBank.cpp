@@ -51,17 +51,17 @@ ModalBank::ModalBank(std::size_t capacity, std::size_t channelCapacity, double s
 
 ModeStates ModalBank::emptyStates() const {
     ModeStates empty;
-    for (std::size_t c = 0; c < mostChannels; ++c) {
+    for (std::size_t c = 0; c < maximumChannels; ++c) {
         empty.x[c].resize(states.x[c].size());
         empty.y[c].resize(states.y[c].size());
     }
     return empty;
 }
 
-ModeKicks ModalBank::emptyKicks() const {
-    ModeKicks empty;
+StateIncrements ModalBank::emptyIncrements() const {
+    StateIncrements empty;
     empty.energies.resize(energy.size());
-    for (std::size_t c = 0; c < mostChannels; ++c) {
+    for (std::size_t c = 0; c < maximumChannels; ++c) {
         empty.x[c].resize(states.x[c].size());
         empty.y[c].resize(states.y[c].size());
     }

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "Synth/AlignedVector.h"
-#include "Synth/KickKernel.h"
+#include "Synth/IncrementKernel.h"
 #include "Synth/ModalBankKernel.h"
 #include "Synth/ModalPole.h"
 #include "Synth/StrikeKernel.h"
@@ -33,8 +33,8 @@ struct ModePart {
 };
 
 struct ModeStates {
-    std::array<AlignedVector<double>, mostChannels> x;
-    std::array<AlignedVector<double>, mostChannels> y;
+    std::array<AlignedVector<double>, maximumChannels> x;
+    std::array<AlignedVector<double>, maximumChannels> y;
 };
 
 /// Complex residues of the modes in one channel, zero in the padding. A mode of state s sounds Re(r
@@ -53,13 +53,13 @@ struct ChannelResidues {
         std::copy_n(other.im.begin(), modes, im.begin());
     }
 };
-using ModeResidues = std::array<ChannelResidues, mostChannels>;
+using ModeResidues = std::array<ChannelResidues, maximumChannels>;
 
 /// State increments that a contact adds to all modes of a bank. `energies` is their |s|² in the
 /// louder channel; for heavy modes it is the square of `amplitudeBound`.
-struct ModeKicks {
-    std::array<AlignedVector<float>, mostChannels> x;
-    std::array<AlignedVector<float>, mostChannels> y;
+struct StateIncrements {
+    std::array<AlignedVector<float>, maximumChannels> x;
+    std::array<AlignedVector<float>, maximumChannels> y;
     AlignedVector<float> energies;
 };
 
@@ -95,9 +95,9 @@ struct BeforeSample {
 };
 
 /// The buffers that each channel is added to.
-using ChannelOutputs = std::array<float*, mostChannels>;
+using ChannelOutputs = std::array<float*, maximumChannels>;
 
-using CellSound = std::array<std::array<float, cellSize>, mostChannels>;
+using CellSound = std::array<std::array<float, cellSize>, maximumChannels>;
 
 inline ChannelOutputs outputsOf(CellSound& sound) noexcept {
     return {sound[0].data(), sound[1].data()};
@@ -116,8 +116,8 @@ public:
         return std::span(blockNumbers).first(blockCount());
     }
     std::size_t paddedSize() const noexcept { return blockCount() * modeBlock; }
-    ModeStates emptyStates() const; ///< allocates
-    ModeKicks emptyKicks() const;   ///< allocates
+    ModeStates emptyStates() const;          ///< allocates
+    StateIncrements emptyIncrements() const; ///< allocates
 
     /// Number of channels in use, at most the capacity. New channels start as copies of the first.
     /// States passed in are read and written for this many.
@@ -190,42 +190,42 @@ public:
     /// Returns the immediate sound of an impulse in each channel, to be added to the motion of the
     /// modes in `runs`. Together with half of the motion's first sample it makes a constant force
     /// silent, as velocity and acceleration are then 0. About Σ Im r/(ω × sample time).
-    std::array<float, mostChannels> directSound(const ModeResidues& residues,
-                                                std::span<const ModeRun> runs) const noexcept;
+    std::array<float, maximumChannels> directSound(const ModeResidues& residues,
+                                                   std::span<const ModeRun> runs) const noexcept;
 
     /// Computes the forced part of a contact, or the motion after an impulse.
     void forcedStates(const PulseInstant& pulse, UnitContact& unit) const noexcept;
     void impulseStates(UnitContact& unit) const noexcept;
 
     /// Sets the increments to residues times the unit's states, moved to a whole sample.
-    void startKicks(const UnitContact& unit,
-                    const ModeResidues& residues,
-                    const BeforeSample& before,
-                    ModeKicks& kicks) const noexcept;
+    void startIncrements(const UnitContact& unit,
+                         const ModeResidues& residues,
+                         const BeforeSample& before,
+                         StateIncrements& increments) const noexcept;
 
-    void clearKicks(ModeKicks& kicks) const noexcept;
+    void clearIncrements(StateIncrements& increments) const noexcept;
     /// Adds residues times the unit's states times `factor`, with the immediate sound of the
     /// contact's force `share` (0 to 2, in units of 1/T).
-    void gatherKicks(const UnitContact& unit,
-                     const ModeResidues& residues,
-                     double factor,
-                     double share,
-                     ModeKicks& kicks) const noexcept;
+    void gatherIncrements(const UnitContact& unit,
+                          const ModeResidues& residues,
+                          double factor,
+                          double share,
+                          StateIncrements& increments) const noexcept;
 
     /// Sets the increments to those of a whole contact, from start to end. Does not set their
     /// energies.
-    void finishKicks(const UnitContact& unit,
-                     const ModeResidues& residues,
-                     const BeforeSample& before,
-                     const KickMove& contact,
-                     ModeKicks& kicks) const noexcept;
+    void finishIncrements(const UnitContact& unit,
+                          const ModeResidues& residues,
+                          const BeforeSample& before,
+                          const IncrementMove& contact,
+                          StateIncrements& increments) const noexcept;
 
     /// Moves the increments and adds them to the states.
-    void join(const ModeKicks& kicks, const KickMove& move) noexcept;
+    void join(const StateIncrements& increments, const IncrementMove& move) noexcept;
 
     /// Adds the first 16 · `subBlockCount` samples (at most a cell) of the increments' sound over
     /// `runs`, and `parts` of them as `render` does.
-    void sound(const ModeKicks& kicks,
+    void sound(const StateIncrements& increments,
                std::span<const ModeRun> runs,
                std::size_t subBlockCount,
                const ChannelOutputs& outputs,
@@ -249,7 +249,7 @@ private:
         std::int32_t mode = 0;
         Propagator subBlock;
         Propagator cell;
-        std::array<ModalState, mostChannels>
+        std::array<ModalState, maximumChannels>
             aside; ///< its states while the SIMD loops pass over them
     };
 
@@ -268,7 +268,7 @@ private:
                       double scale,
                       float* energies,
                       SubBlockStates& ahead) noexcept;
-    KickModes kickModes() const noexcept;
+    IncrementModes incrementModes() const noexcept;
     void forgetHeavy() noexcept;
     /// Returns the heavy modes among `first` to `end` − 1, which are whole blocks.
     std::span<HeavyMode> heavyIn(std::size_t first, std::size_t end) noexcept {
@@ -288,10 +288,10 @@ private:
                     std::span<const float, cellSize> impulses,
                     const ModeResidues& startResidues,
                     const ModeResidues& endResidues) noexcept;
-    static void lookAtHeavy(const HeavyMode& heavy,
-                            std::size_t channel,
-                            std::size_t place,
-                            SubBlockStates& ahead) noexcept;
+    static void fillHeavyAhead(const HeavyMode& heavy,
+                               std::size_t channel,
+                               std::size_t place,
+                               SubBlockStates& ahead) noexcept;
     void mixRuns(std::span<const ModeRun> runs,
                  std::size_t first,
                  std::size_t end,

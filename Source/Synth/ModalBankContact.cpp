@@ -18,12 +18,12 @@ ModalState operator*(double factor, const ModalState& state) noexcept {
     return {factor * state.x, factor * state.y};
 }
 
-std::array<KickChannel, mostChannels> channelsOf(const ModeResidues& residues,
-                                                 ModeKicks& kicks) noexcept {
-    std::array<KickChannel, mostChannels> channels{};
-    for (std::size_t c = 0; c < mostChannels; ++c)
-        channels[c] = {residues[c].re.data(), residues[c].im.data(), kicks.x[c].data(),
-                       kicks.y[c].data()};
+std::array<IncrementChannel, maximumChannels> channelsOf(const ModeResidues& residues,
+                                                         StateIncrements& increments) noexcept {
+    std::array<IncrementChannel, maximumChannels> channels{};
+    for (std::size_t c = 0; c < maximumChannels; ++c)
+        channels[c] = {residues[c].re.data(), residues[c].im.data(), increments.x[c].data(),
+                       increments.y[c].data()};
     return channels;
 }
 
@@ -35,7 +35,7 @@ bool isIn(std::span<const ModeRun> runs, std::int32_t mode) noexcept {
 
 } // namespace
 
-KickModes ModalBank::kickModes() const noexcept {
+IncrementModes ModalBank::incrementModes() const noexcept {
     return {frequency.data(), halfTurnsPerSample.data(), octavesPerSample.data()};
 }
 
@@ -50,9 +50,9 @@ void ModalBank::makeHeavyReal(ModeResidues& residues) const noexcept {
 }
 
 // Σ' ρ^k b over k ≥ 0, the first term halved, is b (1 + ρ)/(2 (1 − ρ)) with b = 1 + iα/ω.
-std::array<float, mostChannels>
+std::array<float, maximumChannels>
 ModalBank::directSound(const ModeResidues& residues, std::span<const ModeRun> runs) const noexcept {
-    std::array<float, mostChannels> sums{};
+    std::array<float, maximumChannels> sums{};
     for (const ModeRun& run : runs)
         for (std::size_t g = index(run.first); g < index(run.first + run.count); ++g) {
             const float re = 1 - sampleRe[g], im = -sampleIm[g];
@@ -104,60 +104,60 @@ void ModalBank::impulseStates(UnitContact& unit) const noexcept {
         unit.y[g] = static_cast<float>(velocityShare[g]);
 }
 
-void ModalBank::startKicks(const UnitContact& unit,
-                           const ModeResidues& residues,
-                           const BeforeSample& before,
-                           ModeKicks& kicks) const noexcept {
-    const auto channels = channelsOf(residues, kicks);
-    idiophone::startKicks(
-        kickModes(), {unit.x.data(), unit.y.data(), before.samples, before.factor}, paddedSize(),
-        std::span(channels).first(channelCount), kicks.energies.data());
+void ModalBank::startIncrements(const UnitContact& unit,
+                                const ModeResidues& residues,
+                                const BeforeSample& before,
+                                StateIncrements& increments) const noexcept {
+    const auto channels = channelsOf(residues, increments);
+    idiophone::startIncrements(
+        incrementModes(), {unit.x.data(), unit.y.data(), before.samples, before.factor},
+        paddedSize(), std::span(channels).first(channelCount), increments.energies.data());
     for (const HeavyMode& heavy : heavyModes) {
         const std::size_t g = index(heavy.mode);
-        const ModalState kick =
+        const ModalState increment =
             before.factor * (propagator(pole(g), before.samples * sampleSeconds) *
                              ModalState{unit.x[g], unit.y[g]});
         double largest = 0;
         for (std::size_t c = 0; c < channelCount; ++c) {
-            const ModalState heard = static_cast<double>(residues[c].re[g]) * kick;
-            kicks.x[c][g] = static_cast<float>(heard.x);
-            kicks.y[c][g] = static_cast<float>(heard.y);
+            const ModalState heard = static_cast<double>(residues[c].re[g]) * increment;
+            increments.x[c][g] = static_cast<float>(heard.x);
+            increments.y[c][g] = static_cast<float>(heard.y);
             largest = std::max(largest, amplitudeBound(pole(g), heard));
         }
-        kicks.energies[g] = static_cast<float>(largest * largest);
+        increments.energies[g] = static_cast<float>(largest * largest);
     }
 }
 
-void ModalBank::clearKicks(ModeKicks& kicks) const noexcept {
+void ModalBank::clearIncrements(StateIncrements& increments) const noexcept {
     for (std::size_t c = 0; c < channelCount; ++c) {
-        std::fill_n(kicks.x[c].begin(), paddedSize(), 0.0f);
-        std::fill_n(kicks.y[c].begin(), paddedSize(), 0.0f);
+        std::fill_n(increments.x[c].begin(), paddedSize(), 0.0f);
+        std::fill_n(increments.y[c].begin(), paddedSize(), 0.0f);
     }
 }
 
-void ModalBank::gatherKicks(const UnitContact& unit,
-                            const ModeResidues& residues,
-                            double factor,
-                            double share,
-                            ModeKicks& kicks) const noexcept {
-    const auto channels = channelsOf(residues, kicks);
-    idiophone::gatherKicks({.x = unit.x.data(),
-                            .y = unit.y.data(),
-                            .perFrequency = unit.quadratureIm.data(),
-                            .force = share / (2 * std::numbers::pi),
-                            .factor = factor},
-                           paddedSize(), std::span(channels).first(channelCount));
+void ModalBank::gatherIncrements(const UnitContact& unit,
+                                 const ModeResidues& residues,
+                                 double factor,
+                                 double share,
+                                 StateIncrements& increments) const noexcept {
+    const auto channels = channelsOf(residues, increments);
+    idiophone::gatherIncrements({.x = unit.x.data(),
+                                 .y = unit.y.data(),
+                                 .perFrequency = unit.quadratureIm.data(),
+                                 .force = share / (2 * std::numbers::pi),
+                                 .factor = factor},
+                                paddedSize(), std::span(channels).first(channelCount));
 }
 
-void ModalBank::finishKicks(const UnitContact& unit,
-                            const ModeResidues& residues,
-                            const BeforeSample& before,
-                            const KickMove& contact,
-                            ModeKicks& kicks) const noexcept {
-    const auto channels = channelsOf(residues, kicks);
-    idiophone::finishKicks(kickModes(),
-                           {unit.x.data(), unit.y.data(), before.samples, before.factor}, contact,
-                           paddedSize(), std::span(channels).first(channelCount));
+void ModalBank::finishIncrements(const UnitContact& unit,
+                                 const ModeResidues& residues,
+                                 const BeforeSample& before,
+                                 const IncrementMove& contact,
+                                 StateIncrements& increments) const noexcept {
+    const auto channels = channelsOf(residues, increments);
+    idiophone::finishIncrements(incrementModes(),
+                                {unit.x.data(), unit.y.data(), before.samples, before.factor},
+                                contact, paddedSize(), std::span(channels).first(channelCount));
     for (const HeavyMode& heavy : heavyModes) {
         const std::size_t g = index(heavy.mode);
         const ModalState end{unit.x[g], unit.y[g]};
@@ -168,28 +168,29 @@ void ModalBank::finishKicks(const UnitContact& unit,
                              ModalState{end.x - start.x, end.y - start.y});
         for (std::size_t c = 0; c < channelCount; ++c) {
             const auto residue = static_cast<double>(residues[c].re[g]);
-            kicks.x[c][g] = static_cast<float>(residue * both.x);
-            kicks.y[c][g] = static_cast<float>(residue * both.y);
+            increments.x[c][g] = static_cast<float>(residue * both.x);
+            increments.y[c][g] = static_cast<float>(residue * both.y);
         }
     }
 }
 
-void ModalBank::join(const ModeKicks& kicks, const KickMove& move) noexcept {
+void ModalBank::join(const StateIncrements& increments, const IncrementMove& move) noexcept {
     setAside(states, heavyModes);
-    std::array<KickedChannel, mostChannels> channels{};
+    std::array<JoinedChannel, maximumChannels> channels{};
     for (std::size_t c = 0; c < channelCount; ++c)
-        channels[c] = {.kickX = kicks.x[c].data(),
-                       .kickY = kicks.y[c].data(),
+        channels[c] = {.incrementX = increments.x[c].data(),
+                       .incrementY = increments.y[c].data(),
                        .x = states.x[c].data(),
                        .y = states.y[c].data()};
-    joinKicks(kickModes(), move, paddedSize(), std::span(channels).first(channelCount),
-              energy.data());
+    joinIncrements(incrementModes(), move, paddedSize(), std::span(channels).first(channelCount),
+                   energy.data());
     for (const HeavyMode& heavy : heavyModes) {
         const std::size_t g = index(heavy.mode);
         const Propagator motion = propagator(pole(g), move.seconds);
         const double factor = std::exp2(-move.damperOctaves);
         for (std::size_t c = 0; c < channelCount; ++c) {
-            const ModalState moved = factor * (motion * ModalState{kicks.x[c][g], kicks.y[c][g]});
+            const ModalState moved =
+                factor * (motion * ModalState{increments.x[c][g], increments.y[c][g]});
             states.x[c][g] = heavy.aside[c].x + moved.x;
             states.y[c][g] = heavy.aside[c].y + moved.y;
         }
@@ -197,7 +198,7 @@ void ModalBank::join(const ModeKicks& kicks, const KickMove& move) noexcept {
     }
 }
 
-void ModalBank::sound(const ModeKicks& kicks,
+void ModalBank::sound(const StateIncrements& increments,
                       std::span<const ModeRun> runs,
                       std::size_t subBlockCount,
                       const ChannelOutputs& outputs,
@@ -211,12 +212,12 @@ void ModalBank::sound(const ModeKicks& kicks,
          first += batchModes) {
         const std::size_t modes = std::min(batchModes, paddedSize() - first);
         const std::span<HeavyMode> heavyHere = heavyIn(first, first + modes);
-        setAside(kicks, heavyHere);
+        setAside(increments, heavyHere);
         for (std::size_t c = 0; c < channelCount; ++c) {
-            lookAhead(rotations(first), modes, subBlockCount, kicks.x[c].data() + first,
-                      kicks.y[c].data() + first, ahead);
+            fillAhead(rotations(first), modes, subBlockCount, increments.x[c].data() + first,
+                      increments.y[c].data() + first, ahead);
             for (const HeavyMode& heavy : heavyHere)
-                lookAtHeavy(heavy, c, index(heavy.mode) - first, ahead);
+                fillHeavyAhead(heavy, c, index(heavy.mode) - first, ahead);
             mixRuns(runs, first, first + modes, ahead, subBlockCount, outputs[c]);
             mixParts(parts, first, first + modes, ahead, subBlockCount, partOutputs[c]);
         }
@@ -237,7 +238,7 @@ void ModalBank::force(std::span<const float, cellSize> impulses,
             fallen[k] *= static_cast<float>(factor *= fall);
     }
     setAside(states, heavyModes);
-    std::array<ForcedChannel, mostChannels> channels{};
+    std::array<ForcedChannel, maximumChannels> channels{};
     for (std::size_t c = 0; c < channelCount; ++c)
         channels[c] = {.startRe = startResidues[c].re.data(),
                        .startIm = startResidues[c].im.data(),
@@ -263,11 +264,11 @@ void ModalBank::forceHeavy(const HeavyMode& heavy,
     const Propagator sample = propagator(pole(g), sampleSeconds);
     for (std::size_t c = 0; c < channelCount; ++c) {
         const auto start = static_cast<double>(startResidues[c].re[g]);
-        const auto way = static_cast<double>(endResidues[c].re[g]) - start;
+        const auto change = static_cast<double>(endResidues[c].re[g]) - start;
         ModalState moving;
         for (std::size_t k = 0; k < cellSize; ++k) {
             const double residue =
-                start + way * static_cast<double>(shareOfWay(k / subBlockSamples));
+                start + change * static_cast<double>(fractionAt(k / subBlockSamples));
             moving.x += residue * static_cast<double>(impulses[k]);
             moving = sample * moving;
         }

@@ -57,10 +57,10 @@ ModeRotations ModalBank::rotations(std::size_t first) const noexcept {
 }
 
 /// Fills in the states of a heavy mode at the start of each sub-block, from the saved one.
-void ModalBank::lookAtHeavy(const HeavyMode& heavy,
-                            std::size_t channel,
-                            std::size_t place,
-                            SubBlockStates& ahead) noexcept {
+void ModalBank::fillHeavyAhead(const HeavyMode& heavy,
+                               std::size_t channel,
+                               std::size_t place,
+                               SubBlockStates& ahead) noexcept {
     ModalState moving = heavy.aside[channel];
     for (std::size_t k = 0; k < subBlocks; ++k) {
         ahead.x[k][place] = static_cast<float>(moving.x);
@@ -151,7 +151,7 @@ void ModalBank::advanceBatch(ModeStates& from,
     for (const HeavyMode& heavy : heavyIn(first, first + modes)) {
         const std::size_t g = index(heavy.mode);
         const std::size_t place = g - first;
-        lookAtHeavy(heavy, channel, place, ahead);
+        fillHeavyAhead(heavy, channel, place, ahead);
         const ModalState next = heavy.cell * heavy.aside[channel];
         x[place] = scale * next.x;
         y[place] = scale * next.y;

@@ -36,7 +36,7 @@ ModalResonator::ModalResonator(SynthesiserSlot slot,
     modeEigenvalues = referenceEigenvalues = object->eigenvalues;
     groupDampings = dampings = object->dampings();
     pairs = modePairs(*object, seed);
-    lostShares.resize(modes * (largestGroup - 1) / 2); // for groups of the maximum size
+    lostShares.resize(modes * (maximumGroup - 1) / 2); // for groups of the maximum size
     if (!object->radiation.empty())
         for (auto& weights : radiationWeights)
             weights.resize(modes);
@@ -47,7 +47,7 @@ ModalResonator::ModalResonator(SynthesiserSlot slot,
     contacts.reserve(contactCapacity);
     clicks.reserve(contactCapacity);
     rigidBody = rigidRadiator(*object);
-    kicks = bank.emptyKicks();
+    increments = bank.emptyIncrements();
     requestedSilences.reserve(modes);
     silencedModes.reserve(modes);
     bank.resize(modes);
@@ -94,7 +94,7 @@ void ModalResonator::setSilencedModes(std::span<const std::uint8_t> silenced) no
 bool ModalResonator::beginSoundingCell(std::int64_t cell,
                                        const SynthesisSettings& settings,
                                        bool settingsChanged) noexcept {
-    takeInKicks(cell);
+    takeInIncrements(cell);
     cellIndex = cell;
     if (settingsChanged || controlsChanged)
         applySettings(settings);
@@ -243,7 +243,7 @@ void ModalResonator::mix(std::int32_t share, const CellOutput& cell) noexcept {
     mixedLastCell = static_cast<std::int32_t>(mixedModes.size());
 
     if (damping > 0 || bank.channels() != cell.channels()) {
-        alignas(64) std::array<std::array<float, cellSamples>, mostChannels> sound{};
+        alignas(64) std::array<std::array<float, cellSamples>, maximumChannels> sound{};
         const ChannelOutputs outputs{sound[0].data(), sound[1].data()};
         renderCell(outputs);
         addToCell(outputs, 0, cellSamples, cell);
@@ -345,7 +345,7 @@ void ModalResonator::reset() noexcept {
     mixedIsRinging = true;
     contacts.clear();
     clicks.clear();
-    keptKicks.reset();
+    keptIncrements.reset();
     forcedCell = never;
     ++responseVersion;
     fader.reset();

@@ -42,7 +42,7 @@ ModalResonator::phaseAt(const Contact& contact, std::int64_t cell, double sample
 }
 
 double ModalResonator::shareOfResidues(const Contact& contact, const Contact& other) noexcept {
-    const Hearing &own = contact.heard, &others = other.heard;
+    const Listening &own = contact.heard, &others = other.heard;
     if (own.farShare != others.farShare || contact.strike.point != other.strike.point ||
         own.nearGain * others.farGain != own.farGain * others.nearGain)
         return 0;
@@ -67,7 +67,7 @@ void ModalResonator::moveContacts(Forced become) noexcept {
     if (contacts.empty())
         return;
     bringRestingUpToDate(cellIndex);
-    bank.clearKicks(scratch.kicks);
+    bank.clearIncrements(scratch.increments);
     std::array<bool, contactCapacity> moved{};
     for (std::size_t first = 0; first < contacts.size(); ++first) {
         if (moved[first])
@@ -82,7 +82,7 @@ void ModalResonator::moveContacts(Forced become) noexcept {
             moveContact(contacts[k], share, become);
         }
     }
-    bank.join(scratch.kicks, {});
+    bank.join(scratch.increments, {});
 }
 
 /// Does this for one contact, whose residues are `factor` times the current ones.
@@ -92,8 +92,9 @@ void ModalResonator::moveContact(Contact& contact, double factor, Forced become)
                        .dampingPerSecond = damping,
                        .phase = phase},
                       scratch.contact);
-    bank.gatherKicks(scratch.contact, scratch.groupResidues,
-                     become == Forced::freed ? factor : -factor, 1 - phase.real(), scratch.kicks);
+    bank.gatherIncrements(scratch.contact, scratch.groupResidues,
+                          become == Forced::freed ? factor : -factor, 1 - phase.real(),
+                          scratch.increments);
     if (become == Forced::freed)
         return;
     contact.mixed = contact.tube = {};

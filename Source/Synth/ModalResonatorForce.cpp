@@ -13,8 +13,8 @@ bool ModalResonator::valid(const ForcePlace& place) const noexcept {
     const auto makesSense = [&](const ForcePoint& at) {
         return valid(at.point) && allFinite(at.direction);
     };
-    return std::isfinite(place.way) && makesSense(place.points[0]) &&
-           (place.way == 0 || makesSense(place.points[1]));
+    return std::isfinite(place.fraction) && makesSense(place.points[0]) &&
+           (place.fraction == 0 || makesSense(place.points[1]));
 }
 
 bool ModalResonator::applyForce(const ForceCell& force,
@@ -24,16 +24,16 @@ bool ModalResonator::applyForce(const ForceCell& force,
     if (force.contact >= forceCapacity || !valid(force.start) || (!stays && !valid(force.end)) ||
         !allWithin(force.newtons, largestForceNewtons))
         return false;
-    takeInKicks(cellIndex + 1);
+    takeInIncrements(cellIndex + 1);
     prepareBank();
-    // Interpolate a change of the hearing over the cell: its step would sound like a step of the
+    // Interpolate a change of the listening over the cell: its step would sound like a step of the
     // force.
     if (forcedCell != cellIndex) {
-        heardAtStart = forcedCell + 1 == cellIndex ? heardAtEnd : hearing;
-        heardAtEnd = hearing;
+        listeningAtStart = forcedCell + 1 == cellIndex ? listeningAtEnd : listening;
+        listeningAtEnd = listening;
     }
     forcedCell = cellIndex;
-    widen(std::max(heardAtStart.farShare, heardAtEnd.farShare));
+    widen(std::max(listeningAtStart.farShare, listeningAtEnd.farShare));
     admitForced(allowance);
 
     alignas(64) std::array<float, cellSamples> impulses;
@@ -42,10 +42,10 @@ bool ModalResonator::applyForce(const ForceCell& force,
         impulses[k] = force.newtons[k] * secondsPerSample;
     ForceResponses& known = scratch.responses[force.contact];
     Answer start, end;
-    const bool changes = !stays || heardAtStart != heardAtEnd;
-    answerAt(force.start, heardAtStart, known, scratch.startResidues, start);
+    const bool changes = !stays || listeningAtStart != listeningAtEnd;
+    answerAt(force.start, listeningAtStart, known, scratch.startResidues, start);
     if (changes)
-        answerAt(force.end, heardAtEnd, known, scratch.endResidues, end);
+        answerAt(force.end, listeningAtEnd, known, scratch.endResidues, end);
     soundForce(impulses, start, changes ? end : start, cell);
     bringRestingUpToDate(cellIndex + 1);
     bank.force(impulses, scratch.startResidues,
@@ -64,18 +64,18 @@ void ModalResonator::admitForced(std::int32_t allowance) noexcept {
             audible |= (bank.audible(b * modeBlock + k) ? 1u : 0u) << k;
         scratch.wanted[b] = static_cast<std::uint16_t>(audible);
     }
-    std::copy_n(bank.energies(), bank.paddedSize(), kicks.energies.begin());
+    std::copy_n(bank.energies(), bank.paddedSize(), increments.energies.begin());
     admitWanted(allowance);
 }
 
 /// Computes the object's response between the two points by linear interpolation.
 void ModalResonator::answerAt(const ForcePlace& place,
-                              const Hearing& heard,
+                              const Listening& heard,
                               ForceResponses& known,
                               ModeResidues& residues,
                               Answer& answer) noexcept {
     const ForceResponse& first = responseAt(place.points[0], heard, known);
-    if (place.way == 0) {
+    if (place.fraction == 0) {
         for (std::size_t c = 0; c < bank.channels(); ++c)
             residues[c].copyFrom(first.residues[c], bank.paddedSize());
         answer.sound = first.sound;
@@ -85,14 +85,14 @@ void ModalResonator::answerAt(const ForcePlace& place,
     }
     const ForceResponse& second = responseAt(place.points[1], heard, known);
     for (std::size_t c = 0; c < bank.channels(); ++c) {
-        blendResponses(first.residues[c].re.data(), second.residues[c].re.data(), place.way,
+        blendResponses(first.residues[c].re.data(), second.residues[c].re.data(), place.fraction,
                        bank.paddedSize(), residues[c].re.data());
-        blendResponses(first.residues[c].im.data(), second.residues[c].im.data(), place.way,
+        blendResponses(first.residues[c].im.data(), second.residues[c].im.data(), place.fraction,
                        bank.paddedSize(), residues[c].im.data());
-        blendResponses(first.sound[c].data(), second.sound[c].data(), place.way, cellSamples,
+        blendResponses(first.sound[c].data(), second.sound[c].data(), place.fraction, cellSamples,
                        answer.sound[c].data());
         if (tubesPulse())
-            blendResponses(first.tube[c].data(), second.tube[c].data(), place.way, cellSamples,
+            blendResponses(first.tube[c].data(), second.tube[c].data(), place.fraction, cellSamples,
                            answer.tube[c].data());
     }
 }
@@ -100,7 +100,7 @@ void ModalResonator::answerAt(const ForcePlace& place,
 /// Returns the response at a point, from the cache if possible. A new one replaces the least
 /// recently used of the contact's four.
 const ForceResponse& ModalResonator::responseAt(const ForcePoint& at,
-                                                const Hearing& heard,
+                                                const Listening& heard,
                                                 ForceResponses& known) noexcept {
     const auto isAnswer = [&](const ForceResponse& response) {
         return response.object == this && response.version == responseVersion &&
@@ -123,7 +123,7 @@ const ForceResponse& ModalResonator::responseAt(const ForcePoint& at,
 }
 
 void ModalResonator::answer(const ForcePoint& at,
-                            const Hearing& heard,
+                            const Listening& heard,
                             ForceResponse& response) noexcept {
     response.object = this;
     response.version = responseVersion;
@@ -132,13 +132,13 @@ void ModalResonator::answer(const ForcePoint& at,
     computeResidues(
         {.strike = {.point = at.point, .impulseNewtonSeconds = at.direction}, .heard = heard});
     bank.impulseStates(scratch.contact);
-    bank.startKicks(scratch.contact, scratch.groupResidues, {}, scratch.kicks);
+    bank.startIncrements(scratch.contact, scratch.groupResidues, {}, scratch.increments);
     for (std::size_t c = 0; c < bank.channels(); ++c)
         response.residues[c].copyFrom(scratch.groupResidues[c], bank.paddedSize());
     response.sound = response.tube = {};
     response.knowsTube = tubesPulse();
     const auto parts = pulsing();
-    bank.sound(scratch.kicks, mixedRuns, subBlocks, outputsOf(response.sound), parts,
+    bank.sound(scratch.increments, mixedRuns, subBlocks, outputsOf(response.sound), parts,
                outputsOf(response.tube));
     const auto direct = bank.directSound(scratch.groupResidues, mixedRuns);
     for (std::size_t c = 0; c < bank.channels(); ++c) {

@@ -32,32 +32,32 @@ void project(const ShapePoint& point,
              const std::array<float, 3>& heard,
              std::size_t count,
              float* HWY_RESTRICT struckGains,
-             float* HWY_RESTRICT heardGains) {
+             float* HWY_RESTRICT listeningGains) {
     const Floats f;
     constexpr std::size_t lanes = hn::MaxLanes(Floats());
     std::size_t i = 0;
     for (; i + lanes <= count; i += lanes) {
         auto struckGain = hn::Zero(f);
-        auto heardGain = hn::Zero(f);
+        auto listeningGain = hn::Zero(f);
         for (std::size_t k = 0; k < point.used; ++k) {
             hn::Vec<Floats> x, y, z;
             hn::LoadInterleaved3(f, point.rows[k] + 3 * i, x, y, z);
             const auto weight = hn::Set(f, point.weights[k]);
             struckGain = hn::MulAdd(dot(x, y, z, struck), weight, struckGain);
-            heardGain = hn::MulAdd(dot(x, y, z, heard), weight, heardGain);
+            listeningGain = hn::MulAdd(dot(x, y, z, heard), weight, listeningGain);
         }
         hn::StoreU(struckGain, f, struckGains + i);
-        hn::StoreU(heardGain, f, heardGains + i);
+        hn::StoreU(listeningGain, f, listeningGains + i);
     }
     for (; i < count; ++i) {
-        struckGains[i] = heardGains[i] = 0;
+        struckGains[i] = listeningGains[i] = 0;
         for (std::size_t k = 0; k < point.used; ++k) {
             const float* shape = point.rows[k] + 3 * i;
             const auto along = [&](const std::array<float, 3>& direction) {
                 return shape[0] * direction[0] + shape[1] * direction[1] + shape[2] * direction[2];
             };
             struckGains[i] += point.weights[k] * along(struck);
-            heardGains[i] += point.weights[k] * along(heard);
+            listeningGains[i] += point.weights[k] * along(heard);
         }
     }
 }
@@ -243,8 +243,8 @@ void projectShapes(const ShapePoint& point,
                    const std::array<float, 3>& heard,
                    std::size_t count,
                    float* struckGains,
-                   float* heardGains) noexcept {
-    HWY_DYNAMIC_DISPATCH(project)(point, struck, heard, count, struckGains, heardGains);
+                   float* listeningGains) noexcept {
+    HWY_DYNAMIC_DISPATCH(project)(point, struck, heard, count, struckGains, listeningGains);
 }
 
 void forcedStates(const PulseInstant& pulse,

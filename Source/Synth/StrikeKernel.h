@@ -12,19 +12,19 @@ namespace idiophone {
 
 /// A few rows of shapes [M,3] and the weights of their mean.
 struct ShapePoint {
-    std::array<const float*, mostShapeRows> rows{};
-    std::array<float, mostShapeRows> weights{};
+    std::array<const float*, maximumShapeRows> rows{};
+    std::array<float, maximumShapeRows> weights{};
     std::size_t used = 0;
 };
 
-/// Computes struckGains[i] = φ_i(p) · struck and heardGains[i] = φ_i(p) · heard for any `count` of
-/// modes.
+/// Computes struckGains[i] = φ_i(p) · struck and listeningGains[i] = φ_i(p) · heard for any `count`
+/// of modes.
 void projectShapes(const ShapePoint& point,
                    const std::array<float, 3>& struck,
                    const std::array<float, 3>& heard,
                    std::size_t count,
                    float* struckGains,
-                   float* heardGains) noexcept;
+                   float* listeningGains) noexcept;
 
 /// A raised-cosine pulse at one instant, and the damper's δ.
 struct PulseInstant {

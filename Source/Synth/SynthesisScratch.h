@@ -18,17 +18,17 @@ namespace idiophone {
 /// Sized for M modes and G groups, padded to whole blocks, of the largest object.
 struct SynthesisScratch {
     SynthesisScratch(std::size_t modes, std::size_t channels)
-        : struckGains(modes), heardGains(modes), modeResidues(modes) {
+        : struckGains(modes), listeningGains(modes), modeResidues(modes) {
         const std::size_t padded = (modes + modeBlock - 1) / modeBlock * modeBlock;
         for (std::size_t c = 0; c < channels; ++c) {
-            for (auto* array : {&kicks.x[c], &kicks.y[c]})
+            for (auto* array : {&increments.x[c], &increments.y[c]})
                 array->resize(padded);
             for (auto* residues : {&groupResidues[c], &startResidues[c], &endResidues[c]})
                 residues->resize(padded);
         }
         for (auto* array :
              {&contact.x, &contact.y, &contact.steady, &contact.swingRe, &contact.swingIm,
-              &contact.quadratureRe, &contact.quadratureIm, &kicks.energies})
+              &contact.quadratureRe, &contact.quadratureIm, &increments.energies})
             array->resize(padded);
         nearResidues.resize(padded);
         aboveTau.resize(padded / modeBlock);
@@ -51,12 +51,12 @@ struct SynthesisScratch {
     }
 
     std::vector<float> struckGains;                ///< [M] φ·J
-    std::vector<float> heardGains;                 ///< [M] φ·ℓ
+    std::vector<float> listeningGains;             ///< [M] φ·ℓ
     std::vector<std::complex<float>> modeResidues; ///< [M]
     ModeResidues groupResidues;                    ///< [G]
     ChannelResidues nearResidues;                  ///< [G]
     UnitContact contact;                           ///< [G]
-    ModeKicks kicks;                               ///< [G] increments that are not kept
+    StateIncrements increments;                    ///< [G] increments that are not kept
     ModeResidues startResidues; ///< [G] at a force's place at the start of a cell
     ModeResidues endResidues;   ///< [G] at its place at the end
     std::array<ForceResponses, forceCapacity> responses;

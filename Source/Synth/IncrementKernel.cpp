@@ -1,9 +1,9 @@
-#include "Synth/KickKernel.h"
+#include "Synth/IncrementKernel.h"
 
 #include <numbers>
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "Synth/KickKernel.cpp"
+#define HWY_TARGET_INCLUDE "Synth/IncrementKernel.cpp"
 #include <hwy/foreach_target.h> // compiles this file once for each target
 
 #include "Synth/SimdComplex-inl.h"
@@ -59,7 +59,9 @@ HWY_INLINE PowerOfTwo powerOfTwo(Vector octaves) {
 
 /// Returns factor · ρ^samples for less than a sample. Within the band the angle is below half a
 /// turn, so sine and cosine need no reduction.
-HWY_INLINE Complex rotation(const KickModes& modes, const UnitKicks& unit, std::size_t g) {
+HWY_INLINE Complex rotation(const IncrementModes& modes,
+                            const UnitIncrements& unit,
+                            std::size_t g) {
     const Floats f;
     const auto samples = hn::Set(f, static_cast<float>(unit.samples));
     const auto halfTurns = hn::Mul(samples, hn::Load(f, modes.halfTurnsPerSample + g));
@@ -79,7 +81,7 @@ struct Motion {
     PowerOfTwo left;
 };
 
-HWY_INLINE Motion motion(const KickModes& modes, const KickMove& move, std::size_t g) {
+HWY_INLINE Motion motion(const IncrementModes& modes, const IncrementMove& move, std::size_t g) {
     const Floats f;
     const Doubles d;
     const HalfFloats half;
@@ -113,37 +115,40 @@ HWY_INLINE Complex change(const Motion& motion) {
     return {hn::MulAdd(twice, motion.sin, lost), hn::Neg(hn::Mul(twice, motion.cos))};
 }
 
-HWY_INLINE Complex unitKick(const KickModes& modes, const UnitKicks& unit, std::size_t g) {
+HWY_INLINE Complex unitIncrement(const IncrementModes& modes,
+                                 const UnitIncrements& unit,
+                                 std::size_t g) {
     const Floats f;
-    const Complex kick = load(unit.x, unit.y, g);
+    const Complex increment = load(unit.x, unit.y, g);
     if (unit.samples > 0)
-        return product(rotation(modes, unit, g), kick);
+        return product(rotation(modes, unit, g), increment);
     const auto factor = hn::Set(f, static_cast<float>(unit.factor));
-    return {hn::Mul(factor, kick.re), hn::Mul(factor, kick.im)};
+    return {hn::Mul(factor, increment.re), hn::Mul(factor, increment.im)};
 }
 
 /// Stores the residues times the increment and returns the residues.
-HWY_INLINE Complex storeHeard(const KickChannel& channel, Complex kick, std::size_t g) {
+HWY_INLINE Complex storeHeard(const IncrementChannel& channel, Complex increment, std::size_t g) {
     const Floats f;
     const Complex residue = load(channel.residuesRe, channel.residuesIm, g);
-    const Complex heard = product(residue, kick);
+    const Complex heard = product(residue, increment);
     hn::Store(heard.re, f, channel.x + g);
     hn::Store(heard.im, f, channel.y + g);
     return residue;
 }
 
-void start(const KickModes& modes,
-           const UnitKicks& unit,
+void start(const IncrementModes& modes,
+           const UnitIncrements& unit,
            std::size_t count,
-           KickChannels channels,
+           IncrementChannels channels,
            float* HWY_RESTRICT energies) {
     const Floats f;
     for (std::size_t g = 0; g < count; g += lanes) {
-        const Complex kick = unitKick(modes, unit, g);
-        const auto energy = hn::MulAdd(kick.re, kick.re, hn::Mul(kick.im, kick.im));
+        const Complex increment = unitIncrement(modes, unit, g);
+        const auto energy =
+            hn::MulAdd(increment.re, increment.re, hn::Mul(increment.im, increment.im));
         auto loudest = hn::Zero(f);
-        for (const KickChannel& channel : channels) {
-            const Complex residue = storeHeard(channel, kick, g);
+        for (const IncrementChannel& channel : channels) {
+            const Complex residue = storeHeard(channel, increment, g);
             loudest = hn::Max(loudest,
                               hn::MulAdd(residue.re, residue.re, hn::Mul(residue.im, residue.im)));
         }
@@ -151,14 +156,14 @@ void start(const KickModes& modes,
     }
 }
 
-void gather(const ForcedKicks& forced, std::size_t count, KickChannels channels) {
+void gather(const ForcedIncrements& forced, std::size_t count, IncrementChannels channels) {
     const Floats f;
     const auto scale = hn::Set(f, static_cast<float>(forced.factor));
     const auto force = hn::Set(f, static_cast<float>(forced.force));
     for (std::size_t g = 0; g < count; g += lanes) {
         const Complex unit = load(forced.x, forced.y, g);
         const auto direct = hn::Mul(force, hn::Load(f, forced.perFrequency + g));
-        for (const KickChannel& channel : channels) {
+        for (const IncrementChannel& channel : channels) {
             const Complex residue = load(channel.residuesRe, channel.residuesIm, g);
             const Complex heard = product(residue, unit);
             const auto x = hn::MulAdd(residue.im, direct, heard.re);
@@ -168,31 +173,33 @@ void gather(const ForcedKicks& forced, std::size_t count, KickChannels channels)
     }
 }
 
-void finish(const KickModes& modes,
-            const UnitKicks& end,
-            const KickMove& contact,
+void finish(const IncrementModes& modes,
+            const UnitIncrements& end,
+            const IncrementMove& contact,
             std::size_t count,
-            KickChannels channels) {
+            IncrementChannels channels) {
     for (std::size_t g = 0; g < count; g += lanes) {
-        const Complex kick = product(change(motion(modes, contact, g)), unitKick(modes, end, g));
-        for (const KickChannel& channel : channels)
-            storeHeard(channel, kick, g);
+        const Complex increment =
+            product(change(motion(modes, contact, g)), unitIncrement(modes, end, g));
+        for (const IncrementChannel& channel : channels)
+            storeHeard(channel, increment, g);
     }
 }
 
-void join(const KickModes& modes,
-          const KickMove& move,
+void join(const IncrementModes& modes,
+          const IncrementMove& move,
           std::size_t count,
-          std::span<const KickedChannel> channels,
+          std::span<const JoinedChannel> channels,
           float* HWY_RESTRICT energies) {
     const Floats f;
     for (std::size_t g = 0; g < count; g += lanes) {
         const Complex moving = moved(motion(modes, move, g));
         auto loudest = hn::Zero(f);
-        for (const KickedChannel& channel : channels) {
-            const Complex kick = product(moving, load(channel.kickX, channel.kickY, g));
-            const auto x = addTo(channel.x + g, kick.re);
-            const auto y = addTo(channel.y + g, kick.im);
+        for (const JoinedChannel& channel : channels) {
+            const Complex increment =
+                product(moving, load(channel.incrementX, channel.incrementY, g));
+            const auto x = addTo(channel.x + g, increment.re);
+            const auto y = addTo(channel.y + g, increment.im);
             loudest = hn::Max(loudest, hn::MulAdd(x, x, hn::Mul(y, y)));
         }
         hn::Store(loudest, f, energies + g);
@@ -212,31 +219,33 @@ HWY_EXPORT(gather);
 HWY_EXPORT(finish);
 HWY_EXPORT(join);
 
-void startKicks(const KickModes& modes,
-                const UnitKicks& unit,
-                std::size_t count,
-                KickChannels channels,
-                float* energies) noexcept {
+void startIncrements(const IncrementModes& modes,
+                     const UnitIncrements& unit,
+                     std::size_t count,
+                     IncrementChannels channels,
+                     float* energies) noexcept {
     HWY_DYNAMIC_DISPATCH(start)(modes, unit, count, channels, energies);
 }
 
-void gatherKicks(const ForcedKicks& forced, std::size_t count, KickChannels channels) noexcept {
+void gatherIncrements(const ForcedIncrements& forced,
+                      std::size_t count,
+                      IncrementChannels channels) noexcept {
     HWY_DYNAMIC_DISPATCH(gather)(forced, count, channels);
 }
 
-void finishKicks(const KickModes& modes,
-                 const UnitKicks& end,
-                 const KickMove& contact,
-                 std::size_t count,
-                 KickChannels channels) noexcept {
+void finishIncrements(const IncrementModes& modes,
+                      const UnitIncrements& end,
+                      const IncrementMove& contact,
+                      std::size_t count,
+                      IncrementChannels channels) noexcept {
     HWY_DYNAMIC_DISPATCH(finish)(modes, end, contact, count, channels);
 }
 
-void joinKicks(const KickModes& modes,
-               const KickMove& move,
-               std::size_t count,
-               std::span<const KickedChannel> channels,
-               float* energies) noexcept {
+void joinIncrements(const IncrementModes& modes,
+                    const IncrementMove& move,
+                    std::size_t count,
+                    std::span<const JoinedChannel> channels,
+                    float* energies) noexcept {
     HWY_DYNAMIC_DISPATCH(join)(modes, move, count, channels, energies);
 }
 
