@@ -17,9 +17,11 @@ using Vector = hn::Vec<Floats>;
 using Complex = FloatComplex;
 constexpr std::size_t lanes = hn::MaxLanes(Floats());
 
-HWY_INLINE Complex load(const float* re, const float* im, std::size_t g) {
+HWY_INLINE Complex load(const AlignedVector<float>& re,
+                        const AlignedVector<float>& im,
+                        std::size_t g) {
     const Floats f;
-    return {hn::Load(f, re + g), hn::Load(f, im + g)};
+    return {hn::Load(f, re.data() + g), hn::Load(f, im.data() + g)};
 }
 
 /// c0 + z (c1 + z (c2 + …))
@@ -59,16 +61,14 @@ HWY_INLINE PowerOfTwo powerOfTwo(Vector octaves) {
 
 /// Returns factor · ρ^samples for less than a sample. Within the band the angle is below half a
 /// turn, so sine and cosine need no reduction.
-HWY_INLINE Complex rotation(const IncrementModes& modes,
-                            const UnitIncrements& unit,
-                            std::size_t g) {
+HWY_INLINE Complex rotation(const PoleArrays& poles, const BeforeSample& before, std::size_t g) {
     const Floats f;
-    const auto samples = hn::Set(f, static_cast<float>(unit.samples));
-    const auto halfTurns = hn::Mul(samples, hn::Load(f, modes.halfTurnsPerSample + g));
+    const auto samples = hn::Set(f, static_cast<float>(before.samples));
+    const auto halfTurns = hn::Mul(samples, hn::Load(f, poles.halfTurnsPerSample.data() + g));
     const auto u = hn::Sub(hn::Min(halfTurns, hn::Set(f, 1.0f)), hn::Set(f, 0.5f));
     const auto z = hn::Mul(u, u);
-    const auto power = powerOfTwo(hn::Mul(samples, hn::Load(f, modes.octavesPerSample + g)));
-    const auto whole = hn::Mul(hn::Set(f, static_cast<float>(unit.factor)), power.whole);
+    const auto power = powerOfTwo(hn::Mul(samples, hn::Load(f, poles.octavesPerSample.data() + g)));
+    const auto whole = hn::Mul(hn::Set(f, static_cast<float>(before.factor)), power.whole);
     const auto size = hn::MulAdd(whole, power.part, whole);
     return {hn::Neg(hn::Mul(size, hn::Mul(u, polynomial(z, sine)))),
             hn::Mul(size, polynomial(z, cosine))};
@@ -81,19 +81,19 @@ struct Motion {
     PowerOfTwo left;
 };
 
-HWY_INLINE Motion motion(const IncrementModes& modes, const IncrementMove& move, std::size_t g) {
+HWY_INLINE Motion motion(const PoleArrays& poles, const IncrementMove& move, std::size_t g) {
     const Floats f;
     const Doubles d;
     const HalfFloats half;
     const auto restOfTurn = [&](std::size_t place) HWY_ATTR {
         const auto perTurn = hn::Set(d, move.seconds / (2 * std::numbers::pi));
-        const auto turns = hn::Mul(perTurn, hn::Load(d, modes.frequency + place));
+        const auto turns = hn::Mul(perTurn, hn::Load(d, poles.frequency.data() + place));
         return hn::DemoteTo(half, hn::Sub(turns, hn::Round(turns)));
     };
     const auto u = hn::Combine(f, restOfTurn(g + hn::MaxLanes(d)), restOfTurn(g));
     const auto z = hn::Mul(u, u);
     const auto octaves = hn::MulAdd(hn::Set(f, static_cast<float>(move.samples)),
-                                    hn::Load(f, modes.octavesPerSample + g),
+                                    hn::Load(f, poles.octavesPerSample.data() + g),
                                     hn::Set(f, static_cast<float>(-move.damperOctaves)));
     return {hn::Mul(u, polynomial(z, sine)), polynomial(z, cosine), powerOfTwo(octaves)};
 }
@@ -115,94 +115,114 @@ HWY_INLINE Complex change(const Motion& motion) {
     return {hn::MulAdd(twice, motion.sin, lost), hn::Neg(hn::Mul(twice, motion.cos))};
 }
 
-HWY_INLINE Complex unitIncrement(const IncrementModes& modes,
-                                 const UnitIncrements& unit,
+/// Returns the unit's states, moved to the next sample.
+HWY_INLINE Complex unitIncrement(const PoleArrays& poles,
+                                 const UnitContact& unit,
+                                 const BeforeSample& before,
                                  std::size_t g) {
     const Floats f;
     const Complex increment = load(unit.x, unit.y, g);
-    if (unit.samples > 0)
-        return product(rotation(modes, unit, g), increment);
-    const auto factor = hn::Set(f, static_cast<float>(unit.factor));
+    if (before.samples > 0)
+        return product(rotation(poles, before, g), increment);
+    const auto factor = hn::Set(f, static_cast<float>(before.factor));
     return {hn::Mul(factor, increment.re), hn::Mul(factor, increment.im)};
 }
 
-/// Stores the residues times the increment and returns the residues.
-HWY_INLINE Complex storeHeard(const IncrementChannel& channel, Complex increment, std::size_t g) {
+/// Stores the residues times the increment in one channel and returns the residues.
+HWY_INLINE Complex store(const ChannelResidues& residues,
+                         Complex increment,
+                         std::size_t g,
+                         std::size_t channel,
+                         StateIncrements& increments) {
     const Floats f;
-    const Complex residue = load(channel.residuesRe, channel.residuesIm, g);
-    const Complex heard = product(residue, increment);
-    hn::Store(heard.re, f, channel.x + g);
-    hn::Store(heard.im, f, channel.y + g);
+    const Complex residue = load(residues.re, residues.im, g);
+    const Complex sounding = product(residue, increment);
+    hn::Store(sounding.re, f, increments.x[channel].data() + g);
+    hn::Store(sounding.im, f, increments.y[channel].data() + g);
     return residue;
 }
 
-void start(const IncrementModes& modes,
-           const UnitIncrements& unit,
+void start(const PoleArrays& poles,
+           const UnitContact& unit,
+           const BeforeSample& before,
+           const ModeResidues& residues,
            std::size_t count,
-           IncrementChannels channels,
-           float* HWY_RESTRICT energies) {
+           std::size_t channels,
+           StateIncrements& increments) {
     const Floats f;
     for (std::size_t g = 0; g < count; g += lanes) {
-        const Complex increment = unitIncrement(modes, unit, g);
+        const Complex increment = unitIncrement(poles, unit, before, g);
         const auto energy =
             hn::MulAdd(increment.re, increment.re, hn::Mul(increment.im, increment.im));
         auto loudest = hn::Zero(f);
-        for (const IncrementChannel& channel : channels) {
-            const Complex residue = storeHeard(channel, increment, g);
+        for (std::size_t c = 0; c < channels; ++c) {
+            const Complex residue = store(residues[c], increment, g, c, increments);
             loudest = hn::Max(loudest,
                               hn::MulAdd(residue.re, residue.re, hn::Mul(residue.im, residue.im)));
         }
-        hn::Store(hn::Mul(loudest, energy), f, energies + g);
+        hn::Store(hn::Mul(loudest, energy), f, increments.energies.data() + g);
     }
 }
 
-void gather(const ForcedIncrements& forced, std::size_t count, IncrementChannels channels) {
+void gather(const UnitContact& unit,
+            const ModeResidues& residues,
+            double factor,
+            double forceShare,
+            std::size_t count,
+            std::size_t channels,
+            StateIncrements& increments) {
     const Floats f;
-    const auto scale = hn::Set(f, static_cast<float>(forced.factor));
-    const auto force = hn::Set(f, static_cast<float>(forced.force));
+    const auto scale = hn::Set(f, static_cast<float>(factor));
+    const auto force = hn::Set(f, static_cast<float>(forceShare));
     for (std::size_t g = 0; g < count; g += lanes) {
-        const Complex unit = load(forced.x, forced.y, g);
-        const auto direct = hn::Mul(force, hn::Load(f, forced.perFrequency + g));
-        for (const IncrementChannel& channel : channels) {
-            const Complex residue = load(channel.residuesRe, channel.residuesIm, g);
-            const Complex heard = product(residue, unit);
-            const auto x = hn::MulAdd(residue.im, direct, heard.re);
-            hn::Store(hn::MulAdd(scale, x, hn::Load(f, channel.x + g)), f, channel.x + g);
-            hn::Store(hn::MulAdd(scale, heard.im, hn::Load(f, channel.y + g)), f, channel.y + g);
+        const Complex forced = load(unit.x, unit.y, g);
+        const auto direct = hn::Mul(force, hn::Load(f, unit.quadratureIm.data() + g));
+        for (std::size_t c = 0; c < channels; ++c) {
+            const Complex residue = load(residues[c].re, residues[c].im, g);
+            const Complex sounding = product(residue, forced);
+            const auto added = hn::MulAdd(residue.im, direct, sounding.re);
+            float* x = increments.x[c].data() + g;
+            float* y = increments.y[c].data() + g;
+            hn::Store(hn::MulAdd(scale, added, hn::Load(f, x)), f, x);
+            hn::Store(hn::MulAdd(scale, sounding.im, hn::Load(f, y)), f, y);
         }
     }
 }
 
-void finish(const IncrementModes& modes,
-            const UnitIncrements& end,
+void finish(const PoleArrays& poles,
+            const UnitContact& end,
+            const BeforeSample& before,
             const IncrementMove& contact,
+            const ModeResidues& residues,
             std::size_t count,
-            IncrementChannels channels) {
+            std::size_t channels,
+            StateIncrements& increments) {
     for (std::size_t g = 0; g < count; g += lanes) {
         const Complex increment =
-            product(change(motion(modes, contact, g)), unitIncrement(modes, end, g));
-        for (const IncrementChannel& channel : channels)
-            storeHeard(channel, increment, g);
+            product(change(motion(poles, contact, g)), unitIncrement(poles, end, before, g));
+        for (std::size_t c = 0; c < channels; ++c)
+            store(residues[c], increment, g, c, increments);
     }
 }
 
-void join(const IncrementModes& modes,
+void join(const PoleArrays& poles,
           const IncrementMove& move,
+          const StateIncrements& increments,
           std::size_t count,
-          std::span<const JoinedChannel> channels,
-          float* HWY_RESTRICT energies) {
+          std::size_t channels,
+          ModeStates& states,
+          AlignedVector<float>& energies) {
     const Floats f;
     for (std::size_t g = 0; g < count; g += lanes) {
-        const Complex moving = moved(motion(modes, move, g));
+        const Complex moving = moved(motion(poles, move, g));
         auto loudest = hn::Zero(f);
-        for (const JoinedChannel& channel : channels) {
-            const Complex increment =
-                product(moving, load(channel.incrementX, channel.incrementY, g));
-            const auto x = addTo(channel.x + g, increment.re);
-            const auto y = addTo(channel.y + g, increment.im);
+        for (std::size_t c = 0; c < channels; ++c) {
+            const Complex increment = product(moving, load(increments.x[c], increments.y[c], g));
+            const auto x = addTo(states.x[c].data() + g, increment.re);
+            const auto y = addTo(states.y[c].data() + g, increment.im);
             loudest = hn::Max(loudest, hn::MulAdd(x, x, hn::Mul(y, y)));
         }
-        hn::Store(loudest, f, energies + g);
+        hn::Store(loudest, f, energies.data() + g);
     }
 }
 
@@ -219,34 +239,46 @@ HWY_EXPORT(gather);
 HWY_EXPORT(finish);
 HWY_EXPORT(join);
 
-void startIncrements(const IncrementModes& modes,
-                     const UnitIncrements& unit,
+void startIncrements(const PoleArrays& poles,
+                     const UnitContact& unit,
+                     const BeforeSample& before,
+                     const ModeResidues& residues,
                      std::size_t count,
-                     IncrementChannels channels,
-                     float* energies) noexcept {
-    HWY_DYNAMIC_DISPATCH(start)(modes, unit, count, channels, energies);
+                     std::size_t channels,
+                     StateIncrements& increments) noexcept {
+    HWY_DYNAMIC_DISPATCH(start)(poles, unit, before, residues, count, channels, increments);
 }
 
-void gatherIncrements(const ForcedIncrements& forced,
+void gatherIncrements(const UnitContact& unit,
+                      const ModeResidues& residues,
+                      double factor,
+                      double force,
                       std::size_t count,
-                      IncrementChannels channels) noexcept {
-    HWY_DYNAMIC_DISPATCH(gather)(forced, count, channels);
+                      std::size_t channels,
+                      StateIncrements& increments) noexcept {
+    HWY_DYNAMIC_DISPATCH(gather)(unit, residues, factor, force, count, channels, increments);
 }
 
-void finishIncrements(const IncrementModes& modes,
-                      const UnitIncrements& end,
+void finishIncrements(const PoleArrays& poles,
+                      const UnitContact& end,
+                      const BeforeSample& before,
                       const IncrementMove& contact,
+                      const ModeResidues& residues,
                       std::size_t count,
-                      IncrementChannels channels) noexcept {
-    HWY_DYNAMIC_DISPATCH(finish)(modes, end, contact, count, channels);
+                      std::size_t channels,
+                      StateIncrements& increments) noexcept {
+    HWY_DYNAMIC_DISPATCH(finish)
+    (poles, end, before, contact, residues, count, channels, increments);
 }
 
-void joinIncrements(const IncrementModes& modes,
+void joinIncrements(const PoleArrays& poles,
                     const IncrementMove& move,
+                    const StateIncrements& increments,
                     std::size_t count,
-                    std::span<const JoinedChannel> channels,
-                    float* energies) noexcept {
-    HWY_DYNAMIC_DISPATCH(join)(modes, move, count, channels, energies);
+                    std::size_t channels,
+                    ModeStates& states,
+                    AlignedVector<float>& energies) noexcept {
+    HWY_DYNAMIC_DISPATCH(join)(poles, move, increments, count, channels, states, energies);
 }
 
 } // namespace idiophone

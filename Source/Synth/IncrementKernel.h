@@ -1,100 +1,55 @@
-// Applies strikes to many modes, with SIMD chosen at run time. Increments are state increments that
-// a contact adds. Single precision suffices for them, though not for states, which keep their phase
-// for hours. Arrays in, arrays out; counts are whole blocks.
+// Computes state increments of oscillating modes, with SIMD chosen at run time. Counts are whole
+// blocks.
 #pragma once
 
-#include "Synth/ModalBankKernel.h"
-
-#include <array>
-#include <cstddef>
-#include <span>
+#include "Synth/ModeStates.h"
+#include "Synth/PoleKernel.h"
+#include "Synth/StateIncrements.h"
+#include "Synth/UnitContact.h"
 
 namespace idiophone {
 
-/// Maximum number of channels, one per listening direction. A merged group needs a state for each,
-/// as its modes are heard in different proportions.
-inline constexpr std::size_t maximumChannels = 2;
-
-/// One channel: the complex residues of the modes and their state increments.
-struct IncrementChannel {
-    const float* residuesRe;
-    const float* residuesIm;
-    float* x;
-    float* y;
-};
-using IncrementChannels = std::span<const IncrementChannel>; ///< at most `maximumChannels`
-
-/// Oscillating modes −α ± iω and their motion in one sample: the angle in half turns (below 1
-/// within the band) and the decay in octaves (≤ 0).
-struct IncrementModes {
-    const double* frequency; ///< ω in rad/s
-    const float* halfTurnsPerSample;
-    const float* octavesPerSample;
-};
-
-/// Increments for residues of 1, [count] each, at a time between two samples. Free motion over a
-/// part of a sample (0 ≤ `samples` < 1) and `factor` move them to the next sample. Modes above the
-/// band, which are not heard, get another phase.
-struct UnitIncrements {
-    const float* x;
-    const float* y;
-    double samples = 0;
-    double factor = 1;
-};
-
-/// Sets the increments at the start of a contact to residue times unit increment, and `energies` to
-/// their |s|² in the louder channel.
-void startIncrements(const IncrementModes& modes,
-                     const UnitIncrements& unit,
+/// Sets the increments to the residues times the unit's states, which hold at a time between two
+/// samples and are moved to the next one, and `energies` to their |s|² in the louder channel. Modes
+/// above the band, which are not heard, get another phase.
+void startIncrements(const PoleArrays& poles,
+                     const UnitContact& unit,
+                     const BeforeSample& before,
+                     const ModeResidues& residues,
                      std::size_t count,
-                     IncrementChannels channels,
-                     float* energies) noexcept;
+                     std::size_t channels,
+                     StateIncrements& increments) noexcept;
 
-/// The forced part of a contact: states for residues of 1, and the part of the force that the
-/// imaginary parts of residues hear at once.
-struct ForcedIncrements {
-    const float* x;
-    const float* y;
-    const float* perFrequency; ///< Ω/ω
-    double force = 0;          ///< force over Ω, for a unit impulse
-    double factor = 1;
-};
-
-/// Adds `factor` times the residues times the forced states to the increments.
-void gatherIncrements(const ForcedIncrements& forced,
+/// Adds `factor` times the residues times the unit's forced states. The imaginary parts of residues
+/// hear `force` at once: the force over Ω, for a unit impulse.
+void gatherIncrements(const UnitContact& unit,
+                      const ModeResidues& residues,
+                      double factor,
+                      double force,
                       std::size_t count,
-                      IncrementChannels channels) noexcept;
-
-/// A time of free motion, and the damper's attenuation over it in octaves (≥ 0).
-struct IncrementMove {
-    double seconds = 0;
-    double samples = 0; ///< the same time in samples
-    double damperOctaves = 0;
-};
+                      std::size_t channels,
+                      StateIncrements& increments) noexcept;
 
 /// Sets the increments to those of a whole contact: the increment at its end minus the rest of the
 /// one at its start. For contacts much shorter than a period this difference is small, and still
 /// has the full single precision.
-void finishIncrements(const IncrementModes& modes,
-                      const UnitIncrements& end,
+void finishIncrements(const PoleArrays& poles,
+                      const UnitContact& end,
+                      const BeforeSample& before,
                       const IncrementMove& contact,
+                      const ModeResidues& residues,
                       std::size_t count,
-                      IncrementChannels channels) noexcept;
-
-/// One channel: the states and the increments that are added to them.
-struct JoinedChannel {
-    const float* incrementX;
-    const float* incrementY;
-    double* x;
-    double* y;
-};
+                      std::size_t channels,
+                      StateIncrements& increments) noexcept;
 
 /// Moves the increments and adds them to the states; sets `energies` to the states' |s|² in the
 /// louder channel.
-void joinIncrements(const IncrementModes& modes,
+void joinIncrements(const PoleArrays& poles,
                     const IncrementMove& move,
+                    const StateIncrements& increments,
                     std::size_t count,
-                    std::span<const JoinedChannel> channels,
-                    float* energies) noexcept;
+                    std::size_t channels,
+                    ModeStates& states,
+                    AlignedVector<float>& energies) noexcept;
 
 } // namespace idiophone

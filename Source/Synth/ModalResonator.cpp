@@ -29,7 +29,7 @@ ModalResonator::ModalResonator(SynthesiserSlot slot,
       sampleRate(sampleRateHz), cellSeconds(cellSamples / sampleRateHz),
       modeWeights(std::move(modeWeightsOfObject)),
       bank(object->modeCount(), object->radiation.empty() ? 1 : channels, sampleRateHz),
-      fader(bank, sampleRateHz), scratch(sharedScratch) {
+      fader(bank, sampleRateHz), increments(bank.emptyIncrements()), scratch(sharedScratch) {
     const std::size_t modes = object->modeCount();
     groupStarts.resize(modes + 1);
     std::iota(groupStarts.begin(), groupStarts.end(), 0);
@@ -47,7 +47,7 @@ ModalResonator::ModalResonator(SynthesiserSlot slot,
     contacts.reserve(contactCapacity);
     clicks.reserve(contactCapacity);
     rigidBody = rigidRadiator(*object);
-    increments = bank.emptyIncrements();
+
     requestedSilences.reserve(modes);
     silencedModes.reserve(modes);
     bank.resize(modes);
@@ -107,8 +107,9 @@ bool ModalResonator::beginSoundingCell(std::int64_t cell,
 // At t_c of Raghuvanshi & Lin 2006, eq. 14, the amplitude, which decays as e^{−αt}, reaches τ.
 // Comparing the two at every grid point finds it without a logarithm per struck mode.
 void ModalResonator::survey() noexcept {
-    const EnergySurvey found = surveyEnergies(bank.energies(), bank.audibleWeights(), tauEnergy(),
-                                              faintEnergy, activeBlocks, scratch.aboveTau.data());
+    const EnergySurvey found =
+        surveyEnergies(bank.energies(), bank.poles().audibleWeights(), tauEnergy(), faintEnergy,
+                       activeBlocks, scratch.aboveTau.data());
     // During a contact the set of ringing modes stays fixed. During a continuous force modes may
     // join but not leave.
     const bool forced = forcedCell == cellIndex - 1;

@@ -7,11 +7,13 @@
 #include "Synth/CellOutput.h"
 #include "Synth/ForceCell.h"
 #include "Synth/Imperfection.h"
+#include "Synth/IncrementKernel.h"
 #include "Synth/ModalBank.h"
 #include "Synth/ModeFader.h"
 #include "Synth/QualityScaling.h"
 #include "Synth/SoundingGroups.h"
 #include "Synth/Strike.h"
+#include "Synth/StrikeKernel.h"
 #include "Synth/SynthesisScratch.h"
 #include "Synth/SynthesisSettings.h"
 #include "Synth/SynthesiserSlot.h"
@@ -111,7 +113,7 @@ public:
     std::size_t channelsSounding() const noexcept { return bank.channels(); }
     std::int32_t groupCount() const noexcept { return static_cast<std::int32_t>(bank.size()); }
     std::int32_t groupsAudible() const noexcept {
-        return static_cast<std::int32_t>(bank.audibleCount());
+        return static_cast<std::int32_t>(bank.poles().audibleCount());
     }
     /// Number of mixed modes, including those that strikes have added since `mix`.
     std::int32_t modesMixedNow() const noexcept {
@@ -230,7 +232,7 @@ private:
                     const CellOutput& cell) const noexcept;
     void keepIncrements(int from) noexcept;
     void takeInIncrements(std::int64_t grid) noexcept;
-    bool allMixed() const noexcept { return mixedModes.size() == bank.audibleCount(); }
+    bool allMixed() const noexcept { return mixedModes.size() == bank.poles().audibleCount(); }
     void bringRestingUpToDate(std::int64_t grid) noexcept;
     void listWhatRings() noexcept;
 

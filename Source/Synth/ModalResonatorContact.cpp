@@ -21,13 +21,11 @@ void ModalResonator::hold(Contact& contact,
 void ModalResonator::addMotion(std::span<const ModeRun> modes,
                                double factor,
                                ForcedMotion& motion) const noexcept {
-    const ForcedAmplitudes parts = scratch.contact.amplitudes();
+
     for (std::size_t c = 0; c < bank.channels(); ++c) {
         ForcedSum sum;
         for (const ModeRun& run : modes)
-            sumForced(scratch.groupResidues[c].re.data(), scratch.groupResidues[c].im.data(), parts,
-                      static_cast<std::size_t>(run.first), static_cast<std::size_t>(run.count),
-                      sum);
+            sumForced(scratch.groupResidues[c], scratch.contact, run, sum);
         motion.steadyVelocity[c] += factor * sum.steady;
         motion.swing[c] += factor * sum.swing;
     }
@@ -67,7 +65,7 @@ void ModalResonator::moveContacts(Forced become) noexcept {
     if (contacts.empty())
         return;
     bringRestingUpToDate(cellIndex);
-    bank.clearIncrements(scratch.increments);
+    scratch.increments.clear();
     std::array<bool, contactCapacity> moved{};
     for (std::size_t first = 0; first < contacts.size(); ++first) {
         if (moved[first])
@@ -88,13 +86,11 @@ void ModalResonator::moveContacts(Forced become) noexcept {
 /// Does this for one contact, whose residues are `factor` times the current ones.
 void ModalResonator::moveContact(Contact& contact, double factor, Forced become) noexcept {
     const std::complex<double> phase = phaseAt(contact, cellIndex, 0);
-    bank.forcedStates({.contactSeconds = contact.strike.durationSeconds,
-                       .dampingPerSecond = damping,
-                       .phase = phase},
-                      scratch.contact);
-    bank.gatherIncrements(scratch.contact, scratch.groupResidues,
-                          become == Forced::freed ? factor : -factor, 1 - phase.real(),
-                          scratch.increments);
+    scratch.contact.setForced(bank.poles(), {.contactSeconds = contact.strike.durationSeconds,
+                                             .dampingPerSecond = damping,
+                                             .phase = phase});
+    scratch.increments.gather(bank, scratch.contact, scratch.groupResidues,
+                              become == Forced::freed ? factor : -factor, 1 - phase.real());
     if (become == Forced::freed)
         return;
     contact.mixed = contact.tube = {};

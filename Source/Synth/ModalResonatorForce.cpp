@@ -9,6 +9,45 @@
 
 namespace idiophone {
 
+namespace {
+
+/// Returns the immediate sound of an impulse in each channel, to be added to the motion of the
+/// modes in `runs`. Together with half of the motion's first sample it makes a constant force
+/// silent, as velocity and acceleration are then 0. About Σ Im r/(ω × sample time).
+// Σ' ρ^k b over k ≥ 0, the first term halved, is b (1 + ρ)/(2 (1 − ρ)) with b = 1 + iα/ω.
+std::array<float, maximumChannels> directSound(const ModalBank& bank,
+                                               const ModeResidues& residues,
+                                               std::span<const ModeRun> runs) noexcept {
+    const PoleArrays& poles = bank.poles().arrays();
+    std::array<float, maximumChannels> sums{};
+    for (const ModeRun& run : runs) {
+        const auto first = static_cast<std::size_t>(run.first);
+        const std::size_t end = first + static_cast<std::size_t>(run.count);
+        for (std::size_t g = first; g < end; ++g) {
+            const float re = 1 - poles.sampleRe[g], im = -poles.sampleIm[g];
+            const float perNorm = 0.5f / (re * re + im * im);
+            const float quotientRe = ((2 - re) * re - im * im) * perNorm;
+            const float quotientIm = -2 * im * perNorm;
+            const auto share = static_cast<float>(poles.velocityShare[g]);
+            const float restRe = quotientRe - share * quotientIm;
+            const float restIm = quotientIm + share * quotientRe;
+            for (std::size_t c = 0; c < bank.channels(); ++c)
+                sums[c] -= residues[c].re[g] * restRe - residues[c].im[g] * restIm;
+        }
+    }
+    // Heavy modes have rotations of 0 in the loop above. Let their whole first sample sound.
+    for (const ModeRun& run : runs) {
+        const auto first = static_cast<std::size_t>(run.first);
+        for (const HeavyMode& heavy :
+             bank.poles().heavy().in(first, first + static_cast<std::size_t>(run.count)))
+            for (std::size_t c = 0; c < bank.channels(); ++c)
+                sums[c] += residues[c].re[heavy.mode];
+    }
+    return sums;
+}
+
+} // namespace
+
 bool ModalResonator::valid(const ForcePlace& place) const noexcept {
     const auto makesSense = [&](const ForcePoint& at) {
         return valid(at.point) && allFinite(at.direction);
@@ -61,7 +100,7 @@ void ModalResonator::admitForced(std::int32_t allowance) noexcept {
     for (std::size_t b = 0; b < bank.blockCount(); ++b) {
         unsigned audible = 0;
         for (std::size_t k = 0; k < modeBlock; ++k)
-            audible |= (bank.audible(b * modeBlock + k) ? 1u : 0u) << k;
+            audible |= (bank.poles().audible(b * modeBlock + k) ? 1u : 0u) << k;
         scratch.wanted[b] = static_cast<std::uint16_t>(audible);
     }
     std::copy_n(bank.energies(), bank.paddedSize(), increments.energies.begin());
@@ -131,23 +170,23 @@ void ModalResonator::answer(const ForcePoint& at,
     response.heard = heard;
     computeResidues(
         {.strike = {.point = at.point, .impulseNewtonSeconds = at.direction}, .heard = heard});
-    bank.impulseStates(scratch.contact);
-    bank.startIncrements(scratch.contact, scratch.groupResidues, {}, scratch.increments);
+    scratch.contact.setImpulse(bank.poles());
+    scratch.increments.start(bank, scratch.contact, scratch.groupResidues, {});
     for (std::size_t c = 0; c < bank.channels(); ++c)
         response.residues[c].copyFrom(scratch.groupResidues[c], bank.paddedSize());
     response.sound = response.tube = {};
     response.knowsTube = tubesPulse();
     const auto parts = pulsing();
-    bank.sound(scratch.increments, mixedRuns, subBlocks, outputsOf(response.sound), parts,
-               outputsOf(response.tube));
-    const auto direct = bank.directSound(scratch.groupResidues, mixedRuns);
+    scratch.increments.sound(bank, mixedRuns, subBlocks, outputsOf(response.sound), parts,
+                             outputsOf(response.tube));
+    const auto direct = directSound(bank, scratch.groupResidues, mixedRuns);
     for (std::size_t c = 0; c < bank.channels(); ++c) {
         response.sound[c][0] = response.sound[c][0] / 2 + direct[c];
         response.tube[c][0] /= 2;
     }
     for (const ModePart& part : parts) {
         const ModeRun mode{part.mode, 1};
-        const auto ofPart = bank.directSound(scratch.groupResidues, {&mode, 1});
+        const auto ofPart = directSound(bank, scratch.groupResidues, {&mode, 1});
         for (std::size_t c = 0; c < bank.channels(); ++c)
             response.tube[c][0] += part.share * ofPart[c];
     }

@@ -47,7 +47,7 @@ bool ModalResonator::computeResidues(const Contact& contact) noexcept {
             residues.copyFrom(scratch.groupResidues[0], bank.paddedSize());
         }
     }
-    bank.makeHeavyReal(scratch.groupResidues);
+    bank.poles().heavy().makeReal(scratch.groupResidues, bank.channels());
     const auto firstGroups = [this](AlignedVector<float>& values) {
         return std::span(values).first(bank.paddedSize());
     };

@@ -65,9 +65,8 @@ void ModalResonator::widen(double farShare) noexcept {
 
 bool ModalResonator::computeForced(const Contact& contact) noexcept {
     const bool reasonable = computeResidues(contact);
-    bank.forcedStates(
-        {.contactSeconds = contact.strike.durationSeconds, .dampingPerSecond = damping},
-        scratch.contact);
+    scratch.contact.setForced(bank.poles(), {.contactSeconds = contact.strike.durationSeconds,
+                                             .dampingPerSecond = damping});
     return reasonable;
 }
 
@@ -84,14 +83,14 @@ bool ModalResonator::strike(const Strike& asked,
         .strike = asked, .heard = listening, .startCell = cellIndex, .startSample = sampleInCell};
     widen(listening.farShare);
     double& seconds = contact.strike.durationSeconds;
-    seconds = isPulse ? contactSecondsClearOf(bank.resonances(), seconds) : 0;
+    seconds = isPulse ? contactSecondsClearOf(bank.poles().resonances(), seconds) : 0;
 
     if (!(isPulse ? computeForced(contact) : computeResidues(contact)))
         return false;
     if (isPulse) {
         startIncrements(-1, sampleInCell);
     } else {
-        bank.impulseStates(scratch.contact);
+        scratch.contact.setImpulse(bank.poles());
         startIncrements(1, sampleInCell);
     }
     joinStruck(allowance);
@@ -162,21 +161,21 @@ IncrementMove ModalResonator::incrementMove(double seconds) const noexcept {
 /// sample.
 void ModalResonator::startIncrements(double sign, double at) noexcept {
     const BeforeSample before = beforeSample(at);
-    bank.startIncrements(scratch.contact, scratch.groupResidues,
-                         {before.samples, sign * before.factor}, increments);
+    increments.start(bank, scratch.contact, scratch.groupResidues,
+                     {before.samples, sign * before.factor});
 }
 
 /// Sets the increments of a contact that started in this cell and ended at `end`, moved to the next
 /// whole sample.
 void ModalResonator::finishIncrements(const Contact& contact, double end) noexcept {
-    bank.finishIncrements(scratch.contact, scratch.groupResidues, beforeSample(end),
-                          incrementMove(contact.strike.durationSeconds), increments);
+    increments.finish(bank, scratch.contact, scratch.groupResidues, beforeSample(end),
+                      incrementMove(contact.strike.durationSeconds));
 }
 
 void ModalResonator::joinStruck(std::int32_t allowance) noexcept {
     if (allMixed())
         return;
-    surveyEnergies(increments.energies.data(), bank.audibleWeights(), tauEnergy(), 0,
+    surveyEnergies(increments.energies.data(), bank.poles().audibleWeights(), tauEnergy(), 0,
                    bank.allBlocks(), scratch.wanted.data());
     admitWanted(allowance);
 }
@@ -280,8 +279,8 @@ void ModalResonator::addIncrements(int from, int until, const CellOutput& cell) 
     const ChannelOutputs tube = outputsOf(scratch.tubeSound);
     if (pulses)
         scratch.tubeSound = {};
-    bank.sound(increments, mixedRuns, (samples + subBlockSamples - 1) / subBlockSamples,
-               outputsOf(sound), pulsing(), tube);
+    increments.sound(bank, mixedRuns, (samples + subBlockSamples - 1) / subBlockSamples,
+                     outputsOf(sound), pulsing(), tube);
     if (damping > 0)
         fadeByDamper(outputsOf(sound), samples);
     if (damping > 0 && pulses)
@@ -319,7 +318,7 @@ void ModalResonator::bringRestingUpToDate(std::int64_t grid) noexcept {
 
 /// Call it after adding to the states.
 void ModalResonator::listWhatRings() noexcept {
-    surveyEnergies(bank.energies(), bank.audibleWeights(), tauEnergy(), 0, bank.allBlocks(),
+    surveyEnergies(bank.energies(), bank.poles().audibleWeights(), tauEnergy(), 0, bank.allBlocks(),
                    scratch.aboveTau.data());
     for (std::size_t b = 0; b < bank.blockCount(); ++b) {
         blocks[b].rings = scratch.aboveTau[b] | blocks[b].mixed;
