@@ -38,21 +38,21 @@ StrikePoint PlaceBetween::point() const {
     auto kept = rows;
     const auto end = kept.begin() + static_cast<std::ptrdiff_t>(used);
     double leftOut = 0, sum = 1;
-    if (used > mostShapeRows) {
+    if (used > maximumShapeRows) {
         std::sort(kept.begin(), end, [](Row a, Row b) { // a stable sort would allocate
             return a.weight != b.weight ? a.weight > b.weight : a.row < b.row;
         });
-        leftOut = kept[mostShapeRows].weight;
+        leftOut = kept[maximumShapeRows].weight;
         sum = 0;
-        for (std::size_t k = 0; k < mostShapeRows; ++k)
+        for (std::size_t k = 0; k < maximumShapeRows; ++k)
             sum += kept[k].weight - leftOut;
         if (!(sum > 0)) { // all weights are equal
             leftOut = 0;
-            sum = static_cast<double>(mostShapeRows) * kept[0].weight;
+            sum = static_cast<double>(maximumShapeRows) * kept[0].weight;
         }
     }
     StrikePoint point{.weights = {}, .normal = heaviestNormal};
-    for (std::size_t k = 0; k < std::min(used, mostShapeRows); ++k) {
+    for (std::size_t k = 0; k < std::min(used, maximumShapeRows); ++k) {
         point.shapeRows[k] = kept[k].row;
         point.weights[k] = static_cast<float>((kept[k].weight - leftOut) / sum);
     }

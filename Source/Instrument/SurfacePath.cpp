@@ -82,11 +82,11 @@ ForcePlace SurfacePath::place(double friction) const noexcept {
     const Corner& from = corner(0);
     const ForcePoint start = draggedForce(from.place, from.direction, friction);
     if (count == 1)
-        return {.points = {start, start}, .way = 0};
+        return {.points = {start, start}, .fraction = 0};
     const Corner& to = corner(1);
     const double way = (position - from.along) / (to.along - from.along);
     return {.points = {start, draggedForce(to.place, to.direction, friction)},
-            .way = static_cast<float>(std::clamp(way, 0.0, 1.0))};
+            .fraction = static_cast<float>(std::clamp(way, 0.0, 1.0))};
 }
 
 } // namespace idiophone

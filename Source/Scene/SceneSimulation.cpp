@@ -80,20 +80,21 @@ void SceneSimulation::follow() {
         const auto before = std::exchange(heardTouches[k], tracker.states()[k]);
         auto& now = heardTouches[k];
         for (std::size_t side = 0; side < now.slots.size() && now.pair != 0; ++side) {
-            auto& from = now.points[side].point.heardFrom;
+            auto& from = now.points[side].point.radiationDirection;
             const auto slot = now.slots[side];
             if (slot != noSlot && slotPoses[slot])
-                from = heardFrom(slot, *slotPoses[slot], slotPlaces[slot]);
+                from = radiationDirection(slot, *slotPoses[slot], slotPlaces[slot]);
             else if (before.pair == now.pair) // the body was removed: it fades where it was
-                from = before.points[side].point.heardFrom;
+                from = before.points[side].point.radiationDirection;
         }
     }
 }
 
-/// Returns the side of a slot's object that faces the listener: see StrikePoint::heardFrom.
-std::int32_t SceneSimulation::heardFrom(std::size_t slot,
-                                        const Eigen::Isometry3d& pose,
-                                        const Eigen::Vector3d& centre) const {
+/// Returns the side of a slot's object that faces the listener: see
+/// StrikePoint::radiationDirection.
+std::int32_t SceneSimulation::radiationDirection(std::size_t slot,
+                                                 const Eigen::Isometry3d& pose,
+                                                 const Eigen::Vector3d& centre) const {
     const Eigen::Vector3f own =
         (pose.linear().transpose() * (scene.listener.positionMetres - centre)).cast<float>();
     const auto nearest =
@@ -189,8 +190,8 @@ void SceneSimulation::tell(const Impact& impact) {
                             .strike = {.point = role.surface->nearest({own.x(), own.y(), own.z()}),
                                        .durationSeconds = impact.contactSeconds},
                             .pointMetres = own};
-    sceneImpact.strike.point.heardFrom =
-        heardFrom(sceneImpact.slot, rigid.motion(impact.body).pose, rigid.centre(impact.body));
+    sceneImpact.strike.point.radiationDirection = radiationDirection(
+        sceneImpact.slot, rigid.motion(impact.body).pose, rigid.centre(impact.body));
     for (int axis = 0; axis < 3; ++axis)
         sceneImpact.strike.impulseNewtonSeconds[static_cast<std::size_t>(axis)] =
             static_cast<float>(impact.impulseNewtonSeconds(axis));

@@ -78,8 +78,9 @@ private:
     void takeAway(double now);
     void tell(const Impact& impact);
     void follow();
-    std::int32_t
-    heardFrom(std::size_t slot, const Eigen::Isometry3d& pose, const Eigen::Vector3d& centre) const;
+    std::int32_t radiationDirection(std::size_t slot,
+                                    const Eigen::Isometry3d& pose,
+                                    const Eigen::Vector3d& centre) const;
 
     std::shared_ptr<const SceneAssets> assets;
     const Scene& scene;
@@ -101,7 +102,7 @@ private:
     std::vector<Eigen::Vector3d> slotPlaces;
     std::vector<std::optional<Eigen::Isometry3d>> slotPoses;
     TouchTracker tracker;
-    std::array<TouchState, TouchTracker::voiceCount> heardTouches; ///< with `heardFrom`
+    std::array<TouchState, TouchTracker::voiceCount> heardTouches; ///< with `radiationDirection`
     std::optional<RecordedHand> hand;
     std::size_t handBody = 0;
     std::vector<Touch> touchesWithHand;

@@ -101,8 +101,8 @@ bool ContactForce::render(const ContactMotion& motion,
     const bool lowPassed = from.filtered > 0 || levels.filtered > 0;
     const bool coupled = from.coupled > 0 || levels.coupled > 0;
     for (std::size_t i = 0; i < forceNewtons.size(); ++i) {
-        const double way = static_cast<double>(i + 1) / cellSamples;
-        const auto between = [way](double a, double b) { return a + way * (b - a); };
+        const double fraction = static_cast<double>(i + 1) / cellSamples;
+        const auto between = [fraction](double a, double b) { return a + fraction * (b - a); };
         const ResonPole pole{between(from.pole.real, levels.pole.real),
                              between(from.pole.imaginary, levels.pole.imaginary)};
         reson.step(pole, between(from.inputGain, levels.inputGain) * profile->at(position));

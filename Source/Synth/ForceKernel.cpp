@@ -21,6 +21,16 @@ HWY_INLINE Complex moveAndAdd(Complex a, Complex by, Complex b) {
             hn::MulAdd(a.im, by.re, hn::MulAdd(a.re, by.im, b.im))};
 }
 
+/// One channel: the states, and complex residues at the cell's start and end.
+struct ForcedChannel {
+    const float* startRe;
+    const float* startIm;
+    const float* endRe;
+    const float* endIm;
+    double* x;
+    double* y;
+};
+
 constexpr std::size_t hornerStep = 8; ///< samples
 
 /// Computes Σ_j ρ^(15 − j) f[j] over each sub-block, several samples per step of Horner's rule: a
@@ -70,7 +80,7 @@ struct Increments {
 
 /// Computes Σ_k r ρ^(64 − k) f[k] for `count` modes from `first` on.
 template <std::size_t Channels, bool Moves>
-HWY_INLINE void findIncrements(const ForcedModes& modes,
+HWY_INLINE void findIncrements(const PoleArrays& modes,
                                const float* HWY_RESTRICT impulses,
                                std::size_t first,
                                std::size_t count,
@@ -80,12 +90,12 @@ HWY_INLINE void findIncrements(const ForcedModes& modes,
     for (std::size_t place = 0; place < count; place += hn::MaxLanes(f)) {
         const std::size_t g = first + place;
         Complex power[hornerStep + 1];
-        power[1] = {hn::Load(f, modes.sampleRe + g), hn::Load(f, modes.sampleIm + g)};
+        power[1] = {hn::Load(f, modes.sampleRe.data() + g), hn::Load(f, modes.sampleIm.data() + g)};
 #pragma GCC unroll 8
         for (std::size_t k = 2; k <= hornerStep; ++k)
             power[k] = product(power[k / 2], power[k - k / 2]);
-        const Complex subBlock{hn::Load(f, modes.subBlockRe + g),
-                               hn::Load(f, modes.subBlockIm + g)};
+        const Complex subBlock{hn::Load(f, modes.subBlockRe.data() + g),
+                               hn::Load(f, modes.subBlockIm.data() + g)};
         Complex sums[subBlocks];
         sumSubBlocks(impulses, power, sums);
         Complex common{hn::Zero(f), hn::Zero(f)};
@@ -97,14 +107,14 @@ HWY_INLINE void findIncrements(const ForcedModes& modes,
                                 hn::Load(f, channels[c].startIm + g)};
             Complex all;
             if (Moves) {
-                const Complex way{hn::Sub(hn::Load(f, channels[c].endRe + g), start.re),
-                                  hn::Sub(hn::Load(f, channels[c].endIm + g), start.im)};
+                const Complex change{hn::Sub(hn::Load(f, channels[c].endRe + g), start.re),
+                                     hn::Sub(hn::Load(f, channels[c].endIm + g), start.im)};
                 Complex heard[subBlocks];
 #pragma GCC unroll 4
                 for (std::size_t b = 0; b < subBlocks; ++b) {
-                    const auto share = hn::Set(f, shareOfWay(b));
-                    heard[b] = product(Complex{hn::MulAdd(way.re, share, start.re),
-                                               hn::MulAdd(way.im, share, start.im)},
+                    const auto share = hn::Set(f, fractionAt(b));
+                    heard[b] = product(Complex{hn::MulAdd(change.re, share, start.re),
+                                               hn::MulAdd(change.im, share, start.im)},
                                        sums[b]);
                 }
                 all = product(joined(heard, subBlock), power[1]);
@@ -142,33 +152,38 @@ HWY_INLINE void addIncrements(const double* HWY_RESTRICT velocityShare,
 }
 
 template <std::size_t Channels, bool Moves>
-void forceOn(const ForcedModes& modes,
+void forceOn(const PoleArrays& modes,
              const float* impulses,
+             const ModeResidues& start,
+             const ModeResidues& end,
              std::size_t count,
-             std::span<const ForcedChannel> given,
+             ModeStates& states,
              float* energies) {
     ForcedChannel channels[Channels];
     for (std::size_t c = 0; c < Channels; ++c)
-        channels[c] = given[c];
+        channels[c] = {start[c].re.data(), start[c].im.data(), end[c].re.data(),
+                       end[c].im.data(),   states.x[c].data(), states.y[c].data()};
     // Two passes: the CPU's reorder window holds one mode of either loop, but not of both.
     Increments<Channels> found;
     for (std::size_t first = 0; first < count; first += batchModes) {
         const std::size_t batch = std::min(batchModes, count - first);
         findIncrements<Channels, Moves>(modes, impulses, first, batch, channels, found);
-        addIncrements(modes.velocityShare, first, batch, found, channels, energies);
+        addIncrements(modes.velocityShare.data(), first, batch, found, channels, energies);
     }
 }
 
-void force(const ForcedModes& modes,
+void force(const PoleArrays& modes,
            const float* impulses,
+           const ModeResidues& start,
+           const ModeResidues& end,
            std::size_t count,
-           std::span<const ForcedChannel> channels,
+           std::size_t channels,
+           ModeStates& states,
            float* energies) {
-    const bool moves = channels[0].startRe != channels[0].endRe;
-    if (channels.size() == 1)
-        (moves ? forceOn<1, true> : forceOn<1, false>)(modes, impulses, count, channels, energies);
-    else
-        (moves ? forceOn<2, true> : forceOn<2, false>)(modes, impulses, count, channels, energies);
+    const bool moves = &start != &end;
+    const auto on = channels == 1 ? (moves ? forceOn<1, true> : forceOn<1, false>)
+                                  : (moves ? forceOn<2, true> : forceOn<2, false>);
+    on(modes, impulses, start, end, count, states, energies);
 }
 
 void convolve(const float* HWY_RESTRICT impulses,
@@ -184,11 +199,11 @@ void convolve(const float* HWY_RESTRICT impulses,
     constexpr std::size_t vectors = subBlockSamples / lanes;
     for (std::size_t b = 0; b < subBlocks; ++b) {
         const std::size_t first = b * subBlockSamples;
-        const auto share = hn::Set(f, shareOfWay(b));
+        const auto share = hn::Set(f, fractionAt(b));
         for (std::size_t k = 0; k < cellSize - first; k += lanes) {
             const auto from = hn::LoadU(f, startResponse + k);
-            const auto way = hn::Sub(hn::LoadU(f, endResponse + k), from);
-            hn::Store(hn::MulAdd(share, way, from), f, response + cellSize + k);
+            const auto change = hn::Sub(hn::LoadU(f, endResponse + k), from);
+            hn::Store(hn::MulAdd(share, change, from), f, response + cellSize + k);
         }
         for (std::size_t n = first; n < cellSize; n += subBlockSamples) {
             // Separate sums for even and odd impulses; otherwise each product would wait for the
@@ -217,11 +232,11 @@ void convolve(const float* HWY_RESTRICT impulses,
 
 void blend(const float* HWY_RESTRICT from,
            const float* HWY_RESTRICT to,
-           float way,
+           float fraction,
            std::size_t count,
            float* HWY_RESTRICT output) {
     const Floats f;
-    const auto share = hn::Set(f, way);
+    const auto share = hn::Set(f, fraction);
     for (std::size_t g = 0; g < count; g += hn::MaxLanes(f)) {
         const auto start = hn::Load(f, from + g);
         hn::Store(hn::MulAdd(share, hn::Sub(hn::Load(f, to + g), start), start), f, output + g);
@@ -240,25 +255,29 @@ HWY_EXPORT(force);
 HWY_EXPORT(convolve);
 HWY_EXPORT(blend);
 
-void forceModes(const ForcedModes& modes,
+void forceModes(const PoleArrays& modes,
                 const float* impulses,
+                const ModeResidues& start,
+                const ModeResidues& end,
                 std::size_t count,
-                std::span<const ForcedChannel> channels,
-                float* energies) noexcept {
-    HWY_DYNAMIC_DISPATCH(force)(modes, impulses, count, channels, energies);
+                std::size_t channels,
+                ModeStates& states,
+                AlignedVector<float>& energies) noexcept {
+    HWY_DYNAMIC_DISPATCH(force)
+    (modes, impulses, start, end, count, channels, states, energies.data());
 }
 
-void convolveForce(std::span<const float, subBlocks * subBlockSamples> impulses,
-                   std::span<const float, subBlocks * subBlockSamples> startResponse,
-                   std::span<const float, subBlocks * subBlockSamples> endResponse,
-                   std::span<float, subBlocks * subBlockSamples> output) noexcept {
+void convolveForce(std::span<const float, cellSize> impulses,
+                   std::span<const float, cellSize> startResponse,
+                   std::span<const float, cellSize> endResponse,
+                   std::span<float, cellSize> output) noexcept {
     HWY_DYNAMIC_DISPATCH(convolve)
     (impulses.data(), startResponse.data(), endResponse.data(), output.data());
 }
 
 void blendResponses(
-    const float* from, const float* to, float way, std::size_t count, float* output) noexcept {
-    HWY_DYNAMIC_DISPATCH(blend)(from, to, way, count, output);
+    const float* from, const float* to, float fraction, std::size_t count, float* output) noexcept {
+    HWY_DYNAMIC_DISPATCH(blend)(from, to, fraction, count, output);
 }
 
 } // namespace idiophone

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "Synth/ForceCell.h"
+#include "Synth/Listening.h"
 #include "Synth/ModalBank.h"
 
 #include <array>
@@ -10,22 +11,12 @@
 
 namespace idiophone {
 
-/// How the object is heard: gains of the near residues (contact microphone) and the far ones
-/// (radiation), and the share of the far ones, 0 to 1.
-struct Hearing {
-    double nearGain = 1; ///< [Pa per m/s]
-    double farGain = 1;
-    double farShare = 0;
-
-    bool operator==(const Hearing&) const = default;
-};
-
 struct ForceResponse {
     const void* object = nullptr; ///< resonator that the response belongs to
     std::uint64_t version = 0;    ///< version of everything else that the response depends on
     std::uint64_t lastUse = 0;
     ForcePoint at;
-    Hearing heard;
+    Listening heard;
     ModeResidues residues;         ///< [G]
     alignas(64) CellSound sound{}; ///< over one cell
     alignas(64) CellSound tube{};  ///< the tube's part of `sound`

@@ -12,6 +12,16 @@ namespace idiophone {
 /// scale is 1 Pa, and so 1 m/s (Raghuvanshi & Lin 2006 listen to velocity).
 inline constexpr double contactMicrophonePascals = 1;
 
+/// How the object is heard: gains of the near residues (contact microphone) and the far ones
+/// (radiation), and the share of the far ones, 0 to 1.
+struct Listening {
+    double nearGain = 1; ///< [Pa per m/s]
+    double farGain = 1;
+    double farShare = 0;
+
+    bool operator==(const Listening&) const = default;
+};
+
 /// Returns the direction ℓ along which the velocity of the struck point is heard. A mode's residue
 /// for the impulse J at p is (φ(p)·J)(φ(p)·ℓ). It does not depend on the sign of φ. Its sum over
 /// equal poles does not depend on their basis. ℓ points inwards, so that a strike straight into the

@@ -41,7 +41,7 @@ HWY_INLINE void turnThrough(const ModeRotations& rotations,
 }
 
 template <std::size_t Blocks>
-void look(const ModeRotations& rotations,
+void fill(const ModeRotations& rotations,
           std::size_t count,
           const float* HWY_RESTRICT x,
           const float* HWY_RESTRICT y,
@@ -55,7 +55,7 @@ void look(const ModeRotations& rotations,
     }
 }
 
-void lookBlocks(const ModeRotations& rotations,
+void fillBlocks(const ModeRotations& rotations,
                 std::size_t count,
                 std::size_t blocks,
                 const float* x,
@@ -63,13 +63,13 @@ void lookBlocks(const ModeRotations& rotations,
                 SubBlockStates& ahead) {
     switch (blocks) {
     case 1:
-        return look<1>(rotations, count, x, y, ahead);
+        return fill<1>(rotations, count, x, y, ahead);
     case 2:
-        return look<2>(rotations, count, x, y, ahead);
+        return fill<2>(rotations, count, x, y, ahead);
     case 3:
-        return look<3>(rotations, count, x, y, ahead);
+        return fill<3>(rotations, count, x, y, ahead);
     default:
-        return look<4>(rotations, count, x, y, ahead);
+        return fill<4>(rotations, count, x, y, ahead);
     }
 }
 
@@ -259,7 +259,7 @@ HWY_AFTER_NAMESPACE();
 namespace idiophone {
 
 HWY_EXPORT(advanceBatch);
-HWY_EXPORT(lookBlocks);
+HWY_EXPORT(fillBlocks);
 HWY_EXPORT(mix);
 HWY_EXPORT(survey);
 
@@ -273,13 +273,13 @@ void advanceModes(const ModeRotations& rotations,
     HWY_DYNAMIC_DISPATCH(advanceBatch)(rotations, count, scale, x, y, energies, ahead);
 }
 
-void lookAhead(const ModeRotations& rotations,
+void fillAhead(const ModeRotations& rotations,
                std::size_t count,
                std::size_t blocks,
                const float* x,
                const float* y,
                SubBlockStates& ahead) noexcept {
-    HWY_DYNAMIC_DISPATCH(lookBlocks)(rotations, count, blocks, x, y, ahead);
+    HWY_DYNAMIC_DISPATCH(fillBlocks)(rotations, count, blocks, x, y, ahead);
 }
 
 void mixModes(const float* tables,

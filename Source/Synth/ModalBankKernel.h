@@ -61,7 +61,7 @@ void advanceModes(const ModeRotations& rotations,
                   SubBlockStates& ahead) noexcept;
 
 /// Fills the first `blocks` sub-blocks of `ahead` from states in single precision; moves nothing.
-void lookAhead(const ModeRotations& rotations,
+void fillAhead(const ModeRotations& rotations,
                std::size_t count,
                std::size_t blocks,
                const float* x,

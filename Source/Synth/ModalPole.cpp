@@ -13,12 +13,12 @@ constexpr double oscillatingShare = 0.99;
 
 // Near critical damping the two terms diverge. Widening the gap of the roots to a tenth of α keeps
 // a true bound, as sinh(βt)/β grows with β.
-constexpr double narrowestGap = 0.1;
+constexpr double minimumGap = 0.1;
 
 double rootGap(const ModalPole& pole) noexcept {
     const double alpha = pole.damping / 2;
     const double gap = std::sqrt(std::max(alpha * alpha - pole.stiffness, 0.0));
-    return std::max(gap, narrowestGap * alpha);
+    return std::max(gap, minimumGap * alpha);
 }
 
 Propagator heavilyDamped(const ModalPole& pole, double seconds) noexcept {
@@ -59,11 +59,11 @@ double stiffnessSoundingAt(double dampedFrequency,
                            const DampingLaw& damping,
                            const ModeDamping& mode,
                            double referenceEigenvalue) noexcept {
-    constexpr int mostSteps = 20;
-    constexpr double leastSlope = 0.1; // bounds the steps near the double root
+    constexpr int maximumSteps = 20;
+    constexpr double minimumSlope = 0.1; // bounds the steps near the double root
     const double target = dampedFrequency * dampedFrequency;
     double stiffness = target;
-    for (int step = 0; step < mostSteps; ++step) {
+    for (int step = 0; step < maximumSteps; ++step) {
         const double extra = mode.extraPerSecond * std::sqrt(stiffness / referenceEigenvalue);
         const double alpha = mode.scale * damping.perSecond(stiffness) / 2 + extra;
         const double alphaSlope =
@@ -72,7 +72,7 @@ double stiffnessSoundingAt(double dampedFrequency,
                 2 +
             extra / (2 * stiffness);
         const double miss = stiffness - alpha * alpha - target;
-        const double slope = std::max(1 - 2 * alpha * alphaSlope, leastSlope);
+        const double slope = std::max(1 - 2 * alpha * alphaSlope, minimumSlope);
         const double next = std::clamp(stiffness - miss / slope, target, 2 * target);
         if (std::abs(next - stiffness) <= 1e-13 * stiffness)
             return next;
@@ -130,7 +130,7 @@ double decayBound(const ModalPole& pole) noexcept {
         return alpha;
     const double gap = rootGap(pole);
     // α − β without the cancellation at heavy over-damping.
-    return gap > narrowestGap * alpha ? pole.stiffness / (alpha + gap) : alpha - gap;
+    return gap > minimumGap * alpha ? pole.stiffness / (alpha + gap) : alpha - gap;
 }
 
 } // namespace idiophone

@@ -29,14 +29,14 @@ ModalResonator::ModalResonator(SynthesiserSlot slot,
       sampleRate(sampleRateHz), cellSeconds(cellSamples / sampleRateHz),
       modeWeights(std::move(modeWeightsOfObject)),
       bank(object->modeCount(), object->radiation.empty() ? 1 : channels, sampleRateHz),
-      fader(bank, sampleRateHz), scratch(sharedScratch) {
+      fader(bank, sampleRateHz), increments(bank.emptyIncrements()), scratch(sharedScratch) {
     const std::size_t modes = object->modeCount();
     groupStarts.resize(modes + 1);
     std::iota(groupStarts.begin(), groupStarts.end(), 0);
     modeEigenvalues = referenceEigenvalues = object->eigenvalues;
     groupDampings = dampings = object->dampings();
     pairs = modePairs(*object, seed);
-    lostShares.resize(modes * (largestGroup - 1) / 2); // for groups of the maximum size
+    lostShares.resize(modes * (maximumGroup - 1) / 2); // for groups of the maximum size
     if (!object->radiation.empty())
         for (auto& weights : radiationWeights)
             weights.resize(modes);
@@ -47,7 +47,7 @@ ModalResonator::ModalResonator(SynthesiserSlot slot,
     contacts.reserve(contactCapacity);
     clicks.reserve(contactCapacity);
     rigidBody = rigidRadiator(*object);
-    kicks = bank.emptyKicks();
+
     requestedSilences.reserve(modes);
     silencedModes.reserve(modes);
     bank.resize(modes);
@@ -94,7 +94,7 @@ void ModalResonator::setSilencedModes(std::span<const std::uint8_t> silenced) no
 bool ModalResonator::beginSoundingCell(std::int64_t cell,
                                        const SynthesisSettings& settings,
                                        bool settingsChanged) noexcept {
-    takeInKicks(cell);
+    takeInIncrements(cell);
     cellIndex = cell;
     if (settingsChanged || controlsChanged)
         applySettings(settings);
@@ -107,8 +107,9 @@ bool ModalResonator::beginSoundingCell(std::int64_t cell,
 // At t_c of Raghuvanshi & Lin 2006, eq. 14, the amplitude, which decays as e^{−αt}, reaches τ.
 // Comparing the two at every grid point finds it without a logarithm per struck mode.
 void ModalResonator::survey() noexcept {
-    const EnergySurvey found = surveyEnergies(bank.energies(), bank.audibleWeights(), tauEnergy(),
-                                              faintEnergy, activeBlocks, scratch.aboveTau.data());
+    const EnergySurvey found =
+        surveyEnergies(bank.energies(), bank.poles().audibleWeights(), tauEnergy(), faintEnergy,
+                       activeBlocks, scratch.aboveTau.data());
     // During a contact the set of ringing modes stays fixed. During a continuous force modes may
     // join but not leave.
     const bool forced = forcedCell == cellIndex - 1;
@@ -243,7 +244,7 @@ void ModalResonator::mix(std::int32_t share, const CellOutput& cell) noexcept {
     mixedLastCell = static_cast<std::int32_t>(mixedModes.size());
 
     if (damping > 0 || bank.channels() != cell.channels()) {
-        alignas(64) std::array<std::array<float, cellSamples>, mostChannels> sound{};
+        alignas(64) std::array<std::array<float, cellSamples>, maximumChannels> sound{};
         const ChannelOutputs outputs{sound[0].data(), sound[1].data()};
         renderCell(outputs);
         addToCell(outputs, 0, cellSamples, cell);
@@ -345,7 +346,7 @@ void ModalResonator::reset() noexcept {
     mixedIsRinging = true;
     contacts.clear();
     clicks.clear();
-    keptKicks.reset();
+    keptIncrements.reset();
     forcedCell = never;
     ++responseVersion;
     fader.reset();

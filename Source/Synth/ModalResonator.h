@@ -7,11 +7,13 @@
 #include "Synth/CellOutput.h"
 #include "Synth/ForceCell.h"
 #include "Synth/Imperfection.h"
+#include "Synth/IncrementKernel.h"
 #include "Synth/ModalBank.h"
 #include "Synth/ModeFader.h"
 #include "Synth/QualityScaling.h"
 #include "Synth/SoundingGroups.h"
 #include "Synth/Strike.h"
+#include "Synth/StrikeKernel.h"
 #include "Synth/SynthesisScratch.h"
 #include "Synth/SynthesisSettings.h"
 #include "Synth/SynthesiserSlot.h"
@@ -62,7 +64,7 @@ public:
     bool beginCell(std::int64_t index,
                    const SynthesisSettings& settings,
                    bool settingsChanged) noexcept {
-        if (keptKicks || settingsChanged || controlsChanged || !silent())
+        if (keptIncrements || settingsChanged || controlsChanged || !silent())
             return beginSoundingCell(index, settings, settingsChanged);
         cellIndex = index;
         return false;
@@ -111,7 +113,7 @@ public:
     std::size_t channelsSounding() const noexcept { return bank.channels(); }
     std::int32_t groupCount() const noexcept { return static_cast<std::int32_t>(bank.size()); }
     std::int32_t groupsAudible() const noexcept {
-        return static_cast<std::int32_t>(bank.audibleCount());
+        return static_cast<std::int32_t>(bank.poles().audibleCount());
     }
     /// Number of mixed modes, including those that strikes have added since `mix`.
     std::int32_t modesMixedNow() const noexcept {
@@ -121,14 +123,14 @@ public:
 private:
     /// G0 and H of a contact, summed over some modes, for each channel.
     struct ForcedMotion {
-        std::array<double, mostChannels> steadyVelocity{};
-        std::array<std::complex<double>, mostChannels> swing{};
+        std::array<double, maximumChannels> steadyVelocity{};
+        std::array<std::complex<double>, maximumChannels> swing{};
     };
 
     /// A contact under way; its free part is in the states of the modes.
     struct Contact {
-        Strike strike; ///< duration kept clear of resonances
-        Hearing heard; ///< as at its start
+        Strike strike;   ///< duration kept clear of resonances
+        Listening heard; ///< as at its start
         std::int64_t startCell = 0;
         double startSample = 0;
         ForcedMotion mixed{}; ///< of the mixed modes
@@ -215,11 +217,11 @@ private:
                      int from,
                      std::size_t samples,
                      CellSound& sound) const noexcept;
-    void startKicks(double sign, double at) noexcept;
-    void finishKicks(const Contact& contact, double end) noexcept;
+    void startIncrements(double sign, double at) noexcept;
+    void finishIncrements(const Contact& contact, double end) noexcept;
     BeforeSample beforeSample(double at) const noexcept;
-    KickMove kickMove(double seconds) const noexcept;
-    void addKicks(int from, int until, const CellOutput& cell) noexcept;
+    IncrementMove incrementMove(double seconds) const noexcept;
+    void addIncrements(int from, int until, const CellOutput& cell) noexcept;
     void addToCell(const ChannelOutputs& sound,
                    std::size_t from,
                    std::size_t count,
@@ -228,9 +230,9 @@ private:
                     std::size_t from,
                     std::size_t count,
                     const CellOutput& cell) const noexcept;
-    void keepKicks(int from) noexcept;
-    void takeInKicks(std::int64_t grid) noexcept;
-    bool allMixed() const noexcept { return mixedModes.size() == bank.audibleCount(); }
+    void keepIncrements(int from) noexcept;
+    void takeInIncrements(std::int64_t grid) noexcept;
+    bool allMixed() const noexcept { return mixedModes.size() == bank.poles().audibleCount(); }
     void bringRestingUpToDate(std::int64_t grid) noexcept;
     void listWhatRings() noexcept;
 
@@ -239,7 +241,7 @@ private:
     void mergeResidues(ChannelResidues& residues) noexcept;
     void blendNear(float farShare, ChannelResidues& residues) const noexcept;
     void findLost() noexcept;
-    void findRadiation(std::int32_t heardFrom) noexcept;
+    void findRadiation(std::int32_t radiationDirection) noexcept;
 
     // ModalResonatorContact.cpp: contacts under way.
     void hold(Contact& contact, std::span<const ModeRun> modes, double factor) noexcept;
@@ -262,11 +264,11 @@ private:
     };
     void admitForced(std::int32_t allowance) noexcept;
     bool valid(const ForcePlace& place) const noexcept;
-    void answer(const ForcePoint& at, const Hearing& heard, ForceResponse& response) noexcept;
+    void answer(const ForcePoint& at, const Listening& heard, ForceResponse& response) noexcept;
     const ForceResponse&
-    responseAt(const ForcePoint& at, const Hearing& heard, ForceResponses& known) noexcept;
+    responseAt(const ForcePoint& at, const Listening& heard, ForceResponses& known) noexcept;
     void answerAt(const ForcePlace& place,
-                  const Hearing& heard,
+                  const Listening& heard,
                   ForceResponses& known,
                   ModeResidues& residues,
                   Answer& answer) noexcept;
@@ -288,7 +290,8 @@ private:
     std::vector<std::int32_t> activeBlocks; ///< ascending
     std::vector<Contact> contacts;
     std::vector<Contact> clicks; ///< of the rigid body, stored as contacts with a sine response
-    std::optional<KickMove> keptKicks; ///< move of the pending `kicks` to the next grid point
+    std::optional<IncrementMove>
+        keptIncrements; ///< move of the pending `increments` to the next grid point
 
     // Requested values and values in effect.
     double requestedDamping = 0;
@@ -299,11 +302,11 @@ private:
     std::vector<std::uint8_t> silencedModes; ///< [M], or empty: none
     PoleLaw law;
     bool polesBehind = false; ///< the bank does not yet follow `law` and `compression`
-    Hearing hearing;          ///< for strikes from now on
+    Listening listening;      ///< for strikes from now on
     RigidRadiator rigidBody;  ///< at the reference size
     double sizeNow = 1;       ///< size over the reference size, for strikes from now on
     /// Frequency times size over the reference's, the radiation table's argument: as wanted, and as
-    /// last read with `radiationHeardFrom` for `StrikePoint::heardFrom`.
+    /// last read with `radiationHeardFrom` for `StrikePoint::radiationDirection`.
     double wantedRadiationRatio = 1;
     double radiationRatio = 0;
     std::int32_t radiationHeardFrom = -1;
@@ -334,17 +337,17 @@ private:
     std::vector<Block> blocks;
     std::vector<std::int32_t> mixedModes; ///< ascending
     std::vector<ModeRun> mixedRuns;
-    std::array<std::vector<std::complex<float>>, mostChannels> radiationWeights; ///< [M]
+    std::array<std::vector<std::complex<float>>, maximumChannels> radiationWeights; ///< [M]
     bool mixedIsRinging = true; ///< the mixed modes are the ringing ones
     ModeDemand demanded;
     std::int32_t mixedLastCell = 0;
 
-    ModeKicks kicks; ///< of the last strike or the last end of a contact
+    StateIncrements increments; ///< of the last strike or the last end of a contact
 
     std::uint64_t responseVersion = 1;
     static constexpr std::int64_t never = -2;
-    std::int64_t forcedCell = never;  ///< the last cell with a force
-    Hearing heardAtStart, heardAtEnd; ///< of that cell
+    std::int64_t forcedCell = never;            ///< the last cell with a force
+    Listening listeningAtStart, listeningAtEnd; ///< of that cell
 
     static bool isSet(std::uint16_t bits, std::size_t g) noexcept {
         return (bits >> (g % modeBlock) & 1u) != 0;

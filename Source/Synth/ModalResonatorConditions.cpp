@@ -19,9 +19,9 @@ void ModalResonator::applySettings(const SynthesisSettings& settings) noexcept {
     const double thickness = object->hasLiveThickness() ? settings.thicknessRatio : 1;
     // Even τ = 0 drops states below an inaudible floor.
     const double newTau = std::max(settings.tau * pascalsPerTau, faintestVelocity);
-    hearing = {.nearGain = contactMicrophonePascals * live.gainRatio / thickness,
-               .farGain = live.radiationGainRatio / thickness,
-               .farShare = object->radiation.empty() ? 0 : settings.radiation};
+    listening = {.nearGain = contactMicrophonePascals * live.gainRatio / thickness,
+                 .farGain = live.radiationGainRatio / thickness,
+                 .farShare = object->radiation.empty() ? 0 : settings.radiation};
     sizeNow = slotSizeRatio * settings.sizeRatio;
 
     const bool polesMove = live.law != law || settings.compression != compression ||
@@ -66,7 +66,7 @@ void ModalResonator::applySettings(const SynthesisSettings& settings) noexcept {
 void ModalResonator::catchUp(const SynthesisSettings& settings) noexcept {
     if (!controlsChanged || !contacts.empty())
         return;
-    takeInKicks(cellIndex + 1);
+    takeInIncrements(cellIndex + 1);
     ++cellIndex; // the states hold there
     applySettings(settings);
     --cellIndex;

@@ -21,13 +21,11 @@ void ModalResonator::hold(Contact& contact,
 void ModalResonator::addMotion(std::span<const ModeRun> modes,
                                double factor,
                                ForcedMotion& motion) const noexcept {
-    const ForcedAmplitudes parts = scratch.contact.amplitudes();
+
     for (std::size_t c = 0; c < bank.channels(); ++c) {
         ForcedSum sum;
         for (const ModeRun& run : modes)
-            sumForced(scratch.groupResidues[c].re.data(), scratch.groupResidues[c].im.data(), parts,
-                      static_cast<std::size_t>(run.first), static_cast<std::size_t>(run.count),
-                      sum);
+            sumForced(scratch.groupResidues[c], scratch.contact, run, sum);
         motion.steadyVelocity[c] += factor * sum.steady;
         motion.swing[c] += factor * sum.swing;
     }
@@ -42,7 +40,7 @@ ModalResonator::phaseAt(const Contact& contact, std::int64_t cell, double sample
 }
 
 double ModalResonator::shareOfResidues(const Contact& contact, const Contact& other) noexcept {
-    const Hearing &own = contact.heard, &others = other.heard;
+    const Listening &own = contact.heard, &others = other.heard;
     if (own.farShare != others.farShare || contact.strike.point != other.strike.point ||
         own.nearGain * others.farGain != own.farGain * others.nearGain)
         return 0;
@@ -67,7 +65,7 @@ void ModalResonator::moveContacts(Forced become) noexcept {
     if (contacts.empty())
         return;
     bringRestingUpToDate(cellIndex);
-    bank.clearKicks(scratch.kicks);
+    scratch.increments.clear();
     std::array<bool, contactCapacity> moved{};
     for (std::size_t first = 0; first < contacts.size(); ++first) {
         if (moved[first])
@@ -82,18 +80,17 @@ void ModalResonator::moveContacts(Forced become) noexcept {
             moveContact(contacts[k], share, become);
         }
     }
-    bank.join(scratch.kicks, {});
+    bank.join(scratch.increments, {});
 }
 
 /// Does this for one contact, whose residues are `factor` times the current ones.
 void ModalResonator::moveContact(Contact& contact, double factor, Forced become) noexcept {
     const std::complex<double> phase = phaseAt(contact, cellIndex, 0);
-    bank.forcedStates({.contactSeconds = contact.strike.durationSeconds,
-                       .dampingPerSecond = damping,
-                       .phase = phase},
-                      scratch.contact);
-    bank.gatherKicks(scratch.contact, scratch.groupResidues,
-                     become == Forced::freed ? factor : -factor, 1 - phase.real(), scratch.kicks);
+    scratch.contact.setForced(bank.poles(), {.contactSeconds = contact.strike.durationSeconds,
+                                             .dampingPerSecond = damping,
+                                             .phase = phase});
+    scratch.increments.gather(bank, scratch.contact, scratch.groupResidues,
+                              become == Forced::freed ? factor : -factor, 1 - phase.real());
     if (become == Forced::freed)
         return;
     contact.mixed = contact.tube = {};

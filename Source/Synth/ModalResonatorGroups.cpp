@@ -10,8 +10,8 @@ namespace idiophone {
 
 namespace {
 
-// Minimum share of a mode that is worth a fade: far below hearing, far above the rounding error of
-// sums of shares.
+// Minimum share of a mode that is worth a fade: far below listening, far above the rounding error
+// of sums of shares.
 constexpr float smallestFade = 1e-6f;
 constexpr float smallestTubeShare = 1e-3f; // a smaller pulsation is inaudible
 

@@ -15,9 +15,9 @@ bool ModalResonator::computeResidues(const Contact& contact) noexcept {
     const StrikePoint& struck = contact.strike.point;
     projectShapes(pointShapes(*object, struck), contact.strike.impulseNewtonSeconds,
                   listeningDirection(struck), object->modeCount(), scratch.struckGains.data(),
-                  scratch.heardGains.data());
+                  scratch.listeningGains.data());
     if (imperfection > 0)
-        for (auto* gains : {&scratch.struckGains, &scratch.heardGains})
+        for (auto* gains : {&scratch.struckGains, &scratch.listeningGains})
             turnPairs(pairs, std::span(*gains));
     const double farShare = contact.heard.farShare;
     const auto near = static_cast<float>(contact.heard.nearGain);
@@ -25,13 +25,13 @@ bool ModalResonator::computeResidues(const Contact& contact) noexcept {
     auto& modes = scratch.modeResidues;
     if (farShare < 1) {
         for (std::size_t i = 0; i < object->modeCount(); ++i)
-            modes[i] = near * scratch.struckGains[i] * scratch.heardGains[i];
+            modes[i] = near * scratch.struckGains[i] * scratch.listeningGains[i];
         for (std::size_t i = 0; i < object->gains.size(); ++i)
             modes[i] *= object->gains[i];
         mergeResidues(scratch.groupResidues[0]);
     }
     if (farShare > 0) {
-        findRadiation(struck.heardFrom);
+        findRadiation(struck.radiationDirection);
         if (farShare < 1)
             scratch.nearResidues.copyFrom(scratch.groupResidues[0], bank.paddedSize());
     }
@@ -47,7 +47,7 @@ bool ModalResonator::computeResidues(const Contact& contact) noexcept {
             residues.copyFrom(scratch.groupResidues[0], bank.paddedSize());
         }
     }
-    bank.makeHeavyReal(scratch.groupResidues);
+    bank.poles().heavy().makeReal(scratch.groupResidues, bank.channels());
     const auto firstGroups = [this](AlignedVector<float>& values) {
         return std::span(values).first(bank.paddedSize());
     };
@@ -116,25 +116,25 @@ void ModalResonator::findLost() noexcept {
 
 /// Reads the table if frequency, size, direction or imperfection has changed. A mono output gets
 /// the mean of both directions.
-void ModalResonator::findRadiation(std::int32_t heardFrom) noexcept {
-    if (radiationRatio == wantedRadiationRatio && radiationHeardFrom == heardFrom)
+void ModalResonator::findRadiation(std::int32_t radiationDirection) noexcept {
+    if (radiationRatio == wantedRadiationRatio && radiationHeardFrom == radiationDirection)
         return;
     radiationRatio = wantedRadiationRatio;
-    radiationHeardFrom = heardFrom;
+    radiationHeardFrom = radiationDirection;
     const RadiationTable& table = object->radiation;
     auto& [first, second] = radiationWeights;
-    if (heardFrom >= 0) {
-        table.weightsAt(static_cast<std::size_t>(heardFrom), radiationRatio, first);
+    if (radiationDirection >= 0) {
+        table.weightsAt(static_cast<std::size_t>(radiationDirection), radiationRatio, first);
         second = first;
     } else {
         table.weightsAt(0, radiationRatio, first);
-        table.weightsAt(std::min<std::size_t>(table.directions.size(), mostChannels) - 1,
+        table.weightsAt(std::min<std::size_t>(table.directions.size(), maximumChannels) - 1,
                         radiationRatio, second);
     }
     if (imperfection > 0)
         for (auto* weights : {&first, &second})
             turnPairs(pairs, std::span(*weights));
-    if (outputChannels == 1 && heardFrom < 0)
+    if (outputChannels == 1 && radiationDirection < 0)
         std::ranges::transform(
             first, second, first.begin(),
             [](std::complex<float> l, std::complex<float> r) { return (l + r) / 2.0f; });

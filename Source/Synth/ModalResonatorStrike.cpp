@@ -30,7 +30,7 @@ bool ModalResonator::valid(const StrikePoint& point) const noexcept {
             return false;
     }
     const auto directions = static_cast<std::int64_t>(object->radiation.directions.size());
-    if (point.heardFrom < -1 || point.heardFrom >= directions)
+    if (point.radiationDirection < -1 || point.radiationDirection >= directions)
         return false;
     return object->modeCount() > 0 && allFinite(point.weights) && allFinite(point.normal);
 }
@@ -51,9 +51,9 @@ void ModalResonator::prepareBank() noexcept {
 
 /// Opens the second channel at the first strike that is heard far.
 void ModalResonator::widen(double farShare) noexcept {
-    if (!(farShare > 0) || outputChannels == 1 || bank.channels() == mostChannels)
+    if (!(farShare > 0) || outputChannels == 1 || bank.channels() == maximumChannels)
         return;
-    bank.setChannels(mostChannels);
+    bank.setChannels(maximumChannels);
     ++responseVersion;
     fader.widen();
     for (Contact& contact : contacts)
@@ -65,9 +65,8 @@ void ModalResonator::widen(double farShare) noexcept {
 
 bool ModalResonator::computeForced(const Contact& contact) noexcept {
     const bool reasonable = computeResidues(contact);
-    bank.forcedStates(
-        {.contactSeconds = contact.strike.durationSeconds, .dampingPerSecond = damping},
-        scratch.contact);
+    scratch.contact.setForced(bank.poles(), {.contactSeconds = contact.strike.durationSeconds,
+                                             .dampingPerSecond = damping});
     return reasonable;
 }
 
@@ -78,21 +77,21 @@ bool ModalResonator::strike(const Strike& asked,
     const bool isPulse = asked.durationSeconds * sampleRate >= shortestContactSamples;
     if (!valid(asked, sampleInCell) || (isPulse && contacts.size() == contactCapacity))
         return false;
-    takeInKicks(cellIndex + 1);
+    takeInIncrements(cellIndex + 1);
     prepareBank();
     Contact contact{
-        .strike = asked, .heard = hearing, .startCell = cellIndex, .startSample = sampleInCell};
-    widen(hearing.farShare);
+        .strike = asked, .heard = listening, .startCell = cellIndex, .startSample = sampleInCell};
+    widen(listening.farShare);
     double& seconds = contact.strike.durationSeconds;
-    seconds = isPulse ? contactSecondsClearOf(bank.resonances(), seconds) : 0;
+    seconds = isPulse ? contactSecondsClearOf(bank.poles().resonances(), seconds) : 0;
 
     if (!(isPulse ? computeForced(contact) : computeResidues(contact)))
         return false;
     if (isPulse) {
-        startKicks(-1, sampleInCell);
+        startIncrements(-1, sampleInCell);
     } else {
-        bank.impulseStates(scratch.contact);
-        startKicks(1, sampleInCell);
+        scratch.contact.setImpulse(bank.poles());
+        startIncrements(1, sampleInCell);
     }
     joinStruck(allowance);
     if (isPulse && !contacts.empty())
@@ -103,15 +102,15 @@ bool ModalResonator::strike(const Strike& asked,
         hold(contact, mixedRuns, 1);
         const double end = addForced(contact, cell);
         if (end <= cellSamples) {
-            addKicks(from, firstSampleFrom(end), cell);
-            finishKicks(contact, end);
+            addIncrements(from, firstSampleFrom(end), cell);
+            finishIncrements(contact, end);
             from = firstSampleFrom(end);
         } else {
             contacts.push_back(contact);
         }
     }
-    addKicks(from, cellSamples, cell);
-    keepKicks(from);
+    addIncrements(from, cellSamples, cell);
+    keepIncrements(from);
     addClick(contact, cell);
     return true;
 }
@@ -122,9 +121,9 @@ void ModalResonator::addClick(const Contact& struck, const CellOutput& cell) noe
         return;
     Contact click = struck;
     const auto& directions = object->radiation.directions;
-    const std::int32_t from = click.strike.point.heardFrom;
+    const std::int32_t from = click.strike.point.radiationDirection;
     const std::size_t left = from < 0 ? 0 : static_cast<std::size_t>(from);
-    const std::size_t right = from < 0 ? std::min(directions.size(), mostChannels) - 1 : left;
+    const std::size_t right = from < 0 ? std::min(directions.size(), maximumChannels) - 1 : left;
     auto [seconds, pascals] =
         rigidClick(rigidBody, click.strike.impulseNewtonSeconds, click.strike.durationSeconds,
                    sizeNow, sampleRate, {directions[left], directions[right]});
@@ -135,7 +134,7 @@ void ModalResonator::addClick(const Contact& struck, const CellOutput& cell) noe
         pascals[0] = (pascals[0] + pascals[1]) / 2;
     click.mixed = {};
     click.tube = {};
-    for (std::size_t c = 0; c < mostChannels; ++c) {
+    for (std::size_t c = 0; c < maximumChannels; ++c) {
         if (!(std::abs(pascals[c]) <= static_cast<double>(largestResidue)))
             return;
         click.mixed.swing[c] = {0, -pascals[c]}; // Re(−i P e^{iΩt}) = P sin Ωt
@@ -154,30 +153,30 @@ BeforeSample ModalResonator::beforeSample(double at) const noexcept {
     return {samples, damping > 0 ? std::exp(-damping * samples / sampleRate) : 1};
 }
 
-KickMove ModalResonator::kickMove(double seconds) const noexcept {
+IncrementMove ModalResonator::incrementMove(double seconds) const noexcept {
     return {seconds, seconds * sampleRate, damping * seconds * std::numbers::log2e};
 }
 
 /// Sets the increments to the contact's states, which hold at time `at`, moved to the next whole
 /// sample.
-void ModalResonator::startKicks(double sign, double at) noexcept {
+void ModalResonator::startIncrements(double sign, double at) noexcept {
     const BeforeSample before = beforeSample(at);
-    bank.startKicks(scratch.contact, scratch.groupResidues, {before.samples, sign * before.factor},
-                    kicks);
+    increments.start(bank, scratch.contact, scratch.groupResidues,
+                     {before.samples, sign * before.factor});
 }
 
 /// Sets the increments of a contact that started in this cell and ended at `end`, moved to the next
 /// whole sample.
-void ModalResonator::finishKicks(const Contact& contact, double end) noexcept {
-    bank.finishKicks(scratch.contact, scratch.groupResidues, beforeSample(end),
-                     kickMove(contact.strike.durationSeconds), kicks);
+void ModalResonator::finishIncrements(const Contact& contact, double end) noexcept {
+    increments.finish(bank, scratch.contact, scratch.groupResidues, beforeSample(end),
+                      incrementMove(contact.strike.durationSeconds));
 }
 
 void ModalResonator::joinStruck(std::int32_t allowance) noexcept {
     if (allMixed())
         return;
-    surveyEnergies(kicks.energies.data(), bank.audibleWeights(), tauEnergy(), 0, bank.allBlocks(),
-                   scratch.wanted.data());
+    surveyEnergies(increments.energies.data(), bank.poles().audibleWeights(), tauEnergy(), 0,
+                   bank.allBlocks(), scratch.wanted.data());
     admitWanted(allowance);
 }
 
@@ -215,7 +214,7 @@ void ModalResonator::listWanted(std::size_t most) noexcept {
         forEachMode(b, scratch.wanted[b], [&](std::int32_t g) { scratch.joining.push_back(g); });
     if (scratch.joining.size() <= most)
         return;
-    keepLoudest(scratch.joining, kicks.energies.data(), most);
+    keepLoudest(scratch.joining, increments.energies.data(), most);
     std::sort(scratch.joining.begin(), scratch.joining.end());
 }
 
@@ -268,7 +267,7 @@ void ModalResonator::soundForced(const Contact& contact,
 }
 
 /// Adds the sound of the increments, which hold at sample `from`, up to `until`.
-void ModalResonator::addKicks(int from, int until, const CellOutput& cell) noexcept {
+void ModalResonator::addIncrements(int from, int until, const CellOutput& cell) noexcept {
     if (from >= until)
         return;
     const auto first = static_cast<std::size_t>(from);
@@ -280,8 +279,8 @@ void ModalResonator::addKicks(int from, int until, const CellOutput& cell) noexc
     const ChannelOutputs tube = outputsOf(scratch.tubeSound);
     if (pulses)
         scratch.tubeSound = {};
-    bank.sound(kicks, mixedRuns, (samples + subBlockSamples - 1) / subBlockSamples,
-               outputsOf(sound), pulsing(), tube);
+    increments.sound(bank, mixedRuns, (samples + subBlockSamples - 1) / subBlockSamples,
+                     outputsOf(sound), pulsing(), tube);
     if (damping > 0)
         fadeByDamper(outputsOf(sound), samples);
     if (damping > 0 && pulses)
@@ -293,17 +292,17 @@ void ModalResonator::addKicks(int from, int until, const CellOutput& cell) noexc
 
 /// Keeps the increments, which hold at sample `from`, until the next grid point. Joining them at
 /// once would make cells with many strikes too slow.
-void ModalResonator::keepKicks(int from) noexcept {
-    keptKicks = kickMove((cellSamples - from) / sampleRate);
+void ModalResonator::keepIncrements(int from) noexcept {
+    keptIncrements = incrementMove((cellSamples - from) / sampleRate);
 }
 
 /// Adds pending increments to the states, which hold at `grid`, the end of their cell.
-void ModalResonator::takeInKicks(std::int64_t grid) noexcept {
-    if (!keptKicks)
+void ModalResonator::takeInIncrements(std::int64_t grid) noexcept {
+    if (!keptIncrements)
         return;
     bringRestingUpToDate(grid);
-    bank.join(kicks, *keptKicks);
-    keptKicks.reset();
+    bank.join(increments, *keptIncrements);
+    keptIncrements.reset();
     if (!allMixed())
         listWhatRings();
 }
@@ -319,7 +318,7 @@ void ModalResonator::bringRestingUpToDate(std::int64_t grid) noexcept {
 
 /// Call it after adding to the states.
 void ModalResonator::listWhatRings() noexcept {
-    surveyEnergies(bank.energies(), bank.audibleWeights(), tauEnergy(), 0, bank.allBlocks(),
+    surveyEnergies(bank.energies(), bank.poles().audibleWeights(), tauEnergy(), 0, bank.allBlocks(),
                    scratch.aboveTau.data());
     for (std::size_t b = 0; b < bank.blockCount(); ++b) {
         blocks[b].rings = scratch.aboveTau[b] | blocks[b].mixed;
@@ -338,11 +337,11 @@ void ModalResonator::soundContacts(const CellOutput& cell) noexcept {
             continue;
         }
         contacts.erase(contacts.begin() + static_cast<std::ptrdiff_t>(c));
-        takeInKicks(cellIndex + 1);
+        takeInIncrements(cellIndex + 1);
         computeForced(contact);
-        startKicks(1, end);
-        addKicks(firstSampleFrom(end), cellSamples, cell);
-        keepKicks(firstSampleFrom(end));
+        startIncrements(1, end);
+        addIncrements(firstSampleFrom(end), cellSamples, cell);
+        keepIncrements(firstSampleFrom(end));
     }
 }
 

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double samePole = 1e-9;
 // Ratios of decay times that cannot be told apart.
-constexpr double leastLikeDecay = 0.75, mostLikeDecay = 1.4;
+constexpr double minimumLikeDecay = 0.75, maximumLikeDecay = 1.4;
 constexpr double fullTurn = 2 * std::numbers::pi;
 
 /// The first mode of a group, with the values that all others are compared with.
@@ -24,8 +24,8 @@ struct FirstMode {
 
     bool canMerge(const ModalPole& next, const ModeDamping& nextDamping) const noexcept {
         const bool isAlike = nextDamping == damping;
-        if (!isAlike && (next.damping < leastLikeDecay * pole.damping ||
-                         next.damping > mostLikeDecay * pole.damping))
+        if (!isAlike && (next.damping < minimumLikeDecay * pole.damping ||
+                         next.damping > maximumLikeDecay * pole.damping))
             return false;
         if (isAlike && std::abs(next.stiffness - pole.stiffness) <= samePole * pole.stiffness)
             return true;
@@ -68,7 +68,7 @@ std::size_t groupModes(std::span<const double> referenceEigenvalues,
         const ModeDamping damping = dampingOf(dampings, i);
         const ModalPole pole = law.pole(referenceEigenvalues[i], damping);
         const bool isOfKind = kinds.empty() || kinds[i] == kinds[start];
-        if (groups > 0 && isOfKind && i - start < largestGroup && !isShared(gains, start) &&
+        if (groups > 0 && isOfKind && i - start < maximumGroup && !isShared(gains, start) &&
             !isShared(gains, i) && first.canMerge(pole, damping))
             continue;
         groupStarts[groups++] = static_cast<std::int32_t>(i);
@@ -113,9 +113,9 @@ void findLostShares(std::span<const double> referenceEigenvalues,
                     const PoleLaw& law,
                     std::span<float> shares,
                     std::span<const ModeDamping> dampings) noexcept {
-    const std::size_t count = std::min(referenceEigenvalues.size(), largestGroup);
-    std::array<double, largestGroup> decays;
-    std::array<double, largestGroup> frequencies;
+    const std::size_t count = std::min(referenceEigenvalues.size(), maximumGroup);
+    std::array<double, maximumGroup> decays;
+    std::array<double, maximumGroup> frequencies;
     for (std::size_t i = 0; i < count; ++i) {
         const ModalPole pole = law.pole(referenceEigenvalues[i], dampingOf(dampings, i));
         decays[i] = pole.damping / 2;

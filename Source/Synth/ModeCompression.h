@@ -12,7 +12,7 @@
 namespace idiophone {
 
 /// Maximum modes per group, as a strike costs a pass over all pairs within a group.
-inline constexpr std::size_t largestGroup = 32;
+inline constexpr std::size_t maximumGroup = 32;
 
 /// Returns the just noticeable difference D(f) in Hz: straight lines through (20, 1.5), (2000, 5)
 /// and (22000, 300), continued beyond. For a dense spectrum 962 windows cover 20 to 22000 Hz.

@@ -48,7 +48,7 @@ void ModeFader::fade(ModalBank& bank, std::span<const std::int32_t> modes) noexc
         return;
     channels = bank.channels();
     findRuns(modes, runs);
-    alignas(64) std::array<std::array<float, cellSamples>, mostChannels> cell;
+    alignas(64) std::array<std::array<float, cellSamples>, maximumChannels> cell;
     for (std::size_t start = 0; start < window.size(); start += cellSamples) {
         cell = {};
         bank.renderFrom(states, runs, {cell[0].data(), cell[1].data()});

@@ -44,7 +44,7 @@ private:
 
     std::vector<float> window; ///< raised cosine from 1 to 0, in whole cells
     /// The rest of the fades in each channel, from its next sample.
-    std::array<std::vector<float>, mostChannels> tails;
+    std::array<std::vector<float>, maximumChannels> tails;
     ModeStates states;
     std::vector<ModeRun> runs;
     std::size_t channels = 1;

@@ -1,7 +1,5 @@
 #include "Synth/PoleKernel.h"
 
-#include "Synth/ModalBankKernel.h"
-
 #include <numbers>
 
 #undef HWY_TARGET_INCLUDE
@@ -40,43 +38,43 @@ HWY_INLINE Vector cleared(Vector value) {
     return hn::IfThenElseZero(hn::Gt(hn::Abs(value), hn::Set(d, faintestTableEntry)), value);
 }
 
-void rotations(const PoleArrays& arrays, std::size_t count, double sampleSeconds) {
+void rotations(PoleArrays& poles, std::size_t count, double sampleSeconds) {
     const Doubles d;
     const hn::Rebind<float, Doubles> f;
     alignas(64) double re[subBlockSamples][lanes];
     alignas(64) double im[subBlockSamples][lanes];
     for (std::size_t g = 0; g < count; g += lanes) {
-        const auto stiffness = hn::Load(d, arrays.stiffness + g);
-        const auto decay = hn::Mul(hn::Load(d, arrays.damping + g), hn::Set(d, 0.5));
+        const auto stiffness = hn::Load(d, poles.stiffness.data() + g);
+        const auto decay = hn::Mul(hn::Load(d, poles.damping.data() + g), hn::Set(d, 0.5));
         const auto squared = hn::NegMulAdd(decay, decay, stiffness);
         const auto frequency = hn::Sqrt(hn::Max(squared, hn::Zero(d)));
         const auto perFrequency = hn::Div(hn::Set(d, 1.0), frequency);
-        hn::Store(decay, d, arrays.decay + g);
-        hn::Store(frequency, d, arrays.frequency + g);
-        hn::Store(hn::Mul(decay, perFrequency), d, arrays.velocityShare + g);
+        hn::Store(decay, d, poles.decay.data() + g);
+        hn::Store(frequency, d, poles.frequency.data() + g);
+        hn::Store(hn::Mul(decay, perFrequency), d, poles.velocityShare.data() + g);
 
         const auto halfTurns = hn::Mul(frequency, hn::Set(d, sampleSeconds / std::numbers::pi));
         const auto octaves = hn::Mul(decay, hn::Set(d, -sampleSeconds * std::numbers::log2e));
-        hn::Store(hn::DemoteTo(f, halfTurns), f, arrays.halfTurnsPerSample + g);
-        hn::Store(hn::DemoteTo(f, octaves), f, arrays.octavesPerSample + g);
+        hn::Store(hn::DemoteTo(f, halfTurns), f, poles.halfTurnsPerSample.data() + g);
+        hn::Store(hn::DemoteTo(f, octaves), f, poles.octavesPerSample.data() + g);
 
         const Complex sample = rotation(decay, frequency, sampleSeconds);
-        hn::Store(hn::DemoteTo(f, sample.re), f, arrays.sampleRe + g);
-        hn::Store(hn::DemoteTo(f, sample.im), f, arrays.sampleIm + g);
+        hn::Store(hn::DemoteTo(f, sample.re), f, poles.sampleRe.data() + g);
+        hn::Store(hn::DemoteTo(f, sample.im), f, poles.sampleIm.data() + g);
         Complex power{hn::Set(d, 1.0), hn::Zero(d)};
         for (std::size_t k = 0; k < subBlockSamples; ++k) {
             hn::Store(cleared(power.re), d, re[k]);
             hn::Store(hn::Neg(cleared(power.im)), d, im[k]);
             power = product(power, sample);
         }
-        hn::Store(hn::DemoteTo(f, power.re), f, arrays.subBlockRe + g);
-        hn::Store(hn::DemoteTo(f, power.im), f, arrays.subBlockIm + g);
+        hn::Store(hn::DemoteTo(f, power.re), f, poles.subBlockRe.data() + g);
+        hn::Store(hn::DemoteTo(f, power.im), f, poles.subBlockIm.data() + g);
         const Complex two = product(power, power);
         const Complex four = product(two, two);
-        hn::Store(four.re, d, arrays.cellRe + g);
-        hn::Store(four.im, d, arrays.cellIm + g);
+        hn::Store(four.re, d, poles.cellRe.data() + g);
+        hn::Store(four.im, d, poles.cellIm.data() + g);
         for (std::size_t lane = 0; lane < lanes; ++lane) {
-            float* HWY_RESTRICT table = arrays.tables + 2 * subBlockSamples * (g + lane);
+            float* HWY_RESTRICT table = poles.tables.data() + 2 * subBlockSamples * (g + lane);
             for (std::size_t k = 0; k < subBlockSamples; ++k) {
                 table[k] = static_cast<float>(re[k][lane]);
                 table[subBlockSamples + k] = static_cast<float>(im[k][lane]);
@@ -85,8 +83,8 @@ void rotations(const PoleArrays& arrays, std::size_t count, double sampleSeconds
     }
 }
 
-void rotate(const double* HWY_RESTRICT decay,
-            const double* HWY_RESTRICT frequency,
+void rotate(const PoleArrays& poles,
+            std::size_t first,
             std::size_t count,
             double seconds,
             double factor,
@@ -94,6 +92,8 @@ void rotate(const double* HWY_RESTRICT decay,
             double* HWY_RESTRICT y) {
     const Doubles d;
     const auto gain = hn::Set(d, factor);
+    const double* HWY_RESTRICT decay = poles.decay.data() + first;
+    const double* HWY_RESTRICT frequency = poles.frequency.data() + first;
     for (std::size_t g = 0; g < count; g += lanes) {
         const Complex motion =
             rotation(hn::Load(d, decay + g), hn::Load(d, frequency + g), seconds);
@@ -115,18 +115,18 @@ namespace idiophone {
 HWY_EXPORT(rotations);
 HWY_EXPORT(rotate);
 
-void rotationsOfPoles(const PoleArrays& arrays, std::size_t count, double sampleSeconds) noexcept {
-    HWY_DYNAMIC_DISPATCH(rotations)(arrays, count, sampleSeconds);
+void rotationsOfPoles(PoleArrays& poles, std::size_t count, double sampleSeconds) noexcept {
+    HWY_DYNAMIC_DISPATCH(rotations)(poles, count, sampleSeconds);
 }
 
-void rotateModes(const double* decay,
-                 const double* frequency,
+void rotateModes(const PoleArrays& poles,
+                 std::size_t first,
                  std::size_t count,
                  double seconds,
                  double factor,
                  double* x,
                  double* y) noexcept {
-    HWY_DYNAMIC_DISPATCH(rotate)(decay, frequency, count, seconds, factor, x, y);
+    HWY_DYNAMIC_DISPATCH(rotate)(poles, first, count, seconds, factor, x, y);
 }
 
 } // namespace idiophone

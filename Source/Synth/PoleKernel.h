@@ -1,6 +1,9 @@
 // Computes rotations and tables of oscillating modes from their poles, and free motion over any
-// time, with SIMD chosen at run time. Arrays in, arrays out; counts are whole blocks.
+// time, with SIMD chosen at run time. Counts are whole blocks.
 #pragma once
+
+#include "Synth/AlignedVector.h"
+#include "Synth/ModalBankKernel.h"
 
 #include <cstddef>
 
@@ -8,29 +11,32 @@ namespace idiophone {
 
 /// Arrays over modes; see ModalBankKernel.h for the rotations and tables.
 struct PoleArrays {
-    const double* stiffness;   ///< λ
-    const double* damping;     ///< d
-    double* decay;             ///< α = d/2
-    double* frequency;         ///< ω_d = √(λ − α²), 0 where over-damped
-    double* velocityShare;     ///< α/ω_d: y of the state after an impulse that makes x = 1
-    float* halfTurnsPerSample; ///< of ω_d
-    float* octavesPerSample;   ///< −α in powers of two
-    float* sampleRe;           ///< ρ
-    float* sampleIm;
-    float* subBlockRe; ///< ρ^16
-    float* subBlockIm;
-    double* cellRe; ///< ρ^64
-    double* cellIm;
-    float* tables;
+    explicit PoleArrays(std::size_t modes)
+        : stiffness(modes), damping(modes), decay(modes), frequency(modes), velocityShare(modes),
+          cellRe(modes), cellIm(modes), halfTurnsPerSample(modes), octavesPerSample(modes),
+          sampleRe(modes), sampleIm(modes), subBlockRe(modes), subBlockIm(modes),
+          tables(2 * subBlockSamples * modes) {}
+
+    AlignedVector<double> stiffness;             ///< λ
+    AlignedVector<double> damping;               ///< d
+    AlignedVector<double> decay;                 ///< α = d/2
+    AlignedVector<double> frequency;             ///< ω_d = √(λ − α²), 0 where over-damped
+    AlignedVector<double> velocityShare;         ///< α/ω_d: y after an impulse that makes x = 1
+    AlignedVector<double> cellRe, cellIm;        ///< ρ^64
+    AlignedVector<float> halfTurnsPerSample;     ///< of ω_d; below 1 within the band
+    AlignedVector<float> octavesPerSample;       ///< −α in powers of two
+    AlignedVector<float> sampleRe, sampleIm;     ///< ρ
+    AlignedVector<float> subBlockRe, subBlockIm; ///< ρ^16
+    AlignedVector<float> tables;                 ///< [modes,2,16]
 };
 
 /// Fills in all arrays but λ and d. The caller corrects modes that do not oscillate.
-void rotationsOfPoles(const PoleArrays& arrays, std::size_t count, double sampleSeconds) noexcept;
+void rotationsOfPoles(PoleArrays& poles, std::size_t count, double sampleSeconds) noexcept;
 
-/// Multiplies x + iy by `factor` e^{(−α + iω)t}: free motion of oscillating modes over `seconds`,
-/// which may be hours.
-void rotateModes(const double* decay,
-                 const double* frequency,
+/// Multiplies `count` states x + iy by `factor` e^{(−α + iω)t}: free motion of the modes from
+/// `first` on over `seconds`, which may be hours.
+void rotateModes(const PoleArrays& poles,
+                 std::size_t first,
                  std::size_t count,
                  double seconds,
                  double factor,

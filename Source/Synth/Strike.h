@@ -8,18 +8,18 @@
 namespace idiophone {
 
 /// The corners of two faces, for a place between two points of a path.
-inline constexpr std::size_t mostShapeRows = 6;
+inline constexpr std::size_t maximumShapeRows = 6;
 
 /// A place on an object's surface, as a weighted mean of a few vertices that carry shapes.
 struct StrikePoint {
-    std::array<std::int32_t, mostShapeRows> shapeRows{}; ///< rows of ModalObject::shapeVertices
-    std::array<float, mostShapeRows> weights{1}; ///< sum to 1; rows of weight 0 are not read
+    std::array<std::int32_t, maximumShapeRows> shapeRows{}; ///< rows of ModalObject::shapeVertices
+    std::array<float, maximumShapeRows> weights{1}; ///< sum to 1; rows of weight 0 are not read
     /// The outward normal, of length 1 (not checked). The near sound is the velocity of the point
     /// along it, so a wrong normal is heard too softly.
     std::array<float, 3> normal{0, 0, 1};
     /// Direction for the far sound of a strike here: an index in the object's RadiationTable for
     /// all channels, or −1: each channel has its own.
-    std::int32_t heardFrom = -1;
+    std::int32_t radiationDirection = -1;
 
     bool operator==(const StrikePoint&) const = default;
 };

@@ -32,32 +32,32 @@ void project(const ShapePoint& point,
              const std::array<float, 3>& heard,
              std::size_t count,
              float* HWY_RESTRICT struckGains,
-             float* HWY_RESTRICT heardGains) {
+             float* HWY_RESTRICT listeningGains) {
     const Floats f;
     constexpr std::size_t lanes = hn::MaxLanes(Floats());
     std::size_t i = 0;
     for (; i + lanes <= count; i += lanes) {
         auto struckGain = hn::Zero(f);
-        auto heardGain = hn::Zero(f);
+        auto listeningGain = hn::Zero(f);
         for (std::size_t k = 0; k < point.used; ++k) {
             hn::Vec<Floats> x, y, z;
             hn::LoadInterleaved3(f, point.rows[k] + 3 * i, x, y, z);
             const auto weight = hn::Set(f, point.weights[k]);
             struckGain = hn::MulAdd(dot(x, y, z, struck), weight, struckGain);
-            heardGain = hn::MulAdd(dot(x, y, z, heard), weight, heardGain);
+            listeningGain = hn::MulAdd(dot(x, y, z, heard), weight, listeningGain);
         }
         hn::StoreU(struckGain, f, struckGains + i);
-        hn::StoreU(heardGain, f, heardGains + i);
+        hn::StoreU(listeningGain, f, listeningGains + i);
     }
     for (; i < count; ++i) {
-        struckGains[i] = heardGains[i] = 0;
+        struckGains[i] = listeningGains[i] = 0;
         for (std::size_t k = 0; k < point.used; ++k) {
             const float* shape = point.rows[k] + 3 * i;
             const auto along = [&](const std::array<float, 3>& direction) {
                 return shape[0] * direction[0] + shape[1] * direction[1] + shape[2] * direction[2];
             };
             struckGains[i] += point.weights[k] * along(struck);
-            heardGains[i] += point.weights[k] * along(heard);
+            listeningGains[i] += point.weights[k] * along(heard);
         }
     }
 }
@@ -70,14 +70,14 @@ struct PoleInPulse {
     hn::Vec<Floats> excess; ///< λ − 1
 };
 
-HWY_INLINE PoleInPulse poleInPulse(const ForcedArrays& arrays, double perOmega, std::size_t g) {
+HWY_INLINE PoleInPulse poleInPulse(const PoleArrays& poles, double perOmega, std::size_t g) {
     const Floats f;
     const Doubles d;
     const HalfFloats half;
     const auto scale = hn::Set(d, perOmega);
-    const auto both = [&](const double* values) HWY_ATTR {
-        return std::pair(hn::Mul(scale, hn::Load(d, values + g)),
-                         hn::Mul(scale, hn::Load(d, values + g + hn::MaxLanes(d))));
+    const auto both = [&](const AlignedVector<double>& values) HWY_ATTR {
+        return std::pair(hn::Mul(scale, hn::Load(d, values.data() + g)),
+                         hn::Mul(scale, hn::Load(d, values.data() + g + hn::MaxLanes(d))));
     };
     const auto demoted = [&](auto lower, auto upper) HWY_ATTR {
         return hn::Combine(f, hn::DemoteTo(half, upper), hn::DemoteTo(half, lower));
@@ -86,17 +86,19 @@ HWY_INLINE PoleInPulse poleInPulse(const ForcedArrays& arrays, double perOmega, 
         const auto square = hn::MulSub(frequency, frequency, hn::Set(d, 1.0));
         return hn::MulAdd(decay, decay, square);
     };
-    const auto [decayLower, decayUpper] = both(arrays.decay);
-    const auto [frequencyLower, frequencyUpper] = both(arrays.frequency);
+    const auto [decayLower, decayUpper] = both(poles.decay);
+    const auto [frequencyLower, frequencyUpper] = both(poles.frequency);
     return {demoted(decayLower, decayUpper), demoted(frequencyLower, frequencyUpper),
             demoted(excess(decayLower, frequencyLower), excess(decayUpper, frequencyUpper))};
 }
 
 // The closed form of ForcedResponse, which explains it, in units of Ω. The contact's rate 1/T is
 // then 1/2π.
-void forced(const PulseInstant& pulse, const ForcedArrays& all, std::size_t count) {
+void forced(const PulseInstant& pulse,
+            const PoleArrays& poles,
+            std::size_t count,
+            UnitContact& unit) {
     const Floats f;
-    const ForcedArrays arrays = all;
     constexpr double fullTurn = 2 * std::numbers::pi;
     const double perOmega = pulse.contactSeconds / fullTurn;
     const auto set = [&](double value) HWY_ATTR { return hn::Set(f, static_cast<float>(value)); };
@@ -114,7 +116,7 @@ void forced(const PulseInstant& pulse, const ForcedArrays& all, std::size_t coun
         return hn::IfThenElse(isNear, hn::CopySign(nearest, re), re);
     };
     for (std::size_t g = 0; g < count; g += hn::MaxLanes(f)) {
-        const PoleInPulse pole = poleInPulse(arrays, perOmega, g);
+        const PoleInPulse pole = poleInPulse(poles, perOmega, g);
         const auto damping = hn::Add(pole.decay, pole.decay);
         const auto drag = hn::Mul(delta, hn::Add(delta, damping));
         const auto stiffness =
@@ -136,23 +138,23 @@ void forced(const PulseInstant& pulse, const ForcedArrays& all, std::size_t coun
         const auto numeratorIm = hn::NegMulAdd(constant, phaseIm, im);
         const auto displacement = hn::Mul(hn::Mul(perSquared, perConstant),
                                           hn::MulAdd(numeratorRe, re, hn::Mul(numeratorIm, im)));
-        hn::Store(velocity, f, arrays.x + g);
+        hn::Store(velocity, f, unit.x.data() + g);
         hn::Store(hn::Mul(perFrequency,
                           hn::MulAdd(stiffness, displacement, hn::Mul(pole.decay, velocity))),
-                  f, arrays.y + g);
-        hn::Store(steady, f, arrays.steady + g);
-        hn::Store(swingRe, f, arrays.swingRe + g);
-        hn::Store(swingIm, f, arrays.swingIm + g);
+                  f, unit.y.data() + g);
+        hn::Store(steady, f, unit.steady.data() + g);
+        hn::Store(swingRe, f, unit.swingRe.data() + g);
+        hn::Store(swingIm, f, unit.swingIm.data() + g);
         // (δ + iΩ + α)/ω
         const auto perOwnFrequency = hn::Div(one, pole.frequency);
-        hn::Store(hn::Mul(hn::Add(delta, pole.decay), perOwnFrequency), f, arrays.quadratureRe + g);
-        hn::Store(perOwnFrequency, f, arrays.quadratureIm + g);
+        hn::Store(hn::Mul(hn::Add(delta, pole.decay), perOwnFrequency), f,
+                  unit.quadratureRe.data() + g);
+        hn::Store(perOwnFrequency, f, unit.quadratureIm.data() + g);
     }
 }
 
-void sum(const float* HWY_RESTRICT residuesRe,
-         const float* HWY_RESTRICT residuesIm,
-         const ForcedAmplitudes& arrays,
+void sum(const ChannelResidues& residues,
+         const UnitContact& unit,
          std::size_t first,
          std::size_t count,
          ForcedSum& total) {
@@ -163,13 +165,14 @@ void sum(const float* HWY_RESTRICT residuesRe,
     const std::size_t end = first + count;
     std::size_t g = first;
     for (; g + hn::MaxLanes(f) <= end; g += hn::MaxLanes(f)) {
-        const auto quadrature = hn::LoadU(f, residuesIm + g);
-        const FloatComplex heard{hn::MulAdd(quadrature, hn::LoadU(f, arrays.quadratureRe + g),
-                                            hn::LoadU(f, residuesRe + g)),
-                                 hn::Mul(quadrature, hn::LoadU(f, arrays.quadratureIm + g))};
-        const FloatComplex swing = product(heard, FloatComplex{hn::LoadU(f, arrays.swingRe + g),
-                                                               hn::LoadU(f, arrays.swingIm + g)});
-        steady = hn::MulAdd(heard.re, hn::LoadU(f, arrays.steady + g), steady);
+        const auto quadrature = hn::LoadU(f, residues.im.data() + g);
+        const FloatComplex heard{hn::MulAdd(quadrature, hn::LoadU(f, unit.quadratureRe.data() + g),
+                                            hn::LoadU(f, residues.re.data() + g)),
+                                 hn::Mul(quadrature, hn::LoadU(f, unit.quadratureIm.data() + g))};
+        const FloatComplex swing =
+            product(heard, FloatComplex{hn::LoadU(f, unit.swingRe.data() + g),
+                                        hn::LoadU(f, unit.swingIm.data() + g)});
+        steady = hn::MulAdd(heard.re, hn::LoadU(f, unit.steady.data() + g), steady);
         swingRe = hn::Add(swing.re, swingRe);
         swingIm = hn::Add(swing.im, swingIm);
     }
@@ -179,14 +182,13 @@ void sum(const float* HWY_RESTRICT residuesRe,
     total.steady += sumOf(steady);
     total.swing += std::complex<double>(sumOf(swingRe), sumOf(swingIm));
     for (; g < end; ++g) {
-        const auto quadrature = static_cast<double>(residuesIm[g]);
-        const std::complex<double> heard(static_cast<double>(residuesRe[g]) +
-                                             quadrature *
-                                                 static_cast<double>(arrays.quadratureRe[g]),
-                                         quadrature * static_cast<double>(arrays.quadratureIm[g]));
-        total.steady += heard.real() * static_cast<double>(arrays.steady[g]);
+        const auto quadrature = static_cast<double>(residues.im[g]);
+        const std::complex<double> heard(static_cast<double>(residues.re[g]) +
+                                             quadrature * static_cast<double>(unit.quadratureRe[g]),
+                                         quadrature * static_cast<double>(unit.quadratureIm[g]));
+        total.steady += heard.real() * static_cast<double>(unit.steady[g]);
         total.swing +=
-            idiophone::product(heard, std::complex<double>(arrays.swingRe[g], arrays.swingIm[g]));
+            idiophone::product(heard, std::complex<double>(unit.swingRe[g], unit.swingIm[g]));
     }
 }
 
@@ -243,23 +245,24 @@ void projectShapes(const ShapePoint& point,
                    const std::array<float, 3>& heard,
                    std::size_t count,
                    float* struckGains,
-                   float* heardGains) noexcept {
-    HWY_DYNAMIC_DISPATCH(project)(point, struck, heard, count, struckGains, heardGains);
+                   float* listeningGains) noexcept {
+    HWY_DYNAMIC_DISPATCH(project)(point, struck, heard, count, struckGains, listeningGains);
 }
 
 void forcedStates(const PulseInstant& pulse,
-                  const ForcedArrays& arrays,
-                  std::size_t count) noexcept {
-    HWY_DYNAMIC_DISPATCH(forced)(pulse, arrays, count);
+                  const PoleArrays& poles,
+                  std::size_t count,
+                  UnitContact& unit) noexcept {
+    HWY_DYNAMIC_DISPATCH(forced)(pulse, poles, count, unit);
 }
 
-void sumForced(const float* residuesRe,
-               const float* residuesIm,
-               const ForcedAmplitudes& arrays,
-               std::size_t first,
-               std::size_t count,
+void sumForced(const ChannelResidues& residues,
+               const UnitContact& unit,
+               const ModeRun& run,
                ForcedSum& total) noexcept {
-    HWY_DYNAMIC_DISPATCH(sum)(residuesRe, residuesIm, arrays, first, count, total);
+    HWY_DYNAMIC_DISPATCH(sum)
+    (residues, unit, static_cast<std::size_t>(run.first), static_cast<std::size_t>(run.count),
+     total);
 }
 
 void raisedCosine(double steady,

@@ -17,19 +17,17 @@ namespace idiophone {
 
 /// Sized for M modes and G groups, padded to whole blocks, of the largest object.
 struct SynthesisScratch {
+    static std::size_t paddedTo(std::size_t modes) noexcept {
+        return (modes + modeBlock - 1) / modeBlock * modeBlock;
+    }
+
     SynthesisScratch(std::size_t modes, std::size_t channels)
-        : struckGains(modes), heardGains(modes), modeResidues(modes) {
-        const std::size_t padded = (modes + modeBlock - 1) / modeBlock * modeBlock;
-        for (std::size_t c = 0; c < channels; ++c) {
-            for (auto* array : {&kicks.x[c], &kicks.y[c]})
-                array->resize(padded);
+        : struckGains(modes), listeningGains(modes), modeResidues(modes), contact(paddedTo(modes)),
+          increments(paddedTo(modes), channels), states(paddedTo(modes), channels) {
+        const std::size_t padded = paddedTo(modes);
+        for (std::size_t c = 0; c < channels; ++c)
             for (auto* residues : {&groupResidues[c], &startResidues[c], &endResidues[c]})
                 residues->resize(padded);
-        }
-        for (auto* array :
-             {&contact.x, &contact.y, &contact.steady, &contact.swingRe, &contact.swingIm,
-              &contact.quadratureRe, &contact.quadratureIm, &kicks.energies})
-            array->resize(padded);
         nearResidues.resize(padded);
         aboveTau.resize(padded / modeBlock);
         wanted.resize(padded / modeBlock);
@@ -45,18 +43,15 @@ struct SynthesisScratch {
         groupShares.reserve(2 * modes);
         fadingShares.resize(modes);
         silencedGroups.resize(modes);
-        for (std::size_t c = 0; c < channels; ++c)
-            for (auto* array : {&states.x[c], &states.y[c]})
-                array->resize(padded);
     }
 
     std::vector<float> struckGains;                ///< [M] φ·J
-    std::vector<float> heardGains;                 ///< [M] φ·ℓ
+    std::vector<float> listeningGains;             ///< [M] φ·ℓ
     std::vector<std::complex<float>> modeResidues; ///< [M]
     ModeResidues groupResidues;                    ///< [G]
     ChannelResidues nearResidues;                  ///< [G]
     UnitContact contact;                           ///< [G]
-    ModeKicks kicks;                               ///< [G] increments that are not kept
+    StateIncrements increments;                    ///< [G] increments that are not kept
     ModeResidues startResidues; ///< [G] at a force's place at the start of a cell
     ModeResidues endResidues;   ///< [G] at its place at the end
     std::array<ForceResponses, forceCapacity> responses;

@@ -94,10 +94,10 @@ Synthesiser::Synthesiser(std::vector<SynthesiserSlot> slots,
     : implementation(std::make_unique<Implementation>()) {
     auto& all = *implementation;
     all.sampleRate = sampleRateHz;
-    std::size_t mostModes = 0;
+    std::size_t maximumModes = 0;
     for (const SynthesiserSlot& slot : slots)
-        mostModes = std::max(mostModes, slot.object ? slot.object->modeCount() : 0);
-    all.scratch = std::make_unique<SynthesisScratch>(mostModes, channels);
+        maximumModes = std::max(maximumModes, slot.object ? slot.object->modeCount() : 0);
+    all.scratch = std::make_unique<SynthesisScratch>(maximumModes, channels);
     all.objects.reserve(slots.size());
     std::map<const ModalObject*, ModalResonator::ModeWeights>
         known; // one for all slots of an object

@@ -73,7 +73,7 @@ private:
     ForcePlace placeNow() const {
         const std::size_t point = cellsMoved / cellsBetweenPoints;
         return {.points = {path[point % path.size()], path[(point + 1) % path.size()]},
-                .way = static_cast<float>(cellsMoved % cellsBetweenPoints) / cellsBetweenPoints};
+                .fraction = static_cast<float>(cellsMoved % cellsBetweenPoints) / cellsBetweenPoints};
     }
 
     Synthesiser synth;

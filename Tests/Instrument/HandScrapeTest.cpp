@@ -63,7 +63,7 @@ std::vector<float> drag(Player& player,
 
 std::array<double, 3> metresOf(const ModalObject& object, const StrikePoint& point) {
     std::array<double, 3> metres{};
-    for (std::size_t k = 0; k < mostShapeRows; ++k) {
+    for (std::size_t k = 0; k < maximumShapeRows; ++k) {
         const auto vertex = object.shapeVertices[static_cast<std::size_t>(point.shapeRows[k])];
         for (std::size_t axis = 0; axis < 3; ++axis)
             metres[axis] += static_cast<double>(
@@ -206,8 +206,8 @@ TEST_CASE("A path is followed to its end without overshoot, and no faster than a
             from = place.points[0].point.shapeRows[0];
             lastWay = -1;
         }
-        CHECK(double(place.way) >= lastWay);
-        lastWay = double(place.way);
+        CHECK(double(place.fraction) >= lastWay);
+        lastWay = double(place.fraction);
     }
     CHECK(from == 1);
     CHECK(lastWay == 1);
@@ -226,7 +226,7 @@ TEST_CASE("Corners beyond the capacity move the last one, and the hand arrives t
         speed = path.advance(cellSamples / rateHz, 5);
     CHECK(speed == 0);
     CHECK(path.place(0).points[1].point == end);
-    CHECK(path.place(0).way == 1);
+    CHECK(path.place(0).fraction == 1);
 }
 
 TEST_CASE("A lifted hand fades within 10 ms without a click and leaves silence") {

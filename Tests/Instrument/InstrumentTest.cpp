@@ -27,7 +27,7 @@ KeyMap keyMap(KeyMapKind kind, int lowest, int highest, std::string object) {
 
 double weightOf(const StrikePoint& point, int row) {
     double sum = 0;
-    for (std::size_t k = 0; k < mostShapeRows; ++k)
+    for (std::size_t k = 0; k < maximumShapeRows; ++k)
         if (point.shapeRows[k] == row)
             sum += static_cast<double>(point.weights[k]);
     return sum;

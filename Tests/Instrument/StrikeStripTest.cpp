@@ -19,7 +19,7 @@ namespace {
 /// Returns φ·n of a mode at a place.
 double gain(const ModalObject& object, const StrikePoint& point, std::size_t mode) {
     double sum = 0;
-    for (std::size_t k = 0; k < mostShapeRows; ++k) {
+    for (std::size_t k = 0; k < maximumShapeRows; ++k) {
         if (point.weights[k] == 0)
             continue;
         const auto shapes = object.shapesAt(static_cast<std::size_t>(point.shapeRows[k]));
@@ -168,7 +168,7 @@ TEST_CASE("A path through the middle of a solid stays on its upper side") {
     for (double along = 0.2; along <= 0.8; along += 0.01) {
         const auto point = strip.between(along, 0).point;
         double above = 0;
-        for (std::size_t k = 0; k < mostShapeRows; ++k)
+        for (std::size_t k = 0; k < maximumShapeRows; ++k)
             above += point.shapeRows[k] >= 4 ? static_cast<double>(point.weights[k]) : 0;
         REQUIRE(above == Approx(1).epsilon(1e-5));
     }
@@ -197,7 +197,7 @@ TEST_CASE("If a strike has too many rows, the lightest leave without a step") {
         const auto point = between.point();
         REQUIRE(weightSum(point) == Approx(1).epsilon(1e-5));
         std::array<double, 9> weights{};
-        for (std::size_t k = 0; k < mostShapeRows; ++k)
+        for (std::size_t k = 0; k < maximumShapeRows; ++k)
             weights[static_cast<std::size_t>(point.shapeRows[k])] +=
                 static_cast<double>(point.weights[k]);
         if (i > 0)

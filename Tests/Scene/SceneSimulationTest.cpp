@@ -80,16 +80,17 @@ TEST_CASE("A rotating body is heard from the side that faces the listener") {
     const auto check = [&](std::size_t slot, const StrikePoint& point) {
         const auto& object = *motion.slots()[slot].object;
         if (object.name != "cylinder") {
-            CHECK(point.heardFrom == -1);
+            CHECK(point.radiationDirection == -1);
             return;
         }
-        REQUIRE(point.heardFrom >= 0);
-        const auto& side = object.radiation.directions[static_cast<std::size_t>(point.heardFrom)];
+        REQUIRE(point.radiationDirection >= 0);
+        const auto& side =
+            object.radiation.directions[static_cast<std::size_t>(point.radiationDirection)];
         const Eigen::Vector3d towards =
             motion.pose(slot)->linear() * Eigen::Vector3d(side[0], side[1], side[2]);
         const Eigen::Vector3d there = (listener - motion.places()[slot]).normalized();
         CHECK(towards.dot(there) > std::cos(33 * std::numbers::pi / 180));
-        ++sides[point.heardFrom];
+        ++sides[point.radiationDirection];
     };
     for (double seconds = 0; seconds < 3; seconds += 0.001) {
         for (const auto& impact : impactsUntil(motion, seconds))

@@ -150,14 +150,10 @@ TEST_CASE(
     const std::vector<double> eigenvalues(alike, std::pow(2 * std::numbers::pi * hz, 2));
     bank.movePoles(eigenvalues, {.damping = {.fluidPerSecond = damping}}, 20, 20000);
     const std::size_t padded = bank.paddedSize();
-    UnitContact unit;
-    for (auto* array : {&unit.x, &unit.y})
-        array->resize(padded);
+    UnitContact unit(padded);
     ModeResidues residues;
     residues[0].resize(padded);
-    ModeKicks kicks;
-    for (auto* array : {&kicks.x[0], &kicks.y[0], &kicks.energies})
-        array->resize(padded);
+    StateIncrements increments(padded, 1);
     unit.x[g] = 1;
     unit.y[g] = 0.3f;
     residues[0].re[g] = 2;
@@ -167,26 +163,26 @@ TEST_CASE(
         CHECK(std::abs(found.x - expected.x) < 2e-6);
         CHECK(std::abs(found.y - expected.y) < 2e-6);
     };
-    const auto kick = [&] { return ModalState{kicks.x[0][g], kicks.y[0][g]}; };
+    const auto increment = [&] { return ModalState{increments.x[0][g], increments.y[0][g]}; };
 
     const double part = GENERATE(0.0, 0.3, 0.95);
-    bank.startKicks(unit, residues, {part, 0.5}, kicks);
+    increments.start(bank, unit, residues, {part, 0.5});
     const ModalState started = motion(part) * one;
-    check(kick(), started);
+    check(increment(), started);
     const double size = amplitudeBound(bank.pole(g), started);
-    CHECK(std::abs(std::sqrt(static_cast<double>(kicks.energies[g])) - size) < 2e-6);
+    CHECK(std::abs(std::sqrt(static_cast<double>(increments.energies[g])) - size) < 2e-6);
 
     for (const double samples : {1e-3, 0.7, 16.0, 40.3}) {
-        bank.finishKicks(unit, residues, {part, -0.25}, {samples / rate, samples, 0.5}, kicks);
+        increments.finish(bank, unit, residues, {part, -0.25}, {samples / rate, samples, 0.5});
         const ModalState start = motion(part + samples) * one;
         const ModalState end = motion(part) * one;
         const double left = std::exp2(-0.5);
-        check(kick(), {-0.5 * (end.x - left * start.x), -0.5 * (end.y - left * start.y)});
+        check(increment(), {-0.5 * (end.x - left * start.x), -0.5 * (end.y - left * start.y)});
     }
     for (const double samples : {0.0, 1.0, 15.0, 37.0, 63.0, 64.0}) {
-        bank.startKicks(unit, residues, {}, kicks);
+        increments.start(bank, unit, residues, {});
         bank.setState(g, {0.25, -0.5});
-        bank.join(kicks, {samples / rate, samples, 1});
+        bank.join(increments, {samples / rate, samples, 1});
         const ModalState joined = motion(samples) * one;
         check(bank.state(g), {0.25 + joined.x, -0.5 + joined.y});
         const double loud = amplitudeBound(bank.pole(g), bank.state(g));
@@ -200,23 +196,18 @@ TEST_CASE("State increments of a contact much shorter than a period keep their p
     ModalBank bank(16, 1, 44100);
     bank.movePoles(std::vector<double>(16, std::pow(2 * std::numbers::pi * 30, 2)),
                    {.damping = {.fluidPerSecond = 3}}, 20, 20000);
-    UnitContact unit;
-    for (auto* array : {&unit.x, &unit.y, &unit.steady, &unit.swingRe, &unit.swingIm,
-                        &unit.quadratureRe, &unit.quadratureIm})
-        array->resize(16);
+    UnitContact unit(16);
     ModeResidues residues;
-    ModeKicks kicks;
+    StateIncrements increments(16, 1);
     residues[0].resize(16);
     std::ranges::fill(residues[0].re, 1.0f);
-    for (auto* array : {&kicks.x[0], &kicks.y[0], &kicks.energies})
-        array->resize(16);
-    bank.forcedStates({.contactSeconds = seconds}, unit);
-    bank.finishKicks(unit, residues, {}, {seconds, seconds * 44100, 0}, kicks);
+    unit.setForced(bank.poles(), {.contactSeconds = seconds});
+    increments.finish(bank, unit, residues, {}, {seconds, seconds * 44100, 0});
     // The state after an impulse, half a contact later.
     const ModalState left = propagator(bank.pole(0), seconds / 2) *
                             stateOf(bank.pole(0), {.velocity = 1, .displacement = 0});
-    CHECK(std::abs(static_cast<double>(kicks.x[0][0]) - left.x) < 1e-6);
-    CHECK(std::abs(static_cast<double>(kicks.y[0][0]) - left.y) < 1e-6);
+    CHECK(std::abs(static_cast<double>(increments.x[0][0]) - left.x) < 1e-6);
+    CHECK(std::abs(static_cast<double>(increments.y[0][0]) - left.y) < 1e-6);
 }
 
 TEST_CASE("The phase holds over hours of rest") {
@@ -236,8 +227,9 @@ TEST_CASE("Only lightly damped audible modes count as resonances") {
     const auto squared = [](double hz) { return std::pow(2 * std::numbers::pi * hz, 2); };
     bank.movePoles(std::vector<double>{squared(10), squared(1000), squared(20000)},
                    {.damping = {.viscoelasticSeconds = 1e-6}}, 20, 23000);
-    REQUIRE(bank.resonances().size() == 1); // the highest decays by a factor e within three periods
-    CHECK(std::abs(bank.resonances()[0] - 1000) < 1e-9);
+    REQUIRE(bank.poles().resonances().size() ==
+            1); // the highest decays by a factor e within three periods
+    CHECK(std::abs(bank.poles().resonances()[0] - 1000) < 1e-9);
 }
 
 TEST_CASE("Regrouping keeps the total velocity, whether modes oscillate or not") {
@@ -280,7 +272,6 @@ public:
         alone.reserve(count);
         for (std::size_t g = 0; g < count; ++g)
             alone.emplace_back(1, channels, sampleRate);
-        kickAlone = alone.front().emptyKicks();
         for (const std::size_t c : {0u, 1u}) {
             together.setChannels(channels);
             residues[c].resize(together.paddedSize());
@@ -295,8 +286,8 @@ public:
                 starts[c].push_back({any(random), any(random)});
                 residues[c].re[g] = static_cast<float>(any(random));
                 residues[c].im[g] = static_cast<float>(any(random));
-                kicks.x[c][g] = static_cast<float>(any(random));
-                kicks.y[c][g] = static_cast<float>(any(random));
+                increments.x[c][g] = static_cast<float>(any(random));
+                increments.y[c][g] = static_cast<float>(any(random));
             }
         }
     }
@@ -341,15 +332,15 @@ public:
 
     /// Adds state increments and a force.
     void press() {
-        const KickMove way{7 / sampleRate, 7, 0.25};
+        const IncrementMove way{7 / sampleRate, 7, 0.25};
         std::array<float, cellSize> impulses;
         for (std::size_t k = 0; k < cellSize; ++k)
             impulses[k] = 1e-3f * static_cast<float>(k);
-        together.join(kicks, way);
+        together.join(increments, way);
         together.force(impulses, residues, residues, 3);
         for (std::size_t g = 0; g < count; ++g) {
             take(g);
-            alone[g].join(kickAlone, way);
+            alone[g].join(incrementsAlone, way);
             alone[g].force(impulses, residueAlone, residueAlone, 3);
         }
     }
@@ -371,15 +362,15 @@ public:
         for (std::size_t g = 0; g < count; ++g) {
             std::array<std::array<float, cellSize>, 2 * channels> output{};
             take(g);
-            auto one = together.emptyKicks();
+            auto one = together.emptyIncrements();
             for (std::size_t c = 0; c < channels; ++c) {
-                one.x[c][g] = kicks.x[c][g];
-                one.y[c][g] = kicks.y[c][g];
+                one.x[c][g] = increments.x[c][g];
+                one.y[c][g] = increments.y[c][g];
             }
-            together.sound(one, std::vector<ModeRun>{{0, count}}, subBlocks,
-                           {output[0].data(), output[1].data()});
-            alone[g].sound(kickAlone, std::vector<ModeRun>{{0, 1}}, subBlocks,
-                           {output[2].data(), output[3].data()});
+            one.sound(together, std::vector<ModeRun>{{0, count}}, subBlocks,
+                      {output[0].data(), output[1].data()});
+            incrementsAlone.sound(alone[g], std::vector<ModeRun>{{0, 1}}, subBlocks,
+                                  {output[2].data(), output[3].data()});
             if (output[0] != output[2] || output[1] != output[3])
                 return false;
         }
@@ -389,8 +380,8 @@ public:
 private:
     void take(std::size_t g) {
         for (std::size_t c = 0; c < channels; ++c) {
-            kickAlone.x[c][0] = kicks.x[c][g];
-            kickAlone.y[c][0] = kicks.y[c][g];
+            incrementsAlone.x[c][0] = increments.x[c][g];
+            incrementsAlone.y[c][0] = increments.y[c][g];
             residueAlone[c].re[0] = residues[c].re[g];
             residueAlone[c].im[0] = residues[c].im[g];
         }
@@ -400,7 +391,7 @@ private:
     std::array<std::vector<ModalState>, channels> starts;
     ModalBank together{count, channels, sampleRate};
     std::vector<ModalBank> alone;
-    ModeKicks kicks = together.emptyKicks(), kickAlone;
+    StateIncrements increments = together.emptyIncrements(), incrementsAlone{modeBlock, channels};
     ModeResidues residues, residueAlone;
 };
 

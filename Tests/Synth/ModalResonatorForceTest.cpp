@@ -94,13 +94,13 @@ reference(const ModalObject& object, const Scraped& scraped, bool moving, double
         for (std::size_t n = 0; n < output.size(); ++n) {
             const std::size_t cell = n / cellSamples;
             const double share =
-                moving ? static_cast<double>(shareOfWay(n % cellSamples / subBlockSamples)) : 0;
+                moving ? static_cast<double>(fractionAt(n % cellSamples / subBlockSamples)) : 0;
             const double residue = residueAt(moving ? cell % 2 : 0) * (1 - share) +
                                    residueAt(moving ? (cell + 1) % 2 : 0) * share;
-            const ModalState kick =
+            const ModalState increment =
                 stateOf(pole, {residue * static_cast<double>(scraped.forces[n]) / sampleRate, 0});
-            output[n] += state.x + kick.x / 2 + kick.x * rest;
-            state = {state.x + kick.x, state.y + kick.y};
+            output[n] += state.x + increment.x / 2 + increment.x * rest;
+            state = {state.x + increment.x, state.y + increment.y};
             state = sample * state;
             state = {fall * state.x, fall * state.y};
         }

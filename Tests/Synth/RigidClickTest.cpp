@@ -27,7 +27,7 @@ struct Impact {
     double sample = 0;
     float impulseNewtonSeconds = impulse;
     double contactSeconds = 1e-3;
-    std::int32_t heardFrom = -1;
+    std::int32_t radiationDirection = -1;
 };
 
 Stereo rendered(const ModalObject& object,
@@ -45,7 +45,7 @@ Stereo rendered(const ModalObject& object,
             if (impact.cell == index)
                 REQUIRE(
                     synthesiser.strike(0,
-                                       {.point = {.heardFrom = impact.heardFrom},
+                                       {.point = {.radiationDirection = impact.radiationDirection},
                                         .impulseNewtonSeconds = {0, 0, impact.impulseNewtonSeconds},
                                         .durationSeconds = impact.contactSeconds},
                                        impact.sample, cell));
@@ -118,7 +118,7 @@ TEST_CASE("A live material and size click like an object analysed with them") {
 
 TEST_CASE("A strike with one direction clicks alike in both channels") {
     const auto ball = rigidBall(0.01, 7000);
-    const auto sound = rendered(ball, {.radiation = 1}, {{.sample = 3, .heardFrom = 1}});
+    const auto sound = rendered(ball, {.radiation = 1}, {{.sample = 3, .radiationDirection = 1}});
     const auto usual = rendered(ball, {.radiation = 1}, {{.sample = 3}});
     CHECK(sound[0] == usual[1]);
     CHECK(sound[1] == usual[1]);

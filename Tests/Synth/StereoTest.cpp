@@ -90,10 +90,10 @@ TEST_CASE(
             const CellOutput cell = channels == 1 ? CellOutput(left) : CellOutput(left, right);
             synthesiser.beginCell(cell);
             Strike strike = unitStrike();
-            strike.point.heardFrom = c == 0 ? 2 : 3;
+            strike.point.radiationDirection = c == 0 ? 2 : 3;
             CHECK(synthesiser.strike(0, strike, 0, cell) ==
                   (c == 0)); // a fourth direction does not exist
-            strike.point.heardFrom = -1;
+            strike.point.radiationDirection = -1;
             if (c == 20)
                 synthesiser.strike(0, strike, 0, cell);
             auto& sound = c < 20 ? first : second;
@@ -125,7 +125,7 @@ TEST_CASE("Simultaneous strikes are each heard from their own direction") {
             synthesiser.setSettings(settings);
             synthesiser.beginCell(CellOutput(cell));
             Strike strike = unitStrike(0.012);
-            strike.point.heardFrom = c == 1 ? 2 : 0;
+            strike.point.radiationDirection = c == 1 ? 2 : 0;
             if ((c == 1 && first) || (c == 3 && second))
                 synthesiser.strike(0, strike, 5, CellOutput(cell));
             sound.insert(sound.end(), cell.begin(), cell.end());
@@ -148,7 +148,7 @@ TEST_CASE("A force with a direction sounds like that direction") {
     alone.radiation.weights.assign(thirdWeights.begin(), thirdWeights.end());
     alone.radiation.weights.insert(alone.radiation.weights.end(), thirdWeights.begin(),
                                    thirdWeights.end());
-    const auto pressed = [](const ModalObject& object, std::int32_t heardFrom) {
+    const auto pressed = [](const ModalObject& object, std::int32_t radiationDirection) {
         Synthesiser synthesiser({slotOf(object)}, sampleRate, 1);
         SynthesisSettings settings = exactSettings();
         settings.radiation = 1;
@@ -160,7 +160,7 @@ TEST_CASE("A force with a direction sounds like that direction") {
                 newtons[i] = static_cast<float>((c * 64 + static_cast<int>(i)) * 7919 % 101) / 101;
             synthesiser.beginCell(CellOutput(cell));
             ForcePlace place;
-            place.points[0].point.heardFrom = heardFrom;
+            place.points[0].point.radiationDirection = radiationDirection;
             CHECK(synthesiser.applyForce(
                 0, {.contact = 0, .start = place, .end = place, .newtons = newtons},
                 CellOutput(cell)));
