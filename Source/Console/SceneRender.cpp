@@ -55,7 +55,7 @@ public:
         for (std::size_t voice = 0; voice < motion.touches().size(); ++voice)
             sound.contacts.press(voice, motion.touches()[voice], cell);
         sound.crowded.strikeBefore(cellSamples, cell);
-        sound.ears.hear(cells, motion.places(), {left, right});
+        sound.hear(cells, motion.places(), {left, right});
         const auto sounded = std::chrono::steady_clock::now();
         tally.motionSeconds += std::chrono::duration<double>(moved - start).count();
         tally.soundSeconds += std::chrono::duration<double>(sounded - moved).count();

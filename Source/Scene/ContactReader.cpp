@@ -25,8 +25,6 @@ bool moves(const btRigidBody& body) {
 
 /// A contact point with pressure in this step, from the second body's surface to the first's.
 struct ContactReader::Point {
-    const BodyInStep *first, *second;
-    std::size_t firstNumber, secondNumber;
     Eigen::Vector3d place;   ///< in the world, in metres
     Eigen::Vector3d normal;  ///< unit vector from the second to the first
     Eigen::Vector3d impulse; ///< [N s] on the first
@@ -64,8 +62,8 @@ void ContactReader::begin(double seconds) {
 void ContactReader::read(const btPersistentManifold& manifold, std::span<const BodyInStep> bodies) {
     const auto firstNumber = static_cast<std::size_t>(manifold.getBody0()->getUserIndex());
     const auto secondNumber = static_cast<std::size_t>(manifold.getBody1()->getUserIndex());
-    const auto &first = bodies[firstNumber], &second = bodies[secondNumber];
-    if (!moves(*first.rigid) && !moves(*second.rigid))
+    const Pair pair{firstNumber, secondNumber, bodies[firstNumber], bodies[secondNumber]};
+    if (!moves(*pair.first.rigid) && !moves(*pair.second.rigid))
         return; // the contact is stale: it is from the step in which both fell asleep
 
     Pressing pressing;
@@ -74,27 +72,20 @@ void ContactReader::read(const btPersistentManifold& manifold, std::span<const B
         // The solver handles overlapping points only. The impulse of other points is an old one.
         if (contact.getDistance() > 0 || !(contact.getAppliedImpulse() > 0))
             continue;
-        const auto point = pointOf(contact, bodies, firstNumber, secondNumber);
+        const auto point = pointOf(contact, pair);
         if (point.approach > slowestStrike || point.speedChange() > stepsOfGravity * restingSpeed)
-            addImpact(point);
+            addImpact(point, pair);
         else
             pressing.add(point);
     }
     if (pressing.newtonSeconds > 0)
-        addTouch(pressing, bodies, firstNumber, secondNumber);
+        addTouch(pressing, pair);
 }
 
-ContactReader::Point ContactReader::pointOf(const btManifoldPoint& contact,
-                                            std::span<const BodyInStep> bodies,
-                                            std::size_t firstNumber,
-                                            std::size_t secondNumber) {
-    const auto &first = bodies[firstNumber], &second = bodies[secondNumber];
+ContactReader::Point ContactReader::pointOf(const btManifoldPoint& contact, const Pair& pair) {
+    const auto &first = pair.first, &second = pair.second;
     const auto place = contact.getPositionWorldOnB();
-    Point point{.first = &first,
-                .second = &second,
-                .firstNumber = firstNumber,
-                .secondNumber = secondNumber,
-                .place = toEigen(place),
+    Point point{.place = toEigen(place),
                 .normal = toEigen(contact.m_normalWorldOnB),
                 .impulse = {},
                 .normalImpulse = contact.getAppliedImpulse(),
@@ -112,11 +103,8 @@ ContactReader::Point ContactReader::pointOf(const btManifoldPoint& contact,
     return point;
 }
 
-void ContactReader::addTouch(const Pressing& pressing,
-                             std::span<const BodyInStep> bodies,
-                             std::size_t firstNumber,
-                             std::size_t secondNumber) {
-    const auto &first = bodies[firstNumber], &second = bodies[secondNumber];
+void ContactReader::addTouch(const Pressing& pressing, const Pair& pair) {
+    const auto& [firstNumber, secondNumber, first, second] = pair;
     const Eigen::Vector3d middle = pressing.weightedPlace / pressing.newtonSeconds;
     const Eigen::Vector3d normal = pressing.weightedNormal.normalized();
     const Eigen::Vector3d apart = first.velocityAt(middle) - second.velocityAt(middle);
@@ -138,24 +126,24 @@ void ContactReader::addTouch(const Pressing& pressing,
     lasting.push_back(touch);
 }
 
-void ContactReader::addImpact(const Point& point) {
-    const auto &first = *point.first->model, &second = *point.second->model;
+void ContactReader::addImpact(const Point& point, const Pair& pair) {
+    const auto& [firstNumber, secondNumber, first, second] = pair;
     const double speed = point.approach > slowestStrike ? point.approach : point.speedChange();
     // Since they met, the bodies have approached by the depth.
     const double sinceSeconds =
         point.approach > 0 ? std::min(point.depthMetres / point.approach, stepSeconds) : 0;
     Impact impact{.seconds = std::max(startSeconds - sinceSeconds, 0.0),
-                  .body = point.firstNumber,
-                  .other = point.secondNumber,
-                  .pointMetres = point.first->worldFromMesh.inverse() * point.place,
-                  .impulseNewtonSeconds =
-                      point.first->worldFromMesh.linear().transpose() * point.impulse,
-                  .contactSeconds = contactSeconds(first, second, point.effectiveMassKg, speed),
+                  .body = firstNumber,
+                  .other = secondNumber,
+                  .pointMetres = first.worldFromMesh.inverse() * point.place,
+                  .impulseNewtonSeconds = first.worldFromMesh.linear().transpose() * point.impulse,
+                  .contactSeconds =
+                      contactSeconds(*first.model, *second.model, point.effectiveMassKg, speed),
                   .speedMetresPerSecond = speed};
     collected.push_back(impact);
     std::swap(impact.body, impact.other);
-    impact.pointMetres = point.second->worldFromMesh.inverse() * point.place;
-    impact.impulseNewtonSeconds = point.second->worldFromMesh.linear().transpose() * -point.impulse;
+    impact.pointMetres = second.worldFromMesh.inverse() * point.place;
+    impact.impulseNewtonSeconds = second.worldFromMesh.linear().transpose() * -point.impulse;
     collected.push_back(impact);
 }
 

@@ -40,18 +40,16 @@ public:
     std::span<const Touch> touches() const { return lasting; }
 
 private:
+    struct Pair {
+        std::size_t firstNumber, secondNumber;
+        const BodyInStep &first, &second;
+    };
     struct Point;
     struct Pressing;
 
-    static Point pointOf(const btManifoldPoint& contact,
-                         std::span<const BodyInStep> bodies,
-                         std::size_t firstNumber,
-                         std::size_t secondNumber);
-    void addImpact(const Point& point);
-    void addTouch(const Pressing& pressing,
-                  std::span<const BodyInStep> bodies,
-                  std::size_t firstNumber,
-                  std::size_t secondNumber);
+    static Point pointOf(const btManifoldPoint& contact, const Pair& pair);
+    void addImpact(const Point& point, const Pair& pair);
+    void addTouch(const Pressing& pressing, const Pair& pair);
 
     double stepSeconds;
     double restingSpeed;  ///< speed that gravity adds in a step

@@ -62,9 +62,7 @@ Result<BoxSearch> touchingFaces(const BodyTemplate& kind, const ModalObject& obj
 } // namespace
 
 Result<std::shared_ptr<const RigidBodyModel>>
-makeRigidBodyModel(const BodyTemplate& kind,
-                   std::shared_ptr<const ModalObject> object,
-                   const RigidBodyModel* likeSurface) {
+makeRigidBodyModel(const BodyTemplate& kind, std::shared_ptr<const ModalObject> object) {
     const auto& own = *object;
     const double s = kind.sizeRatio;
     const auto& material = own.material;
@@ -92,8 +90,7 @@ makeRigidBodyModel(const BodyTemplate& kind,
                            " has no mass");
     }
     if (kind.form == BodyForm::surface) {
-        const auto touching =
-            likeSurface ? Result<BoxSearch>(likeSurface->touchingFaces) : touchingFaces(kind, own);
+        const auto touching = touchingFaces(kind, own);
         if (!touching)
             return tl::unexpected(touching.error());
         model.touchingFaces = *touching;

@@ -39,12 +39,9 @@ inline constexpr std::size_t maximumSurfaceFaces = 100'000;
 inline constexpr BoxSearch maximumTouchingFaces{.pairs = 5'000'000, .boxes = 50'000'000};
 
 /// The error names the kind and the reason. An object may have no mass or be too flat for its form.
-/// A surface may have no faces or too many. `likeSurface` may be null or a surface of the same
-/// object, whose check it reuses.
+/// A surface may have no faces or too many.
 Result<std::shared_ptr<const RigidBodyModel>>
-makeRigidBodyModel(const BodyTemplate& kind,
-                   std::shared_ptr<const ModalObject> object,
-                   const RigidBodyModel* likeSurface = nullptr);
+makeRigidBodyModel(const BodyTemplate& kind, std::shared_ptr<const ModalObject> object);
 
 /// Returns the object's faces for collisions, not scaled. Coarse meshes are smoothed. Faces without
 /// area and duplicates are removed.

@@ -139,8 +139,6 @@ struct RigidWorld::Implementation {
         std::unique_ptr<btRigidBody> rigid; ///< null after removal
     };
 
-    Body& at(std::size_t body) { return bodies[body]; }
-
     std::vector<Kind> kinds;
     double stepSeconds;
     std::int64_t stepsDone = 0;
@@ -198,33 +196,27 @@ std::size_t RigidWorld::addAbsent() {
 }
 
 void RigidWorld::remove(std::size_t body) {
-    auto& rigid = implementation->at(body).rigid;
-    if (rigid == nullptr)
-        return;
+    auto& rigid = implementation->bodies[body].rigid;
     implementation->world.removeRigidBody(rigid.get());
     rigid.reset();
 }
 
-bool RigidWorld::has(std::size_t body) const {
-    return body < implementation->bodies.size() && implementation->at(body).rigid != nullptr;
-}
-
 BodyMotion RigidWorld::motion(std::size_t body) const {
-    const auto& rigid = *implementation->at(body).rigid;
-    const auto& model = *implementation->kinds[implementation->at(body).kind].model;
+    const auto& rigid = *implementation->bodies[body].rigid;
+    const auto& model = *implementation->kinds[implementation->bodies[body].kind].model;
     return {.pose = toEigen(rigid.getWorldTransform()) * model.meshFromBody.inverse(),
             .velocity = toEigen(rigid.getLinearVelocity()),
             .spin = toEigen(rigid.getAngularVelocity())};
 }
 
 Eigen::Vector3d RigidWorld::centre(std::size_t body) const {
-    return toEigen(implementation->at(body).rigid->getCenterOfMassPosition());
+    return toEigen(implementation->bodies[body].rigid->getCenterOfMassPosition());
 }
 
 void RigidWorld::setVelocity(std::size_t body,
                              const Eigen::Vector3d& velocity,
                              const Eigen::Vector3d& spin) {
-    auto& rigid = *implementation->at(body).rigid;
+    auto& rigid = *implementation->bodies[body].rigid;
     rigid.setLinearVelocity(toBullet(velocity));
     rigid.setAngularVelocity(toBullet(spin));
     rigid.activate(true);
@@ -275,10 +267,6 @@ std::span<const Impact> RigidWorld::impacts() const {
 
 std::span<const Touch> RigidWorld::touches() const {
     return implementation->reader.touches();
-}
-
-const RigidBodyModel& RigidWorld::model(std::size_t kind) const {
-    return *implementation->kinds[kind].model;
 }
 
 } // namespace idiophone

@@ -42,10 +42,9 @@ public:
     /// Reserves a number that never has a rigid body, for example for a hand.
     std::size_t addAbsent();
     void remove(std::size_t body);
-    bool has(std::size_t body) const;
-    BodyMotion motion(std::size_t body) const;      ///< expects that `has(body)`
-    Eigen::Vector3d centre(std::size_t body) const; ///< of mass; expects that `has(body)`
-    /// In m/s and rad/s. Expects that `has(body)`.
+    BodyMotion motion(std::size_t body) const;      ///< of a body that has not been removed
+    Eigen::Vector3d centre(std::size_t body) const; ///< of mass of such a body
+    /// In m/s and rad/s, of such a body.
     void
     setVelocity(std::size_t body, const Eigen::Vector3d& velocity, const Eigen::Vector3d& spin);
 
@@ -61,8 +60,6 @@ public:
     double work() const;
     std::span<const Impact> impacts() const; ///< of the last step, in order of time
     std::span<const Touch> touches() const;  ///< of the last step, in order of bodies
-
-    const RigidBodyModel& model(std::size_t kind) const;
 
 private:
     struct Implementation;

@@ -81,18 +81,13 @@ Result<void> SceneAssets::addRole(const BodyTemplate& kind,
                                   const std::shared_ptr<const ModalObject>& object,
                                   int group,
                                   int collidesWith) {
-    const RigidBodyModel* likeSurface = nullptr;
     std::shared_ptr<const ObjectSurface> surface;
-    for (const auto& role : allRoles) {
-        if (role.kind.model->object != object)
-            continue;
-        surface = role.surface;
-        if (role.kind.model->form == BodyForm::surface)
-            likeSurface = role.kind.model.get();
-    }
+    for (const auto& role : allRoles)
+        if (role.kind.model->object == object)
+            surface = role.surface;
     if (surface == nullptr && !kind.ball)
         surface = std::make_shared<ObjectSurface>(*object);
-    return makeRigidBodyModel(kind, object, likeSurface)
+    return makeRigidBodyModel(kind, object)
         .map([&](const std::shared_ptr<const RigidBodyModel>& model) {
             allRoles.push_back(
                 {.kind = {.model = model, .group = group, .collidesWith = collidesWith},

@@ -77,7 +77,7 @@ void ScenePlayer::releaseOthers(const BegunCell& cell) noexcept {
 }
 
 void ScenePlayer::hear(std::span<const CellOutput> cellsOfSlots, const CellOutput& heard) noexcept {
-    bodies.ears.hear(cellsOfSlots, places, heard);
+    bodies.hear(cellsOfSlots, places, heard);
 }
 
 /// Gives back the simulation's blocks and resets it.
@@ -221,9 +221,8 @@ void ScenePlayer::reset() noexcept {
     nextSimulation = 0;
     noteCount = 0;
     lateCount = 0;
-    bodies.contacts.reset();
+    bodies.reset();
     pairOfVoice.fill(0);
-    bodies.ears.reset();
     std::ranges::copy(stage.places(), places.begin());
 }
 

@@ -67,10 +67,10 @@ void SceneSimulation::advanceTo(double seconds) {
     while (!isCrowded() && !isCutShort() &&
            rigid.seconds() - leadSeconds < seconds + rigid.stepSeconds())
         step();
-    follow();
+    placeSlots();
 }
 
-void SceneSimulation::follow() {
+void SceneSimulation::placeSlots() {
     for (const auto& one : present)
         if (const auto slot = slotOfBody[one.body]; slot != noSlot) {
             slotPlaces[slot] = rigid.centre(one.body);
@@ -104,12 +104,12 @@ std::int32_t SceneSimulation::radiationDirection(std::size_t slot,
 
 void SceneSimulation::step() {
     const double now = rigid.seconds() - leadSeconds;
-    takeAway(now);
-    letIn(now);
+    removeDueBodies(now);
+    addDueBodies(now);
     kick(now);
     rigid.step();
     for (const auto& impact : rigid.impacts())
-        tell(impact);
+        addImpact(impact);
     tracker.follow(withHand(now, rigid.seconds() - leadSeconds), roleOfBody, slotOfBody);
 }
 
@@ -122,7 +122,7 @@ std::span<const Touch> SceneSimulation::withHand(double from, double until) {
         return rigid.touches();
     for (auto impact : hand->tapsBetween(from, until, played->body, handBody)) {
         impact.seconds += leadSeconds; // to the world's time
-        tell(impact);
+        addImpact(impact);
     }
     touchesWithHand.assign(rigid.touches().begin(), rigid.touches().end());
     if (const auto touch = hand->touchAt(until, played->body, handBody))
@@ -132,7 +132,7 @@ std::span<const Touch> SceneSimulation::withHand(double from, double until) {
 
 /// Adds the bodies that are due. One due between two steps is moved to where it is now. Half a step
 /// of gravity ahead makes the fall exact at every step.
-void SceneSimulation::letIn(double now) {
+void SceneSimulation::addDueBodies(double now) {
     for (; nextArrival < arrivals.bodies.size() && arrivals.bodies[nextArrival].seconds <= now &&
            !isCrowded();
          ++nextArrival) {
@@ -165,7 +165,7 @@ void SceneSimulation::kick(double now) {
     }
 }
 
-void SceneSimulation::takeAway(double now) {
+void SceneSimulation::removeDueBodies(double now) {
     std::erase_if(present, [&](const Present& one) {
         const bool stays = now < one.lastsUntil && rigid.centre(one.body).z() > lowestMetres;
         if (!stays) {
@@ -178,7 +178,7 @@ void SceneSimulation::takeAway(double now) {
     });
 }
 
-void SceneSimulation::tell(const Impact& impact) {
+void SceneSimulation::addImpact(const Impact& impact) {
     ++counted.impacts;
     if (slotOfBody[impact.body] == noSlot)
         return;

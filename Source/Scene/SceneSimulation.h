@@ -73,11 +73,11 @@ private:
     std::size_t addBody(std::size_t role, std::size_t slot, const BodyMotion& motion);
     void step();
     std::span<const Touch> withHand(double from, double until);
-    void letIn(double now);
+    void addDueBodies(double now);
     void kick(double now);
-    void takeAway(double now);
-    void tell(const Impact& impact);
-    void follow();
+    void removeDueBodies(double now);
+    void addImpact(const Impact& impact);
+    void placeSlots();
     std::int32_t radiationDirection(std::size_t slot,
                                     const Eigen::Isometry3d& pose,
                                     const Eigen::Vector3d& centre) const;

@@ -3,39 +3,51 @@
 #pragma once
 
 #include "Instrument/CellStrikes.h"
-#include "Scene/SceneEars.h"
+#include "Scene/HeadModel.h"
+#include "Scene/HeadResponses.h"
+#include "Scene/PlacedSource.h"
 #include "Scene/SceneSimulation.h"
 #include "Scene/TouchVoices.h"
+
+#include <Eigen/Core>
+#include <memory>
+#include <span>
+#include <vector>
 
 namespace idiophone {
 
 /// In each cell call `strike` and `contacts.press`, then `crowded.strikeBefore` for the whole cell,
-/// then `ears.hear`. Constructed and destroyed off the audio thread. The other members do not
-/// allocate, lock or throw.
-struct SceneSound {
-    /// `slots` are the synthesiser's. `head`: the listener's measured head at that sample rate;
-    /// null selects a sphere.
+/// then `hear`. Constructed and destroyed off the audio thread. The other members do not allocate,
+/// lock or throw.
+class SceneSound {
+public:
+    /// `slots` are the synthesiser's. `measured`: the listener's head at that sample rate; null
+    /// selects a sphere.
     SceneSound(const SceneAssets& assets,
                std::size_t slots,
                double sampleRateHz,
                std::uint64_t seed = 1,
-               const std::shared_ptr<const HeadResponses>& head = nullptr)
-        : ears(assets.scene().listener, head, slots, sampleRateHz),
-          contacts(assets, sampleRateHz, seed) {}
+               const std::shared_ptr<const HeadResponses>& measured = nullptr);
 
     /// Adds an impact at a sample of the cell, or at once if it is earlier. Returns false if it is
     /// not valid for its slot.
-    bool strike(const SceneImpact& impact, double sample, const BegunCell& cell) noexcept {
-        return impact.slot < cell.cellsOfSlots.size() &&
-               crowded.strike(impact.slot, impact.strike, sample, cell);
-    }
+    bool strike(const SceneImpact& impact, double sample, const BegunCell& cell) noexcept;
+    /// Renders a cell to both ears from the first channel of every slot. `places` are in metres, at
+    /// the cell's end.
+    void hear(std::span<const CellOutput> cellsOfSlots,
+              std::span<const Eigen::Vector3d> places,
+              const CellOutput& ears) noexcept;
 
+    void reset() noexcept; ///< to the state after construction
     /// Returns whether no impact is pending and no sound on its way to the listener.
-    bool silent() const noexcept { return crowded.empty() && ears.silent(); }
+    bool silent() const noexcept;
 
-    SceneEars ears;
     TouchVoices contacts;
     CellStrikes crowded{1024}; ///< impacts on slots with no free contact
+
+private:
+    HeadModel head;
+    std::vector<std::unique_ptr<PlacedSource>> sources; ///< one for each slot
 };
 
 } // namespace idiophone

@@ -4,7 +4,6 @@
 #include <cfenv>
 #include <chrono>
 #include <exception>
-#include <new>
 #include <utility>
 
 namespace idiophone {
@@ -38,7 +37,11 @@ private:
 
 SimulationThread::SimulationThread(const SceneStage& playedStage, double sampleRateHz)
     : stage(playedStage), cellSeconds(cellSamples / sampleRateHz),
-      simulations(stage.simulationCount()), thread([this] { runThread(); }) {}
+      simulations(stage.simulationCount()), blocks(stage.simulationCount() * blocksAhead) {
+    for (auto& block : blocks)
+        freeBlocks.push_back(&block);
+    thread = std::thread([this] { runThread(); });
+}
 
 SimulationThread::~SimulationThread() {
     isStopping = true;
@@ -65,7 +68,7 @@ void SimulationThread::runThread() noexcept {
     }
 }
 
-/// Fills the most urgent block. Returns false if there is nothing to do or no free block.
+/// Fills the most urgent block. Returns false if there is nothing to do.
 bool SimulationThread::workOnce() noexcept {
     const DefaultFloatingPoint sameOnEveryThread;
     takeUsed();
@@ -76,7 +79,7 @@ bool SimulationThread::workOnce() noexcept {
             simulation.blocksOut < blocksAhead &&
             (next == nullptr || simulation.blocksOut < next->blocksOut))
             next = &simulation;
-    if (next == nullptr || !hasFreeBlock())
+    if (next == nullptr)
         return false;
     auto* block = freeBlocks.back();
     freeBlocks.pop_back();
@@ -93,20 +96,6 @@ bool SimulationThread::workOnce() noexcept {
     if (block->isLast)
         next->run.reset();
     ready.push(block); // always fits: the queue holds every block
-    return true;
-}
-
-/// Allocates a block if none is free. On failure the simulation waits for used ones.
-bool SimulationThread::hasFreeBlock() noexcept {
-    if (!freeBlocks.empty())
-        return true;
-    try {
-        freeBlocks.reserve(allBlocks.size() + 1); // so that taking blocks back never allocates
-        allBlocks.push_back(std::make_unique<SimulationBlock>());
-    } catch (const std::bad_alloc&) {
-        return false;
-    }
-    freeBlocks.push_back(allBlocks.back().get());
     return true;
 }
 
@@ -150,9 +139,9 @@ void SimulationThread::fill(SimulationBlock& block,
             if (!(state.forceNewtons > faintNewtons))
                 continue;
             block.touches.push_back({.cell = cell, .state = state});
-            auto& told = block.touches.back().state;
-            told.pair = pairOf(simulation.note.number, state.pair);
-            for (auto& slot : told.slots)
+            auto& sent = block.touches.back().state;
+            sent.pair = pairOf(simulation.note.number, state.pair);
+            for (auto& slot : sent.slots)
                 slot = ofStage(slot);
         }
     }

@@ -52,7 +52,6 @@ private:
     bool workOnce() noexcept;
     void takeUsed();
     void takeNotes();
-    bool hasFreeBlock() noexcept;
     void begin(Simulation& simulation) const;
     void
     fill(SimulationBlock& block, Simulation& simulation, const SceneStage::SlotMap& slots) const;
@@ -69,9 +68,9 @@ private:
     std::condition_variable stopped;
     std::atomic<bool> isStopping{false};
     std::vector<Simulation> simulations;
-    std::vector<std::unique_ptr<SimulationBlock>> allBlocks;
+    std::vector<SimulationBlock> blocks; ///< `blocksAhead` for each simulation
     std::vector<SimulationBlock*> freeBlocks;
-    std::thread thread; ///< last member, because it uses the others
+    std::thread thread; ///< started last, because it uses the others
 };
 
 } // namespace idiophone

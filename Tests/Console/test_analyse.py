@@ -10,6 +10,19 @@ import unittest
 from console import PROGRAM, ConsoleTest, Wave, mesh_text, obj_text
 
 
+def signals(process, disposition):
+    """Returns the numbers of the signals that a process catches (SigCgt) or ignores (SigIgn)."""
+    with open(f"/proc/{process.pid}/status", encoding="ascii") as status:
+        mask = next(int(line.split()[1], 16) for line in status if line.startswith(disposition))
+    return {number for number in range(1, 64) if mask >> (number - 1) & 1}
+
+
+def wait_for_handlers(process):
+    """Returns once the program catches signals, or has ended."""
+    while process.poll() is None and signal.SIGTERM not in signals(process, "SigCgt"):
+        time.sleep(0.01)
+
+
 class Analyse(ConsoleTest):
     def mesh(self, kind, *options):
         path = self.folder / f"{kind}.obj"
@@ -165,7 +178,7 @@ class Analyse(ConsoleTest):
         self.succeed("mesh", "bar", "--vertices", 60, "-o", ply)
         self.assertEqual(self.analyse(ply)[1]["modes"], self.analyse(obj)[1]["modes"])
 
-    @unittest.skipIf(sys.platform == "win32", "signals and terminals of POSIX")
+    @unittest.skipUnless(sys.platform == "linux", "the handlers are read from /proc")
     def test_a_signal_ends_it_with_a_sentence_and_no_file(self):
         plate = self.mesh("plate", "--length", 0.5, "--width", 0.4, "--vertices", 8000)
         output = self.folder / "plate.modal"
@@ -173,25 +186,24 @@ class Analyse(ConsoleTest):
             with self.subTest(wish=wish):
                 process = subprocess.Popen([PROGRAM, "analyse", plate, "-o", output],
                                            stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-                time.sleep(2)
+                wait_for_handlers(process)
                 self.assertIsNone(process.poll(), "it was over before it could be stopped")
                 process.send_signal(wish)
-                _, complaint = process.communicate(timeout=20)
+                _, complaint = process.communicate(timeout=600)
                 self.assertEqual(process.returncode, 130)
                 self.assertEqual(complaint, "idiophone: The analysis was cancelled.\n")
                 self.assertEqual(list(self.folder.glob("plate.modal*")), [])
 
-    @unittest.skipIf(sys.platform == "win32", "signals and terminals of POSIX")
+    @unittest.skipUnless(sys.platform == "linux", "the handlers are read from /proc")
     def test_a_run_without_a_terminal_ignores_a_closed_one(self):
         plate = self.mesh("plate", "--length", 0.5, "--width", 0.4, "--vertices", 8000)
         process = subprocess.Popen(["nohup", PROGRAM, "analyse", plate, "-o", self.folder / "p.modal"],
                                    stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-        time.sleep(2)
+        wait_for_handlers(process)
         process.send_signal(signal.SIGHUP)
-        time.sleep(1)
-        self.assertIsNone(process.poll())
+        self.assertIn(signal.SIGHUP, signals(process, "SigIgn"))
         process.send_signal(signal.SIGINT)
-        process.communicate(timeout=20)
+        process.communicate(timeout=600)
         self.assertEqual(process.returncode, 130)
 
     @unittest.skipIf(sys.platform == "win32", "signals and terminals of POSIX")

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Plugin/Processor.h"
+#include "Support/WaitUntil.h"
 
 #include <functional>
 #include <memory>
@@ -12,13 +13,9 @@ inline std::unique_ptr<juce::AudioProcessorEditor> open(Processor& processor) {
     return std::unique_ptr<juce::AudioProcessorEditor>(processor.createEditor());
 }
 
-/// Runs the timers until the condition holds, for about 5 s at most. Returns whether it holds.
-inline bool holdsSoon(const std::function<bool()>& condition) {
-    for (int i = 0; i < 500 && !condition(); ++i) {
-        juce::Thread::sleep(10);
-        juce::Timer::callPendingTimersSynchronously();
-    }
-    return condition();
+/// Runs the timers of windows until the condition holds.
+inline void runTimersUntil(const std::function<bool()>& condition) {
+    waitUntil(condition, [] { juce::Timer::callPendingTimersSynchronously(); });
 }
 
 } // namespace idiophone::test

@@ -53,7 +53,7 @@ TEST_CASE("A turn of the wheel or a held arrow key is one gesture and one step")
     CHECK(processor.parameterValue(ParameterId::level) < before);
     CHECK(host.text.startsWith("(="));
     CHECK_FALSE(host.text.contains(")"));
-    REQUIRE(holdsSoon([&] { return host.text.endsWithChar(')'); }));
+    runTimersUntil([&] { return host.text.endsWithChar(')'); });
     CHECK(host.text.retainCharacters("()") == "()");
     processor.removeListener(&host);
     processor.editHistory().undo();

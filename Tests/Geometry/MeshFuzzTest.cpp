@@ -5,7 +5,7 @@
 #include "Geometry/TestMeshes.h"
 
 #include <catch2/catch_test_macros.hpp>
-#include <chrono>
+#include <ctime>
 #include <limits>
 #include <string>
 
@@ -181,10 +181,9 @@ void tryEveryFourth(std::size_t first) {
     REQUIRE(all.size() > 380);
     for (std::size_t i = first; i < all.size(); i += 4) {
         INFO(all[i].name);
-        const auto start = std::chrono::steady_clock::now();
+        const auto start = std::clock(); // of the processor, so that other programs do not count
         tryEverything(all[i].mesh);
-        const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
-        CHECK(took.count() < 20);
+        CHECK(std::clock() - start < 20 * CLOCKS_PER_SEC);
     }
 }
 

@@ -34,13 +34,13 @@ TEST_CASE("A host's late echo of a controller change is ignored") {
     const auto turn = [&](int value) { return turned(processor, parameter, value); };
     processor.midiLearn().learnController(ParameterId::density);
     const float first = turn(20);
-    followTimers(150);
+    pollOften(processor);
     REQUIRE(host.heard == std::vector{first});
 
     const float second = turn(90);
     parameter.setValue(first); // a late echo
     CHECK(parameter.getValue() == second);
-    followTimers(150);
+    pollOften(processor);
     CHECK(host.heard == std::vector{first, second});
     parameter.setValue(second);
     CHECK(parameter.getValue() == second);
@@ -53,10 +53,10 @@ TEST_CASE("A host's late echo of a controller change is ignored") {
     turn(60);
     parameter.setValue(0.125f);
     CHECK(parameter.getValue() == 0.125f);
-    followTimers(150);
+    pollOften(processor);
     CHECK(host.heard == std::vector{first, second}); // the host already knows its own value
     turn(20);
-    followTimers(150);
+    pollOften(processor);
     CHECK(host.heard == std::vector{first, second, first});
     processor.removeListener(&host);
 }
@@ -67,18 +67,18 @@ TEST_CASE("A controller that moves a parameter held by the mouse leaves that ges
     auto& parameter = *processor.getParameters()[static_cast<int>(ParameterId::density)];
     processor.midiLearn().learnController(ParameterId::density);
     turned(processor, parameter, 20);
-    followTimers(150);
+    pollOften(processor);
     GestureLog host;
     processor.addListener(&host);
     processor.beginParameterChange(ParameterId::density);
     processor.changeParameter(ParameterId::density, 1000);
     turned(processor, parameter, 90);
-    followTimers(150);
+    pollOften(processor);
     CHECK(host.text == "(==");
     processor.endParameterChange(ParameterId::density);
     CHECK(host.text == "(==)");
     turned(processor, parameter, 20);
-    followTimers(150);
+    pollOften(processor);
     CHECK(host.text == "(==)(=)");
     processor.removeListener(&host);
 }
@@ -96,13 +96,13 @@ TEST_CASE("Learning or forgetting a controller marks the project as changed in t
     processor.addListener(&host);
     auto& parameter = *processor.getParameters()[static_cast<int>(ParameterId::density)];
     processor.midiLearn().learnController(ParameterId::density);
-    followTimers(150);
+    pollOften(processor);
     CHECK(host.timesChanged == 0);
     turned(processor, parameter, 20);
-    followTimers(150);
+    pollOften(processor);
     CHECK(host.timesChanged == 1);
     processor.midiLearn().forgetController(ParameterId::density);
-    followTimers(150);
+    pollOften(processor);
     processor.removeListener(&host);
     CHECK(host.timesChanged == 2);
 }
@@ -113,7 +113,7 @@ TEST_CASE("Automation during a bounce is never taken for an echo of an earlier c
     auto& parameter = *processor.getParameters()[static_cast<int>(ParameterId::density)];
     processor.midiLearn().learnController(ParameterId::density);
     const float told = turned(processor, parameter, 20);
-    followTimers(150);
+    pollOften(processor);
     processor.setNonRealtime(true);
     const auto isFollowed = [&](float automated) {
         CHECK(turned(processor, parameter, 90) != automated);
@@ -136,7 +136,7 @@ TEST_CASE(
     processor.midiLearn().learnController(ParameterId::density);
     const float told = turned(processor, parameter, 20);
     const double exact = processor.parameterValue(ParameterId::density);
-    followTimers(150);
+    pollOften(processor);
     const auto state = saved(processor);
     const std::function<void()> moves[] = {
         [&] { restoreBytes(processor, state); },
@@ -144,7 +144,7 @@ TEST_CASE(
     for (const auto& move : moves) {
         turned(processor, parameter, 90);
         move();
-        followTimers(150);
+        pollOften(processor);
         CHECK(host.heard.back() == told);
         CHECK(parameter.getValue() == told);
     }

@@ -86,10 +86,8 @@ TEST_CASE("Zones and bend ranges set by MIDI are sent to the host only if they c
     give(setup, 1, bendRange, 12);
     for (int times = 0; times < 3; ++times) {
         instance.send(setup);
-        for (int i = 0; i < 30; ++i) {
-            juce::Thread::sleep(5);
-            juce::Timer::callPendingTimersSynchronously();
-        }
+        for (int polls = 0; polls < 6; ++polls)
+            instance.processor.poll();
     }
     const std::vector<std::pair<int, float>> once{{static_cast<int>(ParameterId::mpe), 1.0f}};
     CHECK(host.heard == once); // the members' range was 48 already, the other range is the preset's

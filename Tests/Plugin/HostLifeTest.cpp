@@ -223,16 +223,25 @@ TEST_CASE("Two hundred instances play in one process and share their objects") {
 }
 
 TEST_CASE("A plugin may be destroyed on a host thread while the message thread polls it") {
+    struct Host final : juce::AudioProcessorListener {
+        void audioProcessorParameterChanged(juce::AudioProcessor*, int, float) override {
+            isPolled = true;
+            isPolled.notify_all();
+        }
+        void audioProcessorChanged(juce::AudioProcessor*, const ChangeDetails&) override {}
+        std::atomic<bool> isPolled{false};
+    };
     std::atomic<bool> isOver{false};
     std::thread host([&] {
-        std::mt19937 random(4);
         for (int time = 0; time < 40; ++time) {
+            Host listener;
             Processor processor;
+            processor.addListener(&listener);
             processor.prepareToPlay(48000, 256);
             juce::MidiBuffer program;
             program.addEvent(juce::MidiMessage::programChange(1, 9), 0);
             render(processor, 256, 256, program); // the next poll loads it
-            juce::Thread::sleep(48 + static_cast<int>(random() % 10));
+            listener.isPolled.wait(false);        // that poll is still at work
         }
         isOver = true;
     });

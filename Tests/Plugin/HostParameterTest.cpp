@@ -3,7 +3,6 @@
 #include "Support/TestSound.h"
 
 #include <catch2/catch_test_macros.hpp>
-#include <chrono>
 #include <limits>
 #include <thread>
 
@@ -134,23 +133,23 @@ TEST_CASE("A parameter snapshot never mixes two loads") {
     auto previous = parameters.snapshot();
     REQUIRE(previous == low);
     std::atomic<bool> stop{false};
+    std::atomic<int> changes{0};
     std::thread loader([&] {
         for (int i = 0; !stop; ++i) {
             parameters.load(i % 2 == 0 ? high : low);
-            std::this_thread::sleep_for(std::chrono::microseconds(20));
+            while (!stop && changes <= i)
+                std::this_thread::yield();
         }
     });
     bool whole = true;
-    int changes = 0;
-    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(10);
-    while (changes < 1000 && std::chrono::steady_clock::now() < end) {
+    while (changes < 1000) {
         const auto now = parameters.snapshot();
         whole = whole && (now == low || now == high);
-        changes += now == previous ? 0 : 1;
+        if (!(now == previous))
+            ++changes;
         previous = now;
     }
     stop = true;
     loader.join();
     CHECK(whole);
-    CHECK(changes == 1000);
 }

@@ -2,6 +2,7 @@
 #include "Instrument/FactoryContent.h"
 #include "Plugin/ListeningHost.h"
 #include "Support/TestSound.h"
+#include "Support/WaitUntil.h"
 
 #include <algorithm>
 #include <atomic>
@@ -86,14 +87,13 @@ TEST_CASE("A program change in real time loads at the next poll of the message t
     Processor processor;
     processor.prepareToPlay(rateHz, blockSize);
     int program = 0;
-    for (const int rest : {205, 60, 205, 110}) {
-        followTimers(rest);
+    while (program < 4) {
         render(processor, blockSize, blockSize, programChange(++program));
         clock.ticks = 0;
         clock.startTimer(50);
-        while (processor.getCurrentProgram() != program && clock.ticks < 10)
-            followTimers(5);
-        CHECK(clock.ticks <= 2); // one poll may come early on a busy machine
+        waitUntil([&] { return processor.getCurrentProgram() == program; },
+                  [] { juce::Timer::callPendingTimersSynchronously(); });
+        CHECK(clock.ticks <= 2); // polls and ticks are equally frequent
     }
 }
 
@@ -103,7 +103,7 @@ TEST_CASE("Offline only the callback loads the program, in real time only the me
     render(processor, blockSize, blockSize, programChange(2));
     CHECK(processor.getCurrentProgram() == 0);
     processor.setNonRealtime(true);
-    followTimers(150);
+    pollOften(processor);
     CHECK(processor.getCurrentProgram() == 0);
     render(processor, blockSize, blockSize, {});
     CHECK(processor.getCurrentProgram() == 2);
@@ -154,8 +154,7 @@ TEST_CASE("The last existing program that MIDI asks for is loaded, and keys wait
     render(processor, blockSize, blockSize, midi);
     processor.setCurrentProgram(wok); // by the host, before the next poll of the message thread
     CHECK(loudest(render(processor, blockSize, blockSize, {})) == 0);
-    for (int looks = 0; looks < 1000 && processor.getCurrentProgram() != vibraphone; ++looks)
-        followTimers(5);
+    processor.poll();
     REQUIRE(processor.getCurrentProgram() == vibraphone);
     CHECK(loudest(render(processor, 4800, blockSize, {})) > 0.001f);
 
@@ -250,9 +249,7 @@ TEST_CASE("While no callbacks come, strikes and scrapes are ignored, but release
             return soundFor(0.1) > 0.05f * tapped;
         };
     const auto pause = [&] {
-        for (int waits = 0; waits < 1000 && processor.isProcessing(); ++waits)
-            followTimers(5);
-        REQUIRE_FALSE(processor.isProcessing());
+        waitUntil([&] { return !processor.isProcessing(); }, [&] { processor.poll(); });
     };
     const std::function<void(bool)> grips[] = {
         [&](bool isDown) { processor.playNote(key, isDown ? 100 : 0); },
@@ -290,13 +287,13 @@ TEST_CASE("The message thread shows a program that another thread chose, after i
     const auto elsewhere = [&] {
         std::thread thread([&] { processor.setCurrentProgram(3); });
         thread.join();
-        followTimers(300);
+        pollOften(processor);
     };
     processor.setNonRealtime(true);
     elsewhere();
     CHECK(host.valuesToldBefore.empty());
     processor.setNonRealtime(false);
-    followTimers(300);
+    pollOften(processor);
     constexpr int each = static_cast<int>(parameterCount);
     std::vector expected{each, 2 * each}; // sent twice, for wrappers that pass nothing on at first
     CHECK(host.valuesToldBefore == expected);
@@ -314,7 +311,7 @@ TEST_CASE("A plugin made on another thread reports none of its initial values") 
     std::thread thread([&] { processor = std::make_unique<Processor>(); });
     thread.join();
     processor->addListener(&host);
-    followTimers(300);
+    pollOften(*processor);
     processor->removeListener(&host);
     CHECK(host.heard.empty());
 }
@@ -329,10 +326,10 @@ TEST_CASE("A parameter that the host moves during a program change is sent to it
     host.heard.clear();
     auto* tau = processor.getParameters()[static_cast<int>(ParameterId::tau)];
     tau->setValue(0.9f); // like a host that still reads the former values
-    followTimers(300);
+    pollOften(processor);
     CHECK(host.heard == std::vector{tau->getValue()});
     tau->setValue(0.8f);
-    followTimers(300);
+    pollOften(processor);
     CHECK(host.heard.size() == 1);
     processor.removeListener(&host);
 }

@@ -1,4 +1,4 @@
-// A host that records parameter changes, and a wait in which timers run.
+// A host that records parameter changes, and polls in place of its timer.
 #pragma once
 
 #include "Plugin/Processor.h"
@@ -19,11 +19,10 @@ struct ListeningHost final : juce::AudioProcessorListener {
     std::vector<float> heard;
 };
 
-inline void followTimers(int milliseconds) {
-    for (int i = 0; i < milliseconds; i += 5) {
-        juce::Thread::sleep(5);
-        juce::Timer::callPendingTimersSynchronously();
-    }
+/// Polls more often than any report to the host takes.
+inline void pollOften(Processor& processor) {
+    for (int polls = 0; polls < 6; ++polls)
+        processor.poll();
 }
 
 } // namespace idiophone::test

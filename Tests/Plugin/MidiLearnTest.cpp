@@ -146,22 +146,16 @@ TEST_CASE("The message thread sends controller changes to the host, but not offl
         void audioProcessorChanged(juce::AudioProcessor*, const ChangeDetails&) override {}
         std::vector<int> heard;
     } listener;
-    const auto wait = [&] {
-        for (int i = 0; i < 20 && listener.heard.empty(); ++i) {
-            juce::Thread::sleep(10);
-            juce::Timer::callPendingTimersSynchronously();
-        }
-    };
     Processor processor;
     processor.prepareToPlay(48000, 64);
     processor.addListener(&listener);
     processor.midiLearn().learnController(density);
     processor.setNonRealtime(true);
     play(processor, controllers({{21, 100}}));
-    wait();
+    processor.poll();
     CHECK(listener.heard.empty());
     processor.setNonRealtime(false);
-    wait();
+    processor.poll();
     processor.removeListener(&listener);
     CHECK(listener.heard == std::vector<int>{static_cast<int>(density)});
     CHECK_FALSE(processor.editHistory().canUndo());

@@ -4,6 +4,7 @@
 #include "Geometry/ParametricMesh.h"
 #include "Support/TestFolder.h"
 #include "Support/TestSound.h"
+#include "Support/WaitUntil.h"
 
 #include <atomic>
 #include <catch2/catch_test_macros.hpp>
@@ -87,10 +88,8 @@ private:
 
 void waitFor(const Listener& listener, int blocks) {
     const int until = listener.blocks + blocks;
-    while (listener.blocks < until) {
-        juce::Timer::callPendingTimersSynchronously();
-        juce::Thread::sleep(1);
-    }
+    waitUntil([&] { return listener.blocks >= until; },
+              [] { juce::Timer::callPendingTimersSynchronously(); });
 }
 
 float calmSharpness() {
@@ -152,11 +151,9 @@ TEST_CASE("Every sample stays finite while a dropped mesh is analysed and played
     const std::unique_ptr<juce::AudioProcessorEditor> window(processor.createEditor());
     const int before = processor.instrumentNumber();
     processor.openFile(mesh);
-    const int mostTicks = 100000; // a quarter of an hour, in case the import never ends
-    for (int i = 0; i < mostTicks && processor.importStatus().isWorking(); ++i) {
-        juce::Thread::sleep(10);
-        juce::Timer::callPendingTimersSynchronously();
-    }
+    waitUntil([&] { return !processor.importStatus().isWorking(); },
+              [] { juce::Timer::callPendingTimersSynchronously(); });
+    processor.poll(); // takes the last product
     CHECK(processor.importStatus().stage == ImportStatus::Stage::done);
     waitFor(listener, 200);
     listener.finish();

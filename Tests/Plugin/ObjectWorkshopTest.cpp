@@ -22,12 +22,17 @@ std::vector<ObjectWorkshop::Product> productsOf(ObjectWorkshop& workshop) {
         if (auto product = workshop.takeProduct())
             products.push_back(std::move(*product));
     };
-    while (workshop.status().isWorking()) {
-        take();
-        waitFor();
-    }
+    waitUntil([&] { return !workshop.status().isWorking(); }, take);
     take();
     return products;
+}
+
+/// Returns once the job has come as far as `progress`, 0 to 1, or is over.
+void waitForProgress(const ObjectWorkshop& workshop, double progress) {
+    waitUntil([&] {
+        const auto status = workshop.status();
+        return !status.isWorking() || status.progress >= progress;
+    });
 }
 
 } // namespace
@@ -69,8 +74,6 @@ TEST_CASE("The preview comes first and is close in pitch") {
             previews.push_back(product->isPreview);
         } else if (workshop.status().stage == ImportStage::done) {
             SKIP("the whole analysis was ready before anybody looked");
-        } else {
-            waitFor();
         }
     REQUIRE(previews == std::vector{true, false});
     CHECK(std::abs(lowest[0] / lowest[1] - 1) < 0.05);
@@ -170,8 +173,7 @@ TEST_CASE("A job cancelled at once makes nothing, and the next job works") {
 TEST_CASE("A finished product that was not fetched is discarded by a cancel") {
     ObjectWorkshop workshop;
     workshop.open(smallPlateFile("plate.obj", 1), {});
-    while (workshop.status().isWorking())
-        waitFor();
+    waitForProgress(workshop, 1);
     REQUIRE(workshop.status().stage == ImportStage::done);
     workshop.cancel();
     CHECK(workshop.status().stage == ImportStage::done);
@@ -180,10 +182,10 @@ TEST_CASE("A finished product that was not fetched is discarded by a cancel") {
 
 TEST_CASE("If a second job follows quickly, only its products arrive") {
     const auto first = smallPlateFile("first.obj", 1), second = smallPlateFile("second.obj", 1);
-    for (const auto wait : {0, 5, 30, 60}) {
+    for (const double progress : {0.0, 0.1, 0.5, 1.0}) {
         ObjectWorkshop workshop;
         workshop.open(first, {});
-        waitFor(wait);
+        waitForProgress(workshop, progress);
         workshop.takeProduct();
         workshop.open(second, {});
         const auto products = productsOf(workshop);
@@ -197,10 +199,10 @@ TEST_CASE("If a second job follows quickly, only its products arrive") {
 
 TEST_CASE("A workshop can close at any stage of its work") {
     const auto file = meshFile("ball.obj", icosphereMesh(0.1, 4));
-    for (const auto wait : {0, 20, 100, 400}) {
+    for (const double progress : {0.0, 0.01, 0.1, 0.5}) {
         ObjectWorkshop workshop;
         workshop.open(file, {});
-        waitFor(wait);
+        waitForProgress(workshop, progress);
     }
     SUCCEED();
 }

@@ -347,11 +347,11 @@ TEST_CASE("A preset chosen during an import stays") {
 
 TEST_CASE("A processor can be destroyed while its workshop works, without a message loop") {
     const auto file = meshFile("ball.obj", icosphereMesh(0.1, 4));
-    for (const auto wait : {0, 50, 300}) {
+    for (const double progress : {0.0, 0.01, 0.2}) {
         Processor processor;
         processor.prepareToPlay(48000, blockSamples);
         processor.openFile(file);
-        waitFor(wait);
+        waitUntil([&] { return processor.importStatus().progress >= progress; });
         CHECK(allFinite(render(processor, 4800, blockSamples, testMusic(4800))));
         CHECK(processor.timesNotFinite() == 0);
         processor.releaseResources();
@@ -363,26 +363,29 @@ TEST_CASE("A processor can be destroyed while its workshop works, without a mess
 TEST_CASE("A state that the host loads while an object is prepared is not replaced by it") {
     const auto file = smallPlateFile("raced.obj", 1);
     const auto bytes = encodeState(testState());
-    for (int wait = 0; wait < 300; wait += 15) {
-        INFO("after " << wait << " ms");
+    for (int part = 0; part < 20; ++part) {
+        INFO("after " << part << " twentieths of the import");
         Processor processor;
         processor.prepareToPlay(48000, blockSamples);
         processor.openFile(file);
-        std::atomic<bool> isRestored{false};
+        std::atomic<bool> isDue{false}, isRestored{false};
         std::thread host([&] {
-            waitFor(wait);
+            isDue.wait(false);
             restoreBytes(processor, bytes);
             isRestored = true;
         });
-        const auto runTimers = [] {
-            waitFor();
-            juce::Timer::callPendingTimersSynchronously();
-        };
-        while (!isRestored)
-            runTimers();
+        waitUntil([&] { return isRestored.load(); },
+                  [&] {
+                      const auto status = processor.importStatus();
+                      if (!status.isWorking() || status.progress >= part / 20.0) {
+                          isDue = true;
+                          isDue.notify_all();
+                      }
+                      processor.poll();
+                  });
         host.join();
-        for (int i = 0; i < 100; ++i)
-            runTimers();
+        waitUntil([&] { return !processor.importStatus().isWorking(); }, [&] { processor.poll(); });
+        processor.poll();
         CHECK(processor.loadedSound().preset.name == "Test keyboard");
         CHECK_FALSE(processor.importStatus().followsSettings);
         CHECK_FALSE(processor.editHistory().canUndo());

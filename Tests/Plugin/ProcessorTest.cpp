@@ -123,14 +123,10 @@ TEST_CASE("In real time the message thread loads a program that MIDI asks for") 
     processor.prepareToPlay(48000, 512);
     render(processor, 512, 512, oneMessage(juce::MidiMessage::programChange(1, 2)));
     CHECK(processor.getCurrentProgram() == 0);
-    for (int i = 0; i < 100 && processor.getCurrentProgram() == 0; ++i) {
-        juce::Thread::sleep(10);
-        juce::Timer::callPendingTimersSynchronously();
-    }
+    processor.poll();
     CHECK(processor.getCurrentProgram() == 2);
     render(processor, 512, 512, oneMessage(juce::MidiMessage::programChange(1, 127)));
-    juce::Thread::sleep(100);
-    juce::Timer::callPendingTimersSynchronously();
+    processor.poll();
     CHECK(processor.getCurrentProgram() == 2);
 }
 

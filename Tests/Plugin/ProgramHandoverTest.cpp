@@ -33,14 +33,8 @@ juce::MidiBuffer struck(int note) {
     return midi;
 }
 
-void followTimers() {
-    juce::Thread::sleep(5);
-    juce::Timer::callPendingTimersSynchronously();
-}
-
-void waitForProgram(Processor& processor, int program) {
-    for (int looks = 0; looks < 1000 && processor.getCurrentProgram() != program; ++looks)
-        followTimers();
+void pollForProgram(Processor& processor, int program) {
+    processor.poll();
     REQUIRE(processor.getCurrentProgram() == program);
 }
 
@@ -73,9 +67,9 @@ TEST_CASE("A key pressed while the host is notified of a new preset is struck on
                 if (sound.left.empty() && processor.parameterValue(ParameterId::level) != former)
                     strike();
             });
-            waitForProgram(processor, vibraphone);
+            pollForProgram(processor, vibraphone);
         } else {
-            waitForProgram(processor, vibraphone);
+            pollForProgram(processor, vibraphone);
         }
         processor.removeListener(&host);
         if (sound.left.empty())
@@ -150,7 +144,7 @@ TEST_CASE("A key waits for its program through a reset and another prepare") {
         render(processor, blockSize, blockSize, midi);
         reset(processor);
         CHECK(loudest(render(processor, blockSize, blockSize, struck(silentKey))) == 0);
-        waitForProgram(processor, vibraphone);
+        pollForProgram(processor, vibraphone);
         const auto sound = render(processor, 24000, blockSize, {});
 
         Processor other;
@@ -169,7 +163,7 @@ TEST_CASE("A program change answered before the host prepared again strikes noth
     Processor processor;
     processor.prepareToPlay(rateHz, blockSize);
     render(processor, blockSize, blockSize, programChange(vibraphone));
-    waitForProgram(processor, vibraphone);
+    pollForProgram(processor, vibraphone);
     processor.prepareToPlay(rateHz, blockSize); // before a callback has taken its player
     render(processor, 4800, blockSize, struck(key));
     processor.setCurrentProgram(vibraphone);
@@ -189,8 +183,7 @@ TEST_CASE("If a program cannot be built, keys that already sound are not struck 
         auto sound = render(processor, blockSize, blockSize, midi);
         if (asks) {
             const MemoryLimit limit(20'000);
-            for (int looks = 0; looks < 1000 && !processor.takeStatus().isError; ++looks)
-                followTimers();
+            processor.poll();
             CHECK(processor.takeStatus().isError);
             CHECK(processor.getCurrentProgram() == 0);
         }
@@ -262,11 +255,11 @@ TEST_CASE("A state restored after a MIDI program change is the one that plays") 
     render(processor, blockSize, blockSize, programChange(9));
     restore(processor, testState());
     const auto name = processor.loadedSound().preset.name;
-    for (int looks = 0; looks < 30; ++looks)
-        followTimers();
+    for (int polls = 0; polls < 6; ++polls)
+        processor.poll();
     CHECK(processor.loadedSound().preset.name == name);
     render(processor, blockSize, blockSize, programChange(9)); // a new request still works
-    waitForProgram(processor, 9);
+    pollForProgram(processor, 9);
 }
 
 TEST_CASE("A room silenced by All Sound Off stays silent when another sound is restored") {
@@ -326,7 +319,7 @@ TEST_CASE("Parameters moved after a program change keep their values, in a bounc
             if (byHost)
                 processor.setValue(level, controlledValue(parameterInfo(level), 100));
             block(inNext);
-            waitForProgram(processor, program);
+            pollForProgram(processor, program);
             CHECK(processor.parameterValue(malletSpeed) ==
                   factoryPresets()[program].parameters[malletSpeed]);
             return processor.parameterValue(level);
@@ -351,7 +344,7 @@ TEST_CASE("Values of another sound loaded while a program is pending do not chan
         processor.setCurrentProgram(0);
         render(processor, blockSize, blockSize, programChange(program));
         load();
-        waitForProgram(processor, program);
+        pollForProgram(processor, program);
         CHECK(processor.loadedSound().parameters == factoryPresets()[program].parameters);
     }
 }
@@ -375,7 +368,7 @@ TEST_CASE(
             if (++allocations == overtakenAt)
                 render(processor, blockSize, blockSize, overtaking);
         });
-        waitForProgram(processor, last);
+        pollForProgram(processor, last);
         return std::pair(allocations, processor.parameterValue(ParameterId::level));
     };
     const auto [allocations, level] = loaded(0, vibraphone);
@@ -396,7 +389,7 @@ TEST_CASE("Undo after a program change restores the values before it, not those 
     auto midi = programChange(program);
     midi.addEvent(juce::MidiMessage::controllerEvent(1, volume, 20), 1);
     render(processor, blockSize, blockSize, midi);
-    waitForProgram(processor, program);
+    pollForProgram(processor, program);
     CHECK(processor.parameterValue(ParameterId::level) != before[ParameterId::level]);
     REQUIRE(processor.editHistory().canUndo());
     processor.editHistory().undo();

@@ -54,30 +54,24 @@ constexpr float leastStruck = 0.003f, leastPressed = 1e-5f, leastOfStage = 1e-4f
 
 float loudestOfBlock(WatchedHost& host) {
     host.loudestSample = 0;
-    host.block({}, 240);
+    host.stageBlock({}, 240);
     return host.loudestSample;
 }
 
-/// Waits until the former sound is faint, so that its beats are not mistaken for the scene. Then
-/// starts the scene and waits for its worker until it is heard.
+/// Renders until the former sound is faint, so that its beats are not mistaken for the scene. Then
+/// starts the scene and renders until it is heard.
 void soundStage(WatchedHost& host) {
     float before = loudestOfBlock(host);
-    for (int block = 0; block < 4000 && before >= leastOfStage / 4; ++block) {
-        if (block % 10 == 0)
-            juce::Thread::sleep(5); // the worker catches up meanwhile
+    for (int block = 0; block < 4000 && before >= leastOfStage / 4; ++block)
         before = loudestOfBlock(host);
-    }
     REQUIRE(before < leastOfStage / 4);
     juce::MidiBuffer notes;
     for (const int note : {72, 74, 77})
         notes.addEvent(juce::MidiMessage::noteOn(1, note, juce::uint8{100}), note);
     host.block(notes, 240);
     host.loudestSample = 0;
-    for (int waits = 0; waits < 500 && host.loudestSample < leastOfStage; ++waits) {
-        juce::Thread::sleep(10);
-        for (int block = 0; block < 5; ++block)
-            host.block({}, 240);
-    }
+    for (int block = 0; block < 400 && host.loudestSample < leastOfStage; ++block)
+        host.stageBlock({}, 240);
     host.checkHeard(leastOfStage);
 }
 
@@ -91,8 +85,8 @@ void moveAllWhileStageIsHeard(WatchedHost& host) {
         const float own = parameter->getValue();
         for (const float end : {0.0f, 1.0f}) {
             parameter->setValue(end);
-            host.block({}, 256);
-            host.block({}, 256);
+            host.stageBlock({}, 256);
+            host.stageBlock({}, 256);
         }
         parameter->setValue(own);
         host.checkHeard(leastOfStage / 10);
@@ -238,7 +232,7 @@ TEST_CASE(
                 host.processor.watchObject(object);
             host.processor.scrapeObject(object, {0.01 * block, 0.002 * block, 0},
                                         block % 16 == 15 ? 0 : 1);
-            host.block(music, 512);
+            host.stageBlock(music, 512);
         }
         CHECK(frames > 5);
         host.checkHeard(isStage ? leastOfStage : leastStruck);

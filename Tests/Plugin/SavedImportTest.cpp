@@ -25,12 +25,12 @@ TEST_CASE("A preview cannot be saved in place of the final object") {
     const UserSettings user;
     Processor processor;
     processor.prepareToPlay(48000, blockSamples);
-    processor.openFile(meshFile("block.obj", boxMesh({0.3, 0.2, 0.1}, {12, 8, 4})));
-    while (!processor.playsPreview()) {
-        REQUIRE(processor.importStatus().isWorking());
-        juce::Timer::callPendingTimersSynchronously();
-        waitFor();
-    }
+    processor.openFile(meshFile("block.obj", boxMesh({0.3, 0.2, 0.1}, {24, 16, 8})));
+    waitUntil([&] { return processor.playsPreview(); },
+              [&] {
+                  REQUIRE(processor.importStatus().isWorking());
+                  processor.poll();
+              });
     auto& shelf = processor.presetShelf();
     const auto refused = shelf.savePreset(called("Block"), false);
     REQUIRE_FALSE(refused);

@@ -113,10 +113,7 @@ TEST_CASE("MIDI program changes in a row are one step, whose undo returns the un
         juce::MidiBuffer midi;
         midi.addEvent(juce::MidiMessage::programChange(1, program), 0);
         render(processor, 512, 512, midi);
-        for (int i = 0; i < 100 && processor.getCurrentProgram() != program; ++i) {
-            juce::Thread::sleep(10);
-            juce::Timer::callPendingTimersSynchronously();
-        }
+        processor.poll();
         REQUIRE(processor.getCurrentProgram() == program);
     };
     const auto first = saved(processor);

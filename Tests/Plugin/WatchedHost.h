@@ -28,6 +28,12 @@ public:
         loudestSample = std::max(loudestSample, view.getMagnitude(0, samples));
     }
 
+    /// Renders a block of a stage whose simulation is in time.
+    void stageBlock(const juce::MidiBuffer& midi, int samples) {
+        processor.waitForSimulation();
+        block(midi, samples);
+    }
+
     void choose(int program) {
         what = processor.getProgramName(program).toStdString();
         processor.setCurrentProgram(program); // while the former sound rings

@@ -40,7 +40,7 @@ public:
         for (std::size_t voice = 0; voice < motion.touches().size(); ++voice)
             sound.contacts.press(voice, motion.touches()[voice], cell);
         sound.crowded.strikeBefore(cellSamples, cell);
-        sound.ears.hear(cells, motion.places(), {left, right});
+        sound.hear(cells, motion.places(), {left, right});
         samples.insert(samples.end(), left.begin(), left.end());
     }
 

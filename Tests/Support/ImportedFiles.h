@@ -5,35 +5,25 @@
 #include "Geometry/ParametricMesh.h"
 #include "Plugin/Processor.h"
 #include "Support/TestFolder.h"
+#include "Support/WaitUntil.h"
 
-#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <functional>
 #include <stdexcept>
 #include <string>
-#include <thread>
 
 namespace idiophone::test {
 
-inline void waitFor(int milliseconds = 1) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
-}
-
-/// Runs the message thread's timers until an import has ended and its object plays.
+/// Polls until an import has ended and its object plays.
 inline void finish(
     Processor& processor, const std::function<void()>& meanwhile = [] {}) {
-    const auto tick = [&] {
-        juce::Timer::callPendingTimersSynchronously();
+    const auto poll = [&] {
+        processor.poll();
         meanwhile();
     };
-    for (; processor.importStatus().isWorking(); waitFor())
-        tick();
-    // Without a message loop JUCE's timers may pause for 300 ms.
-    for (int i = 0; i < 20; ++i) {
-        waitFor(20);
-        tick();
-    }
+    waitUntil([&] { return !processor.importStatus().isWorking(); }, poll);
+    poll();
 }
 
 inline std::filesystem::path writtenFile(const std::string& name, const std::string& bytes) {

@@ -1,0 +1,53 @@
+#include "Scene/SceneSound.h"
+
+#include "Scene/MeasuredSource.h"
+#include "Scene/SphereSource.h"
+
+#include <algorithm>
+
+namespace idiophone {
+
+SceneSound::SceneSound(const SceneAssets& assets,
+                       std::size_t slots,
+                       double sampleRateHz,
+                       std::uint64_t seed,
+                       const std::shared_ptr<const HeadResponses>& measured)
+    : contacts(assets, sampleRateHz, seed), head(assets.scene().listener) {
+    for (std::size_t slot = 0; slot < slots; ++slot)
+        if (measured != nullptr)
+            sources.push_back(std::make_unique<MeasuredSource>(measured, sampleRateHz));
+        else
+            sources.push_back(std::make_unique<SphereSource>(sampleRateHz));
+}
+
+bool SceneSound::strike(const SceneImpact& impact, double sample, const BegunCell& cell) noexcept {
+    return impact.slot < cell.cellsOfSlots.size() &&
+           crowded.strike(impact.slot, impact.strike, sample, cell);
+}
+
+void SceneSound::hear(std::span<const CellOutput> cellsOfSlots,
+                      std::span<const Eigen::Vector3d> places,
+                      const CellOutput& ears) noexcept {
+    for (std::size_t ear = 0; ear < 2; ++ear)
+        std::fill_n(ears[ear].data(), cellSamples, 0.0f);
+    for (std::size_t slot = 0; slot < sources.size(); ++slot) {
+        const auto cell = cellsOfSlots[slot][0];
+        const bool sounds = std::ranges::any_of(cell, [](float x) { return x != 0; });
+        if (sounds || !sources[slot]->silent())
+            sources[slot]->add(cell, head.path(places[slot]), ears);
+    }
+}
+
+void SceneSound::reset() noexcept {
+    crowded.clear();
+    contacts.reset();
+    for (auto& source : sources)
+        source->reset();
+}
+
+bool SceneSound::silent() const noexcept {
+    return crowded.empty() &&
+           std::ranges::all_of(sources, [](const auto& source) { return source->silent(); });
+}
+
+} // namespace idiophone
