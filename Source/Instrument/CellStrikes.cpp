@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <tuple>
 
 namespace idiophone {
 
@@ -11,10 +12,14 @@ void CellStrikes::schedule(std::size_t slot,
                            std::int64_t cell,
                            double sample) {
     const double cells = std::floor(sample / cellSamples);
-    pending.add({.cell = cell + static_cast<std::int64_t>(cells),
-                 .sampleInCell = sample - cells * cellSamples,
-                 .slot = slot,
-                 .strike = strike});
+    const PendingStrike added{.cell = cell + static_cast<std::int64_t>(cells),
+                              .sampleInCell = sample - cells * cellSamples,
+                              .slot = slot,
+                              .strike = strike};
+    const auto isLater = [](const PendingStrike& a, const PendingStrike& b) {
+        return std::tie(a.cell, a.sampleInCell) > std::tie(b.cell, b.sampleInCell);
+    };
+    pending.insert(std::lower_bound(pending.begin(), pending.end(), added, isLater), added);
 }
 
 void CellStrikes::strikeBefore(double sampleInCell, const BegunCell& cell) {
@@ -22,10 +27,9 @@ void CellStrikes::strikeBefore(double sampleInCell, const BegunCell& cell) {
         return next.cell < cell.index ||
                (next.cell == cell.index && next.sampleInCell < sampleInCell);
     };
-    for (const auto* next = pending.next(); next != nullptr && isDue(*next);
-         next = pending.next()) {
-        const auto due = *next;
-        pending.pop();
+    while (!pending.empty() && isDue(pending.back())) {
+        const auto due = pending.back();
+        pending.pop_back();
         strike(due.slot, due.strike, due.cell < cell.index ? 0 : due.sampleInCell, cell);
     }
 }
@@ -45,7 +49,7 @@ bool CellStrikes::strike(std::size_t slot,
     auto impulse = strike;
     impulse.durationSeconds = 0;
     constexpr std::array shares{0.25f, 0.5f, 0.25f};
-    if (pending.room() < shares.size())
+    if (freeSpace() < shares.size())
         return synthesiser.strike(slot, impulse, within, output);
     for (std::size_t k = 0; k < shares.size(); ++k) {
         for (std::size_t axis = 0; axis < 3; ++axis)

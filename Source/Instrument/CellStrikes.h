@@ -2,13 +2,14 @@
 // an object's contacts in use becomes impulses, so none is lost.
 #pragma once
 
-#include "Instrument/PendingStrikes.h"
 #include "Synth/CellOutput.h"
+#include "Synth/Strike.h"
 #include "Synth/Synthesiser.h"
 
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 namespace idiophone {
 
@@ -23,14 +24,15 @@ struct BegunCell {
 /// nor throws.
 class CellStrikes {
 public:
-    explicit CellStrikes(std::size_t capacity) : pending(capacity) {}
+    explicit CellStrikes(std::size_t capacity) { pending.reserve(capacity); }
 
-    std::size_t room() const { return pending.room(); }
+    std::size_t freeSpace() const { return pending.capacity() - pending.size(); }
     bool empty() const { return pending.empty(); }
     void clear() { pending.clear(); }
 
-    /// Adds a pending strike; needs room() > 0. `sample` ≥ 0 counts from the start of cell `cell`,
-    /// and may lie beyond its end.
+    /// Adds a pending strike; needs freeSpace() > 0. `sample` ≥ 0 counts from the start of cell
+    /// `cell`, and may lie beyond its end. Strikes at the same time keep the order in which they
+    /// were added.
     void schedule(std::size_t slot, const Strike& strike, std::int64_t cell, double sample);
 
     /// Plays, in order of time, the pending strikes before this sample of the cell. Overdue strikes
@@ -46,7 +48,14 @@ public:
     bool strike(std::size_t slot, const Strike& strike, double sample, const BegunCell& cell);
 
 private:
-    PendingStrikes pending;
+    struct PendingStrike {
+        std::int64_t cell = 0;
+        double sampleInCell = 0; ///< 0 ≤ s < 64, may be fractional
+        std::size_t slot = 0;
+        Strike strike;
+    };
+
+    std::vector<PendingStrike> pending; ///< latest first, so that the next is at the back
 };
 
 } // namespace idiophone

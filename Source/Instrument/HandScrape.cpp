@@ -67,18 +67,15 @@ void HandScrape::lift() noexcept {
 }
 
 void HandScrape::sound(const ParameterValues& parameters,
-                       const std::vector<KeyMallet>& mallets,
                        Synthesiser& synthesiser,
                        std::span<const CellOutput> cellsOfSlots) noexcept {
     for (Contact& contact : contacts)
         if (contact.isActive)
-            soundOne(contact, parameters, forceScale(mallets[contact.slot]), synthesiser,
-                     cellsOfSlots[contact.slot]);
+            soundOne(contact, parameters, synthesiser, cellsOfSlots[contact.slot]);
 }
 
 void HandScrape::soundOne(Contact& contact,
                           const ParameterValues& parameters,
-                          double forceRatio,
                           Synthesiser& synthesiser,
                           const CellOutput& cell) noexcept {
     const auto& slot = instrument.slots()[contact.slot];
@@ -90,7 +87,8 @@ void HandScrape::soundOne(Contact& contact,
     const ForcePlace start = contact.place;
     const double startGain = contact.gain;
     contact.place = contact.path.place(friction);
-    contact.gain = strengths[contact.slot] * parameters[roughness] * forceRatio;
+    contact.gain = strengths[contact.slot] * parameters[roughness] *
+                   forceScale(instrument.mallet(contact.slot));
 
     alignas(64) std::array<float, cellSamples> newtons;
     const bool presses =

@@ -47,10 +47,9 @@ public:
     /// Fades the force out; the object rings on.
     void lift() noexcept;
 
-    /// Applies a cell of the hand's force to the cell that began last. `mallets` [slots] scale the
-    /// contact on each object.
+    /// Applies a cell of the hand's force to the cell that began last. Each slot's mallet scales
+    /// the contact.
     void sound(const ParameterValues& parameters,
-               const std::vector<KeyMallet>& mallets,
                Synthesiser& synthesiser,
                std::span<const CellOutput> cellsOfSlots) noexcept;
 
@@ -76,7 +75,6 @@ private:
     SurfacePath::Point metresOf(const SurfaceTouch& touch) const noexcept;
     void soundOne(Contact& contact,
                   const ParameterValues& parameters,
-                  double forceRatio,
                   Synthesiser& synthesiser,
                   const CellOutput& cell) noexcept;
 

@@ -29,11 +29,9 @@ bool strikes(const ParameterValues& parameters) {
 }
 
 HeldContacts::HeldContacts(const Instrument& played,
-                           std::span<const LowestModes> lowestModesOfSlots,
                            std::shared_ptr<const SurfaceProfile> profile,
                            std::uint64_t seed)
-    : instrument(played), lowestModes(lowestModesOfSlots), rateHz(profile->sampleRateHz()),
-      releaseFade(rateHz) {
+    : instrument(played), rateHz(profile->sampleRateHz()), releaseFade(rateHz) {
     static_assert(2 * capacity <= forceCapacity);
     contacts.reserve(2 * capacity);
     for (std::uint64_t i = 0; i < 2 * capacity; ++i) {
@@ -124,8 +122,8 @@ void HeldContacts::setPlaceController(int channel, int value) noexcept {
     controllers[static_cast<std::size_t>(channel)].place = value;
 }
 
-double HeldContacts::placeMoved(int channel, double along) const noexcept {
-    const double turn = controllers[static_cast<std::size_t>(channel)].place - controllerAtRest;
+double HeldContacts::placeMoved(int controller, double along) noexcept {
+    const double turn = controller - controllerAtRest;
     return along + (turn < 0 ? turn / controllerAtRest * along
                              : turn / (127 - controllerAtRest) * (1 - along));
 }
@@ -163,7 +161,8 @@ void HeldContacts::chooseKind(Contact& contact,
     if (coupling > 0) {
         const auto slot = static_cast<std::size_t>(instrument.key(contact.note).slot);
         settings.frequencyRatio *= synthesiser.frequencyRatio(slot);
-        const auto modes = coupledModes(lowestModes[slot], instrument.slots()[slot], settings);
+        const auto modes =
+            coupledModes(instrument.lowestModes(slot), instrument.slots()[slot], settings);
         contact.force.setCoupledModes(modes.span());
     }
     contact.force.setSettings(
@@ -218,7 +217,7 @@ void HeldContacts::move(Contact& contact,
                         const Key& key,
                         const ParameterValues& parameters) const noexcept {
     const auto own = aimedPlace(key.along, parameters);
-    const double target = placeMoved(contact.channel, own.along);
+    const double target = placeMoved(controllersOf(contact).place, own.along);
     const auto& strip = instrument.strip(key);
     const double cellSeconds = cellSamples / rateHz;
     const double ratio =

@@ -3,7 +3,6 @@
 #pragma once
 
 #include "Instrument/Instrument.h"
-#include "Instrument/LowestModes.h"
 #include "Instrument/ReleaseFade.h"
 #include "Parameters/ParameterTable.h"
 #include "Synth/ContactForce.h"
@@ -37,10 +36,9 @@ public:
     /// Value of the speed and place controllers before they move.
     static constexpr int controllerAtRest = 64;
 
-    /// The seed decides where on the profile each contact begins. `instrument` and the lowest modes
-    /// of each of its slots must outlive the contacts.
+    /// The seed decides where on the profile each contact begins. `instrument` must outlive the
+    /// contacts.
     HeldContacts(const Instrument& instrument,
-                 std::span<const LowestModes> lowestModes,
                  std::shared_ptr<const SurfaceProfile> profile,
                  std::uint64_t seed);
 
@@ -58,9 +56,12 @@ public:
     void setPressure(int channel, double pressure) noexcept;
     void setSpeedController(int channel, int value) noexcept; ///< 0 to 127
     void setPlaceController(int channel, int value) noexcept; ///< 0 to 127
-    /// Returns the place on a strip, 0 to 1, to which the channel's controller moves `along`. At
-    /// rest the controller moves nothing; at 0 and 127 it reaches the ends.
-    double placeMoved(int channel, double along) const noexcept;
+    int placeController(int channel) const noexcept {
+        return controllers[static_cast<std::size_t>(channel)].place;
+    }
+    /// Returns the place on a strip, 0 to 1, to which the place controller moves `along`. At rest
+    /// the controller moves nothing; at 0 and 127 it reaches the ends.
+    static double placeMoved(int controller, double along) noexcept;
     void takeControllersOf(const HeldContacts& other) noexcept { controllers = other.controllers; }
     /// Returns the channel's controllers to rest; held keys press as hard as they were struck.
     void resetControllers(int channel) noexcept;
@@ -119,7 +120,6 @@ private:
     const Material& ownMaterial(const Contact& contact) const noexcept;
 
     const Instrument& instrument;
-    std::span<const LowestModes> lowestModes;
     double rateHz;
     ReleaseFade releaseFade;
     std::vector<Contact>

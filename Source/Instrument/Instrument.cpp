@@ -130,6 +130,7 @@ Result<std::shared_ptr<const Instrument>> Instrument::build(const KeyMap& keyMap
     instrument->voice();
     if (keyMap.kind != KeyMapKind::zones)
         instrument->addResizedKeys();
+    instrument->describeSlots();
     return std::shared_ptr<const Instrument>(instrument);
 }
 
@@ -155,7 +156,27 @@ std::shared_ptr<const Instrument> Instrument::onStage(KeyMap keyMap,
                                   .strip = strip->second,
                                   .along = instrument->map.strikePlace(static_cast<int>(note))};
     }
+    instrument->describeSlots();
     return instrument;
+}
+
+void Instrument::describeSlots() {
+    mallets.resize(synthesiserSlots.size());
+    if (map.kind != KeyMapKind::zones) // there all keys share the slot
+        for (const Key& key : keys)
+            if (key.slot >= 0)
+                mallets[static_cast<std::size_t>(key.slot)] = key.mallet;
+    for (const auto& slot : synthesiserSlots)
+        lowestModesOfSlots.emplace_back(*slot.object);
+}
+
+bool Instrument::has(std::size_t slot, const StrikePoint& point) const {
+    if (slot >= synthesiserSlots.size())
+        return false;
+    const auto rows = synthesiserSlots[slot].object->shapeVertexCount();
+    return std::ranges::all_of(point.shapeRows, [rows](std::int32_t row) {
+        return row >= 0 && static_cast<std::size_t>(row) < rows;
+    });
 }
 
 bool Instrument::keysHaveObjects() const {

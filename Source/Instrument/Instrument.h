@@ -3,6 +3,7 @@
 #pragma once
 
 #include "Instrument/KeyMallet.h"
+#include "Instrument/LowestModes.h"
 #include "Instrument/ObjectLibrary.h"
 #include "Instrument/Preset.h"
 #include "Instrument/Stage.h"
@@ -68,6 +69,12 @@ public:
         return strips[static_cast<std::size_t>(key.strip)];
     }
 
+    /// Returns the mallet for strikes on a slot without a key: its key's, if it has one.
+    const KeyMallet& mallet(std::size_t slot) const { return mallets[slot]; }
+    const LowestModes& lowestModes(std::size_t slot) const { return lowestModesOfSlots[slot]; }
+    /// Returns whether a slot and all vertices of a point on its object exist.
+    bool has(std::size_t slot, const StrikePoint& point) const;
+
     /// Returns the stage whose bodies the notes move in place of mallets, or null.
     const std::shared_ptr<const Stage>& stage() const { return ownStage; }
     /// Returns whether no two keys play the same object.
@@ -82,12 +89,15 @@ private:
     Result<void> buildSingleObject(ObjectLibrary& library);
     void voice();
     void addResizedKeys();
+    void describeSlots();
 
     std::uint64_t serial;
     KeyMap map;
     std::vector<SynthesiserSlot> synthesiserSlots;
     std::vector<StrikeStrip> strips;
     std::array<Key, 128> keys;
+    std::vector<KeyMallet> mallets;              ///< [slots]
+    std::vector<LowestModes> lowestModesOfSlots; ///< [slots]
     std::shared_ptr<const Stage> ownStage;
 };
 

@@ -45,7 +45,6 @@ Phrase::Phrase(std::shared_ptr<const Instrument> played,
         if (notes[i].key.slot < 0)
             continue;
         const auto& slot = instrument->slots()[static_cast<std::size_t>(notes[i].key.slot)];
-        notes[i].lowestModes = LowestModes(*slot.object);
         notes[i].rigidBody = rigidRadiator(*slot.object);
     }
 }
@@ -95,6 +94,11 @@ const SynthesiserSlot& PhrasePrediction::slot() const noexcept {
     return phrase->instrument->slots()[static_cast<std::size_t>(phrase->notes[firstNote].key.slot)];
 }
 
+const LowestModes& PhrasePrediction::lowestModes() const noexcept {
+    return phrase->instrument->lowestModes(
+        static_cast<std::size_t>(phrase->notes[firstNote].key.slot));
+}
+
 /// Begins the next object, with the consecutive notes that play it.
 void PhrasePrediction::beginObject() noexcept {
     const auto& notes = phrase->notes;
@@ -133,9 +137,7 @@ void PhrasePrediction::beginStrikes(const ParameterValues& values) noexcept {
         points[note] = phrase->instrument->strip(noteKey).between(place.along, place.across).point;
         pushes[note] = listeningDirection(points[note]);
     }
-    const auto modes = phrase->notes[firstNote]
-                           .lowestModes.atThickness(thicknessRatio)
-                           .moved(conditions.frequencyRatio());
+    const auto modes = lowestModes().atThickness(thicknessRatio).moved(conditions.frequencyRatio());
     const auto strikeOf = [&](std::size_t note, int velocity) {
         return malletStrike(points[note], velocity, phrase->notes[note].key.mallet, values, slot());
     };
@@ -223,7 +225,7 @@ void PhrasePrediction::beginForce(const ParameterValues& values,
     const ContactForceSettings kind{.kind = rolls ? ContactKind::roll : ContactKind::scrape,
                                     .rollModalCoupling = rolls ? values[rollCoupling] / 100 : 0};
     const double speed = values[contactSpeed] * wheel / 127.0;
-    const auto coupled = coupledModes(phrase->notes[firstNote].lowestModes, slot(), settings);
+    const auto coupled = coupledModes(lowestModes(), slot(), settings);
     force = HeldForceSpectrum(phrase->surface, speed, kind, coupled.span(), phrase->sampleRateHz);
     stiff = StiffMotion(phrase->sampleRateHz);
 }

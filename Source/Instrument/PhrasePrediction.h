@@ -5,7 +5,6 @@
 #include "Instrument/HeldContacts.h"
 #include "Instrument/HeldForceSpectrum.h"
 #include "Instrument/Instrument.h"
-#include "Instrument/LowestModes.h"
 #include "Instrument/NearModes.h"
 #include "Instrument/PhraseMeter.h"
 #include "Instrument/StiffMotion.h"
@@ -27,7 +26,6 @@ namespace idiophone {
 struct Phrase {
     struct Note {
         Key key;
-        LowestModes lowestModes; ///< of the key's object
         RigidRadiator rigidBody;
     };
 
@@ -82,6 +80,7 @@ private:
     void addModes(std::size_t count) noexcept;
     void addMode(RingingMode<levels>& mode, const ModalPole& pole) noexcept;
     const SynthesiserSlot& slot() const noexcept;
+    const LowestModes& lowestModes() const noexcept;
 
     const Phrase* phrase = nullptr;
     ParameterValues parameters;

@@ -9,7 +9,7 @@ namespace idiophone {
 namespace {
 
 constexpr int lowerManager = 0, upperManager = 15;
-constexpr int mostMembers = 15;
+constexpr int maximumMembers = 15;
 constexpr double memberSemitones = 48; // initial range of a configured zone
 
 enum RegisteredParameter { bendSensitivity = 0, mpeConfiguration = 6 };
@@ -42,7 +42,7 @@ void PitchBend::forgetGiven() noexcept {
 }
 
 PitchBend::Zones PitchBend::zones() const noexcept {
-    return configured.value_or(Zones{.lowerMembers = mpeParameter ? mostMembers : 0});
+    return configured.value_or(Zones{.lowerMembers = mpeParameter ? maximumMembers : 0});
 }
 
 bool PitchBend::isMember(int channel) const noexcept {
@@ -151,10 +151,10 @@ void PitchBend::configure(int managerChannel, int members) noexcept {
     auto wanted = zones();
     auto& own = managerChannel == lowerManager ? wanted.lowerMembers : wanted.upperMembers;
     auto& other = managerChannel == lowerManager ? wanted.upperMembers : wanted.lowerMembers;
-    own = std::clamp(members, 0, mostMembers);
+    own = std::clamp(members, 0, maximumMembers);
     // Fourteen members and two managers use all channels.
     if (own > 0)
-        other = std::clamp(other, 0, std::max(mostMembers - 1 - own, 0));
+        other = std::clamp(other, 0, std::max(maximumMembers - 1 - own, 0));
     configured = wanted;
     newlyGiven.mpe = wanted.any() ? 1 : 0;
     if (own > 0) {

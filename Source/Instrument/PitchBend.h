@@ -53,7 +53,7 @@ public:
         return noteSemitones[static_cast<std::size_t>(note)];
     }
     /// Returns how far wheels may lower a note.
-    double farthestSemitones() const noexcept {
+    double maximumSemitones() const noexcept {
         return commonRange.semitones() + (zones().any() ? memberRange.semitones() : 0);
     }
     struct Channels {

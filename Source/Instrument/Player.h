@@ -2,24 +2,20 @@
 // become dampers, and the synthesiser's cells become a stream of any block size.
 #pragma once
 
-#include "Instrument/CellStrikes.h"
+#include "Instrument/CellRenderer.h"
 #include "Instrument/HandScrape.h"
 #include "Instrument/HeldContacts.h"
 #include "Instrument/Instrument.h"
+#include "Instrument/KeyState.h"
 #include "Instrument/LoudnessMatch.h"
-#include "Instrument/LowestModes.h"
-#include "Instrument/Motor.h"
+#include "Instrument/MidiEvent.h"
 #include "Instrument/ParameterGlide.h"
-#include "Instrument/PitchBend.h"
+#include "Instrument/PlayedStage.h"
 #include "Instrument/SilencedModes.h"
 #include "Instrument/SlotTuning.h"
 #include "Instrument/StereoSpan.h"
-#include "Parameters/ParameterTable.h"
-#include "Synth/AlignedVector.h"
-#include "Synth/Synthesiser.h"
+#include "Instrument/StrikeScheduler.h"
 
-#include <array>
-#include <bitset>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -28,28 +24,10 @@
 
 namespace idiophone {
 
-/// A channel message; `sampleOffset` counts from the start of its block.
-struct MidiEvent {
-    int sampleOffset = 0;
-    std::array<std::uint8_t, 3> bytes{};
-
-    bool isNoteOn() const { return (bytes[0] & 0xf0) == 0x90 && (bytes[2] & 0x7f) > 0; }
-    bool isNoteOff() const {
-        return (bytes[0] & 0xf0) == 0x80 || ((bytes[0] & 0xf0) == 0x90 && !isNoteOn());
-    }
-};
-
-/// A strike at a place of an object without a key, such as a click on its picture.
-struct SurfaceStrike {
-    std::size_t slot = 0; ///< index into the instrument's slots
-    StrikePoint point;    ///< on the slot's object
-    int velocity = 0;     ///< 1 to 127; 0 strikes nothing and lifts the hand
-};
-
 /// Constructed and destroyed off the audio thread; the rest is for the audio thread and neither
 /// allocates, locks nor throws. The same events and parameters give the same samples, bit for bit,
 /// for all block sizes.
-class Player {
+class Player : public PlayedStage {
 public:
     /// `surface` must be valid; scrapes and rolls sound like it. The seed decides where their noise
     /// begins, and how strikes spread and chatter. `own` are the preset's values, whose loudness
@@ -63,13 +41,13 @@ public:
     Player& operator=(const Player&) = delete;
 
     /// Computes the gain that matches the loudness of these values, so that the first cell has it.
-    /// `awaitedWheel`, 0 to 127, is the position that the modulation wheel is about to have. Call
+    /// `pendingWheel`, 0 to 127, is the position that the modulation wheel is about to have. Call
     /// it off the audio thread, between construction or `reset` and the first block; it may take
     /// long. Without it the first cell computes the gain.
     void prepare(const ParameterValues& parameters,
-                 int awaitedWheel = HeldContacts::controllerAtRest);
+                 int pendingWheel = HeldContacts::controllerAtRest);
     /// Returns the position of the modulation wheel.
-    int modulationWheel() const noexcept { return loudness.speedController(); }
+    int modulationWheel() const noexcept { return keys.modulationWheel(); }
 
     /// Renders the next `output.size()` samples (full scale 1, before `width` and `level`). Without
     /// radiation both channels are the same.
@@ -94,18 +72,18 @@ public:
     void scrapeSurface(const SurfaceTouch& touch);
 
     /// Lifts all hands from all surfaces.
-    void liftHands();
+    void liftHands() { renderer.liftHands(); }
 
     /// Acts at the first grid point of the next block, or at the very first one if nothing was
     /// rendered yet. `reset` keeps it.
-    void setSilencedModes(const SilencedModes& silenced);
+    void setSilencedModes(const SilencedModes& silenced) { renderer.setSilencedModes(silenced); }
 
     /// Acts as `setSilencedModes` does. Keys without a pitch play nothing.
     void setTuning(const KeyTuning& tuning) { slotTuning.setTuning(tuning); }
     /// Returns the maximum by which tunings and wheels may lower a slot below its key in equal
     /// temperament.
     double semitonesBelowEqual() const noexcept {
-        return slotTuning.semitonesBelowEqual() + bend.farthestSemitones();
+        return slotTuning.semitonesBelowEqual() + keys.bend().maximumSemitones();
     }
 
     /// Returns whether a key without an object of its own was ever played.
@@ -114,27 +92,12 @@ public:
     /// Takes over the pedals, wheels and other controllers of another player, but not its keys.
     void takeControllersOf(const Player& former) noexcept;
     /// Takes over only MPE's zones and the bend ranges.
-    void takeBendSetupOf(const Player& former) noexcept;
+    void takeBendSetupOf(const Player& former) noexcept {
+        keys.bend().takeSetupOf(former.keys.bend());
+    }
     /// See PitchBend.
-    PitchBend::Given takeGivenBends() noexcept { return bend.takeGiven(); }
-    void forgetGivenBends() noexcept { bend.forgetGiven(); }
-
-    /// On a stage: sets whether `process` may wait for the simulation.
-    void setOffline(bool isOffline) noexcept;
-    /// On a stage: see StagePlayer::waitForSimulation.
-    void waitForSimulation() noexcept;
-    /// On a stage: stops bodies in place, or returns them to their state before the first note.
-    void pauseStage(bool isPaused) noexcept;
-    void resetStage() noexcept;
-    /// Returns the impacts of the stage's bodies since the last call; valid until the next
-    /// `process`.
-    std::span<const PlacedImpact> takeImpacts() noexcept;
-    std::uint32_t performanceNumber() const noexcept; ///< StagePlayer::number, or 0
-    /// Returns where the bodies of the slots are; empty without a stage.
-    std::span<const BodyPose> bodyPoses() const noexcept;
-    /// Returns the number of impacts and contacts of a stage's bodies that became known too late to
-    /// act at their time.
-    std::int64_t lateEvents() const noexcept;
+    PitchBend::Given takeGivenBends() noexcept { return keys.bend().takeGiven(); }
+    void forgetGivenBends() noexcept { keys.bend().forgetGiven(); }
 
     /// Sets the host's tempo from the next cell on; 0 if it gives none.
     void setTempo(double beatsPerMinute) { tempo = beatsPerMinute; }
@@ -161,99 +124,33 @@ public:
     /// came since the last call nor silenced any sample of the last block. All Sound Off counts
     /// from the block's start; for the exact sample, begin a block there.
     std::optional<std::size_t> takeSilenced();
-    const Synthesiser& synthesiser() const { return synth; }
+    const Synthesiser& synthesiser() const { return renderer.synthesiser(); }
     const Instrument& instrument() const { return *playedInstrument; }
     /// Returns the slot of the last key or strike; nothing before the first.
     std::optional<std::size_t> slotPlayedLast() const { return playedLast; }
 
 private:
-    std::span<const MidiEvent> follow(std::span<const MidiEvent> events);
+    std::span<const MidiEvent> follow(std::span<const MidiEvent> eventsOfOneSample);
     void follow(const MidiEvent& event);
-    void pressNewKeys(std::span<const MidiEvent> events);
-    void strikeFor(const MidiEvent& event);
-    void strikeAt(std::size_t slot,
-                  const StrikePoint& point,
-                  int velocity,
-                  const KeyMallet& mallet,
-                  std::uint32_t number);
-    void strikeWaiting();
-    void keyDown(int channel, int note, int velocity);
-    void keyUp(int channel, int note);
-    void letGo(int channel, int note);
-    void press(int channel, int note, double pressure);
-    void press(int channel, double pressure);
-    void setKeyPressure(int channel, std::size_t note, double pressure);
-    void forgetPressures();
-    void controller(int channel, int number, int value);
-    void catchKeys(bool isDown);
-    void liftPedals();
-    void schedule(std::size_t slot, double sample, const Strike& strike);
-    void strikePendingBefore(double sampleInCell);
     void beginCell(std::optional<double> beats);
-    void prepareStrikes();
-    SynthesisSettings settingsNow() const;
-    void soundCell(const CellOutput& mixed, std::span<const CellOutput> cellsOfSlots);
-    void forgetSilenced();
-    void addRemains();
-    void updateDampers();
-    void turnMotor(std::optional<double> beats);
-    void updateGain();
-    void forgetSound();
-    void copyOut(const StereoSpan& output, int position, int count) const;
-    CellOutput cell() { return {leftCell, rightCell}; }
-    BegunCell begunCell() { return {synth, slotCells, cellIndex}; }
-    void playStage();
-    double nextStrikeSample() const;
+    void strike(std::span<const MidiEvent> notes);
+    void restart();
 
     std::shared_ptr<const Instrument> playedInstrument;
     std::int64_t ownersLabel = 0;
-    Synthesiser synth;
-    ParameterValues current;
     ParameterGlide glide;
-    alignas(64) std::array<float, cellSamples> leftCell{};
-    alignas(64) std::array<float, cellSamples> rightCell{};
-    std::unique_ptr<StagePlayer> performance; ///< for an instrument on a stage
-    AlignedVector<float> slotSamples;         ///< [slots, 64] on a stage
-    std::vector<CellOutput>
-        slotCells; ///< output of each slot: its own in slotSamples, or the one cell
-    int cellPosition = cellSamples;
-    std::int64_t cellIndex = -1; ///< index of the newest cell
-    std::uint32_t firstStrikeNumber;
-    std::uint32_t strikeCount;
-    CellStrikes pending;
-    std::vector<MidiEvent> late;               ///< note-ons for the start of the next block
-    std::vector<SurfaceStrike> surfaceStrikes; ///< for the start of the next block
-    std::vector<LowestModes> lowestModes;      ///< of each slot
-    std::vector<KeyMallet> mallets;            ///< of each slot, from its keys
     HeldContacts held;
-    HandScrape handScrape;
-    std::optional<std::size_t> playedLast;
-
-    LoudnessMatch loudness;
-    Motor motor;
-    double tempo = 0;                             ///< beats a minute, or 0
-    std::optional<double> songPlace;              ///< in beats
-    float gainAtCellStart = 1, gainAtCellEnd = 1; ///< matching gain; linear in between
-
-    std::array<std::bitset<128>, 16> keysDown; ///< [channel][note]
-    std::bitset<128> keysSustained;            ///< released under the sustain pedal
-    std::bitset<128> keysCaught;               ///< down when the sostenuto pedal went down
-    bool sustainPedal = false;
-    bool sostenutoPedal = false;
-    double softness = 1; ///< soft pedal's factor of the mallet's speed
-    PitchBend bend;
+    HandScrape hand;
+    KeyState keys;
     SlotTuning slotTuning;
-    std::array<std::array<float, 128>, 16> keyPressures{}; ///< 0 to 1, of each channel's keys
-    std::array<float, 128> notePressures{};                ///< [note] maximum over channels
-    std::vector<bool> slotTouched;                         ///< a hand on its surface holds it
-    std::vector<bool> slotHeld;     ///< touched, or a key is down or sustained, or it may ring
-    std::vector<float> slotPressed; ///< maximum pressure of its keys
+    StrikeScheduler scheduler;
+    CellRenderer renderer;
+    std::optional<LoudnessMatch> loudness; ///< of mallets only
+    std::vector<MidiEvent> lateNotes;      ///< note-ons for the start of the next block
+    double tempo = 0;                      ///< beats a minute, or 0
+    std::optional<double> songPlace;       ///< in beats
+    std::optional<std::size_t> playedLast;
     bool playedResizedKeys = false;
-    bool isSilenced = false; ///< by All Sound Off, until the next strike
-    /// The old sound after that strike, for the next cell; laid out as the cells of slots are.
-    AlignedVector<float> remains;
-    std::vector<CellOutput> remainsOfSlots;
-    bool hasRemains = false;
     bool allSoundOffCame = false;
     std::size_t silencedSamples = 0; ///< in the last block
 };

@@ -99,3 +99,18 @@ TEST_CASE("A strike too late for its cell acts at the start of the next cell") {
     CHECK(late.sound == at.sound);
     CHECK(late.sound[0] != 0);
 }
+
+TEST_CASE("Pending strikes keep their places until they are played or cleared") {
+    Rig rig;
+    const auto all = rig.strikes.freeSpace();
+    rig.strikes.schedule(0, pulse(0), 3, 5);
+    rig.strikes.schedule(0, pulse(0), 0, 3 * cellSamples);
+    CHECK(rig.strikes.freeSpace() == all - 2);
+    for (int cell = 0; cell < 4; ++cell) {
+        rig.beginCell();
+        rig.strikes.strikeBefore(cell == 3 ? 5 : cellSamples, rig.cell());
+        CHECK(rig.strikes.freeSpace() == (cell < 3 ? all - 2 : all - 1));
+    }
+    rig.finishCell();
+    CHECK(rig.strikes.empty());
+}

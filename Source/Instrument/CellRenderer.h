@@ -1,0 +1,92 @@
+// Renders the grid: cells of ringing and held sound, with dampers, tubes and gain, copied out in
+// parts of any length.
+#pragma once
+
+#include "Instrument/CellStrategy.h"
+#include "Instrument/HandScrape.h"
+#include "Instrument/HeldContacts.h"
+#include "Instrument/KeyState.h"
+#include "Instrument/Motor.h"
+#include "Instrument/SilencedModes.h"
+#include "Instrument/StereoSpan.h"
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace idiophone {
+
+/// Constructed off the audio thread; the rest is for the audio thread and neither allocates, locks
+/// nor throws. Instrument, contacts and hand must outlive it.
+class CellRenderer {
+public:
+    CellRenderer(const Instrument& instrument,
+                 double sampleRateHz,
+                 std::unique_ptr<CellStrategy> strategy,
+                 HeldContacts& contacts,
+                 HandScrape& hand);
+
+    /// Turns the motor on by a cell; call before `beginCell`. With `songTurns` it follows these, at
+    /// once if `isAtOnce`.
+    void turnMotor(const ParameterValues& values,
+                   double beatsPerMinute,
+                   std::optional<double> songTurns,
+                   bool isAtOnce);
+    void beginCell(const ParameterValues& values, const KeyState& keys, StrikeScheduler& strikes);
+    /// Moves the gain towards its goal over the newest cell. The first cell has the goal at once.
+    void moveGain(float goal);
+
+    bool cellIsOver() const { return position == cellSamples; }
+    bool isWithinCell() const { return position > 0 && !cellIsOver(); }
+    int samplesLeft() const { return cellSamples - position; }
+    /// Plays the strikes of the cell's next part and copies it to the output.
+    void copyOut(const StereoSpan& output, StrikeScheduler& strikes);
+
+    /// Returns the moment of a strike at the next sample.
+    StrikeMoment moment(const ParameterValues& values, double softness);
+    /// Starts the bodies of a note at the next sample.
+    void startNote(int note, int velocity) { strategy->startNote(note, velocity, index, position); }
+    bool hasMallets() const { return strategy->hasMallets(); }
+
+    void updateDampers(const ParameterValues& values, const KeyState& keys);
+    /// A hand on its surface holds a slot, or no longer holds it.
+    void touch(std::size_t slot, bool isTouched) { slotTouched[slot] = isTouched; }
+    void liftHands();
+
+    void silence() { silenced = true; } ///< damps all sound until `endSilence`
+    bool isSilenced() const { return silenced; }
+    /// Call before the first strike or contact after `silence`. The strike lifts the damper. Fades
+    /// the old sound out over one cell, so that it does not come back.
+    void endSilence(const ParameterValues& values, const KeyState& keys);
+
+    /// Acts at the next `beginCell`; `reset` keeps it.
+    void setSilencedModes(const SilencedModes& modes);
+    /// Returns sound and grid to the start. Hands stay on their surfaces.
+    void reset();
+    bool silent() const; ///< also contacts and hand
+    Synthesiser& synthesiser() { return synth; }
+    const Synthesiser& synthesiser() const { return synth; }
+
+private:
+    BegunCell begunCell() { return {synth, cell.slots, index}; }
+    void sound(const ParameterValues& values, StereoCell& into);
+    void addRemains();
+
+    const Instrument& instrument;
+    Synthesiser synth;
+    std::unique_ptr<CellStrategy> strategy;
+    HeldContacts& held;
+    HandScrape& hand;
+    Motor motor;
+    StereoCell cell;
+    StereoCell remains; ///< old sound after All Sound Off, for the next cell
+    bool hasRemains = false;
+    bool silenced = false;
+    int position = cellSamples;              ///< next sample to copy out
+    std::int64_t index = -1;                 ///< of the newest cell
+    float gainAtStart = 1, gainAtEnd = 1;    ///< of the newest cell; linear in between
+    std::vector<bool> slotTouched, slotHeld; ///< [slots]
+    std::vector<float> slotPressed;          ///< [slots] maximum pressure of its keys
+};
+
+} // namespace idiophone
