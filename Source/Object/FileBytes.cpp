@@ -32,7 +32,7 @@ Result<std::string> readBytes(const std::filesystem::path& file, std::uintmax_t 
     if (size > limitBytes)
         return failure("it is larger than " + sizeText(limitBytes));
     try {
-        std::string bytes(static_cast<std::size_t>(size), '\0');
+        std::string bytes(size, '\0');
         if (!stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size())))
             return failure("the file cannot be read");
         return bytes;

@@ -56,7 +56,7 @@ std::optional<std::uint32_t> materialColour(std::string_view name) {
     const auto* material = findMaterial(name);
     if (material == nullptr)
         return std::nullopt;
-    return library().colours[static_cast<std::size_t>(material - materialLibrary().data())];
+    return library().colours[material - materialLibrary().data()];
 }
 
 } // namespace idiophone

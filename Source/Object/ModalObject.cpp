@@ -34,14 +34,16 @@ std::string sizesFault(const ModalObject& object) {
     if (object.shapes.size() % 3 != 0 || object.shapes.size() / 3 % object.modeCount() != 0 ||
         object.shapes.size() / 3 / object.modeCount() != object.shapeVertexCount())
         return "the size of the mode shapes is not vertices x modes x 3";
-    if (!object.bending.empty() && object.bending.size() != object.modeCount())
+    const auto isForEachMode = [&](const auto& values) {
+        return values.empty() || values.size() == object.modeCount();
+    };
+    if (!isForEachMode(object.bending))
         return "the bending parts are not one for each mode";
-    if (!object.decaysPerSecond.empty() && object.decaysPerSecond.size() != object.modeCount())
+    if (!isForEachMode(object.decaysPerSecond))
         return "the decays are not one for each mode";
-    if (!object.extraDecaysPerSecond.empty() &&
-        object.extraDecaysPerSecond.size() != object.modeCount())
+    if (!isForEachMode(object.extraDecaysPerSecond))
         return "the extra decays are not one for each mode";
-    if (!object.gains.empty() && object.gains.size() != object.modeCount())
+    if (!isForEachMode(object.gains))
         return "the gains are not one for each mode";
     return {};
 }
@@ -159,7 +161,7 @@ Result<ModalObject> validated(ModalObject object) {
 std::vector<float> vertexNormals(const ModalObject& object) {
     std::vector<double> sums(object.vertices.size(), 0.0);
     const auto coordinate = [&](std::int32_t vertex, int axis) {
-        return static_cast<double>(object.vertices[static_cast<std::size_t>(vertex) * 3 + axis]);
+        return static_cast<double>(object.vertices[vertex * 3 + axis]);
     };
     for (std::size_t face = 0; face < object.faceCount(); ++face) {
         const auto* corner = &object.faces[face * 3];
@@ -173,7 +175,7 @@ std::vector<float> vertexNormals(const ModalObject& object) {
                                           u[0] * v[1] - u[1] * v[0]};
         for (int c = 0; c < 3; ++c)
             for (int axis = 0; axis < 3; ++axis)
-                sums[static_cast<std::size_t>(corner[c]) * 3 + axis] += cross[axis];
+                sums[corner[c] * 3 + axis] += cross[axis];
     }
     std::vector<float> normals(object.vertices.size());
     for (std::size_t i = 0; i < normals.size(); i += 3) {
@@ -217,8 +219,7 @@ std::size_t nearestShapeRow(const ModalObject& object, const std::array<double, 
     std::size_t nearest = 0;
     double nearestSquared = std::numeric_limits<double>::infinity();
     for (std::size_t row = 0; row < object.shapeVertexCount(); ++row) {
-        const auto* vertex =
-            &object.vertices[static_cast<std::size_t>(object.shapeVertices[row]) * 3];
+        const auto* vertex = &object.vertices[object.shapeVertices[row] * 3];
         double squared = 0;
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const double difference = vertex[axis] - pointMetres[axis];

@@ -1,6 +1,5 @@
 #include "Object/ModalObjectFile.h"
 
-#include "Object/FileBeside.h"
 #include "Object/FileBytes.h"
 #include "Object/HalfFloat.h"
 #include "Object/MaterialJson.h"
@@ -11,7 +10,6 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <ostream>
 
 namespace idiophone {
 namespace {
@@ -21,7 +19,6 @@ using safetensors::Container;
 using safetensors::Fault;
 using safetensors::Tensor;
 
-constexpr int formatVersion = 1;
 constexpr std::uintmax_t fileLimitBytes = std::uintmax_t{1} << 32;
 
 class Reader {
@@ -29,9 +26,9 @@ public:
     explicit Reader(Container source) : container(std::move(source)) {
         if (!container.metadata.is_object() || text("format") != "idiophone-modal")
             throw Fault{"it is not an Idiophone modal object"};
-        if (text("format_version") != std::to_string(formatVersion))
+        if (text("format_version") != std::to_string(modalFormatVersion))
             throw Fault{"it has format version " + oneLine(text("format_version")) +
-                        ", and this Idiophone reads version " + std::to_string(formatVersion)};
+                        ", and this Idiophone reads version " + std::to_string(modalFormatVersion)};
     }
 
     ModalObject object() const {
@@ -50,12 +47,9 @@ public:
         object.shapeVertices = values<std::int32_t>("shape_vertices", "I32", 1);
         object.vertices = values<float>("vertices", "F32", 2);
         object.faces = values<std::int32_t>("faces", "I32", 2);
-        if (container.tensors.contains("bending"))
-            object.bending = values<double>("bending", "F64", 1);
-        if (container.tensors.contains("decay_per_s"))
-            object.decaysPerSecond = values<double>("decay_per_s", "F64", 1);
-        if (container.tensors.contains("extra_decay_per_s"))
-            object.extraDecaysPerSecond = values<double>("extra_decay_per_s", "F64", 1);
+        object.bending = optionalValues("bending");
+        object.decaysPerSecond = optionalValues("decay_per_s");
+        object.extraDecaysPerSecond = optionalValues("extra_decay_per_s");
         if (container.tensors.contains("gains"))
             object.gains = complexValues("gains", 2);
         object.radiation = radiation();
@@ -76,36 +70,34 @@ private:
         return parsed;
     }
 
-    static double number(const json& object, const char* key) {
-        if (!object.contains(key) || !object[key].is_number())
-            throw Fault{"its metadata lack the number '" + std::string(key) + "'"};
+    /// Returns a member that passes `isValid`. `kind` is its article and noun: "the number".
+    template <class IsValid>
+    static json member(const json& object, const char* key, const char* kind, IsValid isValid) {
+        if (!object.contains(key) || !isValid(object[key]))
+            throw Fault{std::string("its metadata lack ") + kind + " '" + key + "'"};
         return object[key];
+    }
+
+    static double number(const json& object, const char* key) {
+        return member(object, key, "the number", [](const json& v) { return v.is_number(); });
     }
 
     static std::int64_t count(const json& object, const char* key) {
-        if (!object.contains(key) || !object[key].is_number_unsigned() ||
-            object[key].get<std::uint64_t>() > std::uint64_t{1} << 53)
-            throw Fault{"its metadata lack the count '" + std::string(key) + "'"};
-        return object[key];
+        return member(object, key, "the count", [](const json& v) {
+            return v.is_number_unsigned() && v.get<std::uint64_t>() <= std::uint64_t{1} << 53;
+        });
     }
 
     static std::string word(const json& object, const char* key) {
-        if (!object.contains(key) || !object[key].is_string())
-            throw Fault{"its metadata lack the text '" + std::string(key) + "'"};
-        return object[key];
+        return member(object, key, "the text", [](const json& v) { return v.is_string(); });
     }
 
     template <std::size_t size>
     static std::array<double, size> numbers(const json& object, const char* key) {
-        if (!object.contains(key) || !object[key].is_array() || object[key].size() != size)
-            throw Fault{"its metadata lack the numbers '" + std::string(key) + "'"};
-        std::array<double, size> result{};
-        for (std::size_t i = 0; i < size; ++i) {
-            if (!object[key][i].is_number())
-                throw Fault{"its metadata '" + std::string(key) + "' are not all numbers"};
-            result[i] = object[key][i];
-        }
-        return result;
+        return member(object, key, "the numbers", [](const json& v) {
+            return v.is_array() && v.size() == size &&
+                   std::ranges::all_of(v, [](const json& each) { return each.is_number(); });
+        });
     }
 
     BodyKind body() const {
@@ -155,33 +147,33 @@ private:
                 .zeroModes = count(p, "zero_modes")};
     }
 
-    const Tensor& tensor(const char* name, std::size_t rank) const {
+    /// If `last` is not 0, the tensor's last dimension must be that.
+    const Tensor& tensor(const char* name, std::size_t rank, std::uint64_t last = 0) const {
         const auto found = container.tensors.find(name);
         if (found == container.tensors.end())
             throw Fault{"it lacks the tensor '" + std::string(name) + "'"};
-        if (found->second.shape.size() != rank)
+        const auto& shape = found->second.shape;
+        if (shape.size() != rank || (last != 0 && shape.back() != last))
             throw Fault{"tensor '" + std::string(name) + "' does not have the right shape"};
         return found->second;
     }
 
-    /// [..., 3]
-    const Tensor& vectors(const char* name, std::size_t rank) const {
-        const auto& found = tensor(name, rank);
-        if (found.shape.back() != 3)
-            throw Fault{"tensor '" + std::string(name) + "' does not have the right shape"};
-        return found;
-    }
-
     template <class Value>
     std::vector<Value> values(const char* name, const char* type, std::size_t rank) const {
-        const auto& found = rank == 2 ? vectors(name, rank) : tensor(name, rank);
+        const auto& found = tensor(name, rank, rank == 2 ? 3 : 0);
         if (found.type != type)
             throw Fault{"tensor '" + std::string(name) + "' is not of type " + type};
         return found.copy<Value>();
     }
 
+    std::vector<double> optionalValues(const char* name) const {
+        if (!container.tensors.contains(name))
+            return {};
+        return values<double>(name, "F64", 1);
+    }
+
     std::vector<float> shapes() const {
-        const auto& found = vectors("shapes", 3);
+        const auto& found = tensor("shapes", 3, 3);
         // The other tensors' counts are only compared with the product.
         if (found.shape[0] != tensor("shape_vertices", 1).shape[0] ||
             found.shape[1] != tensor("eigenvalues", 1).shape[0])
@@ -230,35 +222,6 @@ private:
     Container container;
 };
 
-json describeMetadata(const ModalObject& object) {
-    const json geometry{{"thickness_m", object.thicknessMetres}, {"band_hz", object.bandHz}};
-    const json mass{{"mass_kg", object.mass.massKg},
-                    {"centre_m", object.mass.centreMetres},
-                    {"inertia_kg_m2", object.mass.inertiaKgM2}};
-    const json provenance{
-        {"source", object.provenance.source},
-        {"software", object.provenance.software},
-        {"notes", object.provenance.notes},
-        {"analysis_s", object.provenance.analysisSeconds},
-        {"analysed_vertices", static_cast<std::uint64_t>(object.provenance.analysedVertices)},
-        {"zero_modes", static_cast<std::uint64_t>(object.provenance.zeroModes)}};
-    // Metadata of safetensors maps texts to texts, therefore JSON inside JSON. Names come from
-    // people and files: replace invalid UTF-8.
-    const auto inner = [](const json& section) {
-        return section.dump(-1, ' ', false, json::error_handler_t::replace);
-    };
-    return {{"format", "idiophone-modal"},
-            {"format_version", std::to_string(formatVersion)},
-            {"units", "SI: metres, kilograms, seconds, pascals; eigenvalues in rad²/s²"},
-            {"name", object.name},
-            {"method", object.method},
-            {"body", object.body == BodyKind::shell ? "shell" : "solid"},
-            {"geometry", inner(geometry)},
-            {"material", inner(materialJson<json>(object.material))},
-            {"mass", inner(mass)},
-            {"provenance", inner(provenance)}};
-}
-
 } // namespace
 
 Result<ModalObject> readModalObject(std::span<const std::byte> bytes, std::string_view name) {
@@ -284,66 +247,6 @@ Result<ModalObject> readModalObject(const std::filesystem::path& file) {
     if (!bytes)
         return failure(shownNameOf(file) + ": " + bytes.error().message);
     return readModalObject(std::as_bytes(std::span(*bytes)), nameOf(file));
-}
-
-std::vector<std::byte> encodeModalObject(const ModalObject& object, ShapePrecision precision) {
-    safetensors::Writer writer(describeMetadata(object));
-    const auto modes = object.modeCount();
-    const auto shapeVertices = object.shapeVertexCount();
-    // Wide numbers come first, so that every tensor is aligned to its own size.
-    writer.add("eigenvalues", "F64", {modes}, object.eigenvalues);
-    if (!object.bending.empty())
-        writer.add("bending", "F64", {modes}, object.bending);
-    if (!object.decaysPerSecond.empty())
-        writer.add("decay_per_s", "F64", {modes}, object.decaysPerSecond);
-    if (!object.extraDecaysPerSecond.empty())
-        writer.add("extra_decay_per_s", "F64", {modes}, object.extraDecaysPerSecond);
-    const auto& radiation = object.radiation;
-    const auto directions = radiation.directions.size(), ratios = radiation.frequencyRatios.size();
-    if (!radiation.empty())
-        writer.add("radiation_ratios", "F64", {ratios}, radiation.frequencyRatios);
-    writer.add("vertices", "F32", {object.vertexCount(), 3}, object.vertices);
-    if (!radiation.empty()) {
-        writer.add("radiation_directions", "F32", {directions, 3}, radiation.directions);
-        writer.add("radiation", "F32", {directions, ratios, modes, 2}, radiation.weights);
-    }
-    if (!object.gains.empty())
-        writer.add("gains", "F32", {modes, 2}, object.gains);
-    writer.add("faces", "I32", {object.faceCount(), 3}, object.faces);
-    writer.add("shape_vertices", "I32", {shapeVertices}, object.shapeVertices);
-    const bool fitsHalf = std::ranges::all_of(
-        object.shapes, [](float shape) { return std::isfinite(halfToFloat(floatToHalf(shape))); });
-    if (precision == ShapePrecision::single || !fitsHalf) {
-        writer.add("shapes", "F32", {shapeVertices, modes, 3}, object.shapes);
-    } else {
-        std::vector<std::uint16_t> halves(object.shapes.size());
-        std::ranges::transform(object.shapes, halves.begin(), floatToHalf);
-        writer.add("shapes", "F16", {shapeVertices, modes, 3}, halves);
-    }
-    return writer.finish();
-}
-
-Result<void> writeModalObject(const ModalObject& object,
-                              const std::filesystem::path& file,
-                              ShapePrecision precision) {
-    const auto refuse = [&](const char* sentence) {
-        return failure(shownNameOf(file) + ": " + sentence);
-    };
-    std::vector<std::byte> bytes;
-    try {
-        bytes = encodeModalObject(object, precision);
-    } catch (const std::bad_alloc&) {
-        return refuse("the object is too large for this machine's memory");
-    }
-    if (!safetensors::hasReadableHeader(bytes))
-        return refuse("the object's texts are too long for a file");
-    const bool isWritten = replaceFile(file, [&](std::ostream& stream) {
-        stream.write(reinterpret_cast<const char*>(bytes.data()),
-                     static_cast<std::streamsize>(bytes.size()));
-    });
-    if (!isWritten)
-        return refuse("the file cannot be written");
-    return {};
 }
 
 } // namespace idiophone

@@ -12,6 +12,9 @@
 
 namespace idiophone {
 
+/// The reader refuses other versions.
+inline constexpr int modalFormatVersion = 1;
+
 /// Half precision is for shapes below 65 520 /√kg. Larger shapes are always written in single
 /// precision.
 enum class ShapePrecision { half, single };

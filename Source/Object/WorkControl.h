@@ -4,6 +4,7 @@
 #include "Object/Result.h"
 
 #include <atomic>
+#include <cmath>
 #include <functional>
 #include <string>
 #include <string_view>
@@ -22,6 +23,15 @@ struct WorkControl {
     void report(double fraction, std::string_view step) const {
         if (progress)
             progress(fraction, step);
+    }
+    /// Returns a control that reports its progress as the range `from` to `to` of this one, which
+    /// must outlive it.
+    WorkControl part(double from, double to) const {
+        return {.progress =
+                    [this, from, to](double fraction, std::string_view step) {
+                        report(std::lerp(from, to, fraction), step);
+                    },
+                .cancelled = cancelled};
     }
     /// Returns a control without progress that is cancelled together with this one.
     WorkControl quiet() const { return {.progress = {}, .cancelled = cancelled}; }
