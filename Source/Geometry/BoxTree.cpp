@@ -6,11 +6,10 @@
 namespace idiophone {
 
 BoxTree::BoxTree(const Mesh& mesh) {
-    std::vector<Eigen::AlignedBox3d> boxes(static_cast<std::size_t>(mesh.faceCount()));
+    std::vector<Eigen::AlignedBox3d> boxes(mesh.faceCount());
     for (Eigen::Index face = 0; face < mesh.faceCount(); ++face)
         for (int corner = 0; corner < 3; ++corner)
-            boxes[static_cast<std::size_t>(face)].extend(
-                mesh.vertices.row(mesh.faces(face, corner)).transpose());
+            boxes[face].extend(mesh.vertices.row(mesh.faces(face, corner)).transpose());
     std::vector<std::size_t> faces(boxes.size());
     std::iota(faces.begin(), faces.end(), std::size_t{0});
     allNodes.reserve(2 * faces.size());

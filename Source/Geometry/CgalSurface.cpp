@@ -25,7 +25,7 @@ UnitSurface unitSurfaceOf(const Mesh& sound) {
         result.surface.add_vertex({point.x(), point.y(), point.z()});
     }
     std::vector<std::array<Surface::Vertex_index, 3>> faces;
-    faces.reserve(static_cast<std::size_t>(sound.faceCount()));
+    faces.reserve(sound.faceCount());
     for (Eigen::Index face = 0; face < sound.faceCount(); ++face)
         faces.push_back({Surface::Vertex_index(static_cast<unsigned>(sound.faces(face, 0))),
                          Surface::Vertex_index(static_cast<unsigned>(sound.faces(face, 1))),

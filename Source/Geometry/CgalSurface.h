@@ -7,6 +7,9 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
+#include <exception>
+#include <new>
+#include <string>
 
 namespace idiophone {
 
@@ -29,5 +32,24 @@ UnitSurface unitSurfaceOf(const Mesh& sound);
 /// Removes deleted elements from the surface and returns it as a mesh in metres: a manifold without
 /// degenerate faces. Fails with one sentence if no face is left.
 Result<Mesh> meshOf(UnitSurface& surface);
+
+/// Thrown through CGAL's loops, which nothing else can end.
+struct Stopped {
+    std::string sentence;
+};
+
+/// Runs `work` and turns every exception into an error. `done` is its verb: "remeshed".
+template <class Work>
+Result<Mesh> withoutExceptions(const std::string& done, const Work& work) {
+    try {
+        return work();
+    } catch (const Stopped& stop) {
+        return failure(stop.sentence);
+    } catch (const std::bad_alloc&) {
+        return failure("The mesh needs more memory to be " + done + " than this machine has.");
+    } catch (const std::exception& error) {
+        return failure("The mesh cannot be " + done + ": " + error.what() + ".");
+    }
+}
 
 } // namespace idiophone

@@ -8,8 +8,6 @@
 #include <CGAL/Surface_mesh_simplification/edge_collapse.h>
 #include <algorithm>
 #include <cstdint>
-#include <exception>
-#include <new>
 #include <string>
 #include <utility>
 
@@ -41,8 +39,6 @@ private:
     const WorkControl& control_;
 };
 
-struct Stopped {};
-
 /// Limits CGAL's work. After a collapse, CGAL visits all edges around both ends of each moved edge.
 /// If n faces meet in one vertex, this takes O(n³). Throws Stopped if there are too many visits or
 /// on cancellation.
@@ -57,8 +53,11 @@ public:
     template <class Profile>
     auto operator()(const Profile& profile) const {
         neighboursLeft_ -= static_cast<std::int64_t>(profile.link().size());
-        if (neighboursLeft_ < 0 || control_.isCancelled())
-            throw Stopped{};
+        if (control_.isCancelled())
+            throw Stopped{std::string(cancelledMessage)};
+        if (neighboursLeft_ < 0)
+            throw Stopped{"The mesh cannot be decimated: too many of its faces meet in one "
+                          "vertex."};
         return placement_(profile);
     }
 
@@ -115,7 +114,7 @@ void collapseEdges(UnitSurface& unit, std::size_t budget, const WorkControl& con
 Result<Mesh> decimate(const Mesh& mesh, int vertexBudget, const WorkControl& control) {
     if (vertexBudget < 4)
         return failure("A mesh cannot be decimated to fewer than 4 vertices.");
-    try {
+    return withoutExceptions("decimated", [&]() -> Result<Mesh> {
         const auto repaired =
             repairMesh(mesh, {.cutIntoManifold = true, .cancelled = control.cancelled});
         if (!repaired)
@@ -133,15 +132,7 @@ Result<Mesh> decimate(const Mesh& mesh, int vertexBudget, const WorkControl& con
                            " vertices: its holes and components need " +
                            std::to_string(result->vertexCount()) + ".");
         return result;
-    } catch (const Stopped&) {
-        if (control.isCancelled())
-            return cancellation();
-        return failure("The mesh cannot be decimated: too many of its faces meet in one vertex.");
-    } catch (const std::bad_alloc&) {
-        return failure("The mesh needs more memory to be decimated than this machine has.");
-    } catch (const std::exception& error) {
-        return failure(std::string("The mesh cannot be decimated: ") + error.what() + ".");
-    }
+    });
 }
 
 } // namespace idiophone

@@ -1,5 +1,9 @@
 #include "Geometry/EdgeSplit.h"
 
+#include "Geometry/MeshBuilder.h"
+
+#include <utility>
+
 namespace idiophone {
 namespace {
 
@@ -41,9 +45,7 @@ void splitFaces(Mesh& mesh, const std::unordered_map<int, EdgeInsertions>& inser
         else
             emit(faces, mesh.faces.row(face), found->second);
     }
-    mesh.faces.resize(static_cast<Eigen::Index>(faces.size()), 3);
-    for (std::size_t face = 0; face < faces.size(); ++face)
-        mesh.faces.row(static_cast<Eigen::Index>(face)) = faces[face];
+    mesh.faces = MeshBuilder{{}, std::move(faces)}.mesh().faces;
 }
 
 } // namespace idiophone

@@ -78,12 +78,12 @@ public:
     Inside(const Mesh& mesh, const Patch& patch) : box_(patch.box), surface_(meshOf(mesh, patch)) {}
 
     /// Counts how often a ray in an arbitrary direction passes through the patch. Returns nothing
-    /// if `boxesLeft` runs out (SurfaceQuery::passages).
-    std::optional<bool> contains(const Eigen::Vector3d& point, std::int64_t& boxesLeft) const {
+    /// if `boxBudget` runs out (SurfaceQuery::passages).
+    std::optional<bool> contains(const Eigen::Vector3d& point, std::int64_t& boxBudget) const {
         if (!box_.contains(point))
             return false;
         const Eigen::Vector3d direction = Eigen::Vector3d(0.5377, 0.2846, 0.7937).normalized();
-        const auto passages = surface_.passages(point, direction, boxesLeft);
+        const auto passages = surface_.passages(point, direction, boxBudget);
         if (!passages)
             return std::nullopt;
         // Passages closer than this go through one edge and count once.
@@ -103,7 +103,7 @@ private:
         Mesh result{Eigen::MatrixXd(3 * patch.faces.size(), 3),
                     Eigen::MatrixXi(patch.faces.size(), 3)};
         for (int row = 0; row < result.vertices.rows(); ++row) {
-            const int face = patch.faces[static_cast<std::size_t>(row / 3)];
+            const int face = patch.faces[row / 3];
             result.vertices.row(row) = mesh.vertices.row(mesh.faces(face, row % 3));
             result.faces(row / 3, row % 3) = row;
         }
@@ -116,7 +116,7 @@ private:
 
 /// Takes the majority of five faces, because patches may touch or cut each other.
 std::optional<bool>
-liesInside(const Mesh& mesh, const Patch& patch, const Inside& other, std::int64_t& boxesLeft) {
+liesInside(const Mesh& mesh, const Patch& patch, const Inside& other, std::int64_t& boxBudget) {
     int inside = 0;
     for (std::size_t i = 0; i < 5; ++i) {
         const int face = patch.faces[i * (patch.faces.size() - 1) / 4];
@@ -124,7 +124,7 @@ liesInside(const Mesh& mesh, const Patch& patch, const Inside& other, std::int64
             (mesh.vertices.row(mesh.faces(face, 0)) + mesh.vertices.row(mesh.faces(face, 1)) +
              mesh.vertices.row(mesh.faces(face, 2))) /
             3;
-        const auto isInside = other.contains(centre.transpose(), boxesLeft);
+        const auto isInside = other.contains(centre.transpose(), boxBudget);
         if (!isInside)
             return std::nullopt;
         inside += *isInside ? 1 : 0;
@@ -138,7 +138,7 @@ std::optional<int> turnHollows(const Mesh& mesh,
                                std::vector<Patch> patches,
                                FaceFlags& flip,
                                const std::atomic<bool>* cancelled) {
-    std::int64_t boxesLeft = 50'000'000;
+    std::int64_t boxBudget = 50'000'000;
     constexpr std::size_t mostPatches = 1000;
     std::erase_if(patches, [](const Patch& patch) { return !patch.isClosed; });
     std::ranges::stable_sort(patches, std::greater{},
@@ -158,7 +158,7 @@ std::optional<int> turnHollows(const Mesh& mesh,
             continue;
         const Inside inside(mesh, outer);
         for (const std::size_t i : candidates) {
-            const auto isInside = liesInside(mesh, patches[i], inside, boxesLeft);
+            const auto isInside = liesInside(mesh, patches[i], inside, boxBudget);
             if (!isInside || (cancelled != nullptr && cancelled->load()))
                 return std::nullopt;
             depth[i] += *isInside ? 1 : 0;

@@ -1,5 +1,7 @@
 #include "Geometry/LatheMesh.h"
 
+#include "Geometry/MeshBuilder.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -80,7 +82,7 @@ struct Circle {
 
 /// Fills the band between two circles. Walks both circles and advances on the one whose next
 /// segment lies further back.
-void stitch(const Circle& lower, const Circle& upper, std::vector<Eigen::RowVector3i>& faces) {
+void stitch(const Circle& lower, const Circle& upper, MeshBuilder& mesh) {
     const int lowerSteps = lower.count > 1 ? lower.count : 0;
     const int upperSteps = upper.count > 1 ? upper.count : 0;
     constexpr double tie = 1e-9; // without it, rounding would decide and sectors would differ
@@ -90,10 +92,10 @@ void stitch(const Circle& lower, const Circle& upper, std::vector<Eigen::RowVect
             j == upperSteps || (i < lowerSteps && lower.angle(i) + lower.angle(i + 1) <
                                                       upper.angle(j) + upper.angle(j + 1) + tie);
         if (advanceLower) {
-            faces.emplace_back(lower.vertex(i), lower.vertex(i + 1), upper.vertex(j));
+            mesh.face(lower.vertex(i), lower.vertex(i + 1), upper.vertex(j));
             ++i;
         } else {
-            faces.emplace_back(lower.vertex(i), upper.vertex(j + 1), upper.vertex(j));
+            mesh.face(lower.vertex(i), upper.vertex(j + 1), upper.vertex(j));
             ++j;
         }
     }
@@ -104,32 +106,22 @@ void stitch(const Circle& lower, const Circle& upper, std::vector<Eigen::RowVect
 LatheMesh latheMesh(const std::vector<LathePoint>& section, double edgeMetres) {
     const auto rows = evenRows(section, edgeMetres * std::sqrt(3.0) / 2);
     std::vector<Circle> circles;
-    std::vector<Eigen::RowVector3i> faces;
-    int vertexCount = 0;
+    std::vector<double> thicknesses;
+    MeshBuilder mesh;
     for (const auto& row : rows) {
-        Circle circle{.firstVertex = vertexCount,
+        Circle circle{.firstVertex = static_cast<int>(mesh.vertices.size()),
                       .count = countAround(row.radiusMetres, edgeMetres)};
         if (!circles.empty() && circles.back().count == circle.count && circles.back().turn == 0)
             circle.turn = pi / circle.count;
-        vertexCount += circle.count;
+        for (int k = 0; k < circle.count; ++k)
+            mesh.add(row.radiusMetres * std::cos(circle.angle(k)),
+                     row.radiusMetres * std::sin(circle.angle(k)), row.heightMetres);
+        thicknesses.resize(mesh.vertices.size(), row.thicknessMetres);
         if (!circles.empty())
-            stitch(circles.back(), circle, faces);
+            stitch(circles.back(), circle, mesh);
         circles.push_back(circle);
     }
-    LatheMesh result{.mesh = {Eigen::MatrixXd(vertexCount, 3),
-                              Eigen::MatrixXi(static_cast<Eigen::Index>(faces.size()), 3)},
-                     .thicknessMetres = Eigen::VectorXd(vertexCount)};
-    for (std::size_t row = 0; row < rows.size(); ++row)
-        for (int k = 0; k < circles[row].count; ++k) {
-            const double angle = circles[row].angle(k);
-            result.mesh.vertices.row(circles[row].vertex(k))
-                << rows[row].radiusMetres * std::cos(angle),
-                rows[row].radiusMetres * std::sin(angle), rows[row].heightMetres;
-            result.thicknessMetres(circles[row].vertex(k)) = rows[row].thicknessMetres;
-        }
-    for (std::size_t face = 0; face < faces.size(); ++face)
-        result.mesh.faces.row(static_cast<Eigen::Index>(face)) = faces[face];
-    return result;
+    return {mesh.mesh(), Eigen::Map<const Eigen::VectorXd>(thicknesses.data(), thicknesses.size())};
 }
 
 } // namespace idiophone

@@ -53,9 +53,9 @@ void separateFans(Mesh& mesh, const std::vector<int>& fans, std::vector<int>& co
         mesh.faces(corner / 3, corner % 3) = vertex;
     }
     const Eigen::MatrixXd vertices = std::move(mesh.vertices);
-    mesh.vertices.resize(static_cast<Eigen::Index>(copyOf.size()), 3);
+    mesh.vertices.resize(copyOf.size(), 3);
     for (std::size_t vertex = 0; vertex < copyOf.size(); ++vertex)
-        mesh.vertices.row(static_cast<Eigen::Index>(vertex)) = vertices.row(copyOf[vertex]);
+        mesh.vertices.row(vertex) = vertices.row(copyOf[vertex]);
 }
 
 /// A side of a face. `pair` is the lower face of the pair, or the face itself if it has no partner.
@@ -99,7 +99,7 @@ void separatePairs(Mesh& mesh, const EdgePairing& pairing, std::vector<int>& cop
             insertions[side.face][side.corner] = first->second[before.corner];
         }
     }
-    mesh.vertices.conservativeResize(static_cast<Eigen::Index>(copyOf.size()), Eigen::NoChange);
+    mesh.vertices.conservativeResize(copyOf.size(), Eigen::NoChange);
     for (std::size_t i = 0; i < middles.size(); ++i)
         mesh.vertices.row(mesh.vertexCount() - static_cast<Eigen::Index>(middles.size() - i)) =
             middles[i];
@@ -109,7 +109,7 @@ void separatePairs(Mesh& mesh, const EdgePairing& pairing, std::vector<int>& cop
 } // namespace
 
 std::vector<int> cutIntoManifold(Mesh& mesh, const EdgePairing& pairing) {
-    std::vector<int> copyOf(static_cast<std::size_t>(mesh.vertexCount()));
+    std::vector<int> copyOf(mesh.vertexCount());
     std::iota(copyOf.begin(), copyOf.end(), 0);
     separateFans(mesh, fansOfCorners(mesh, pairing), copyOf);
     separatePairs(mesh, pairing, copyOf);

@@ -80,7 +80,7 @@ bool isClosed(const std::vector<MeshEdge>& edges) {
 }
 
 std::vector<int> allVertices(const Mesh& mesh) {
-    std::vector<int> all(static_cast<std::size_t>(mesh.vertexCount()));
+    std::vector<int> all(mesh.vertexCount());
     std::iota(all.begin(), all.end(), 0);
     return all;
 }
@@ -103,13 +103,11 @@ double signedVolumeM3(const Mesh& mesh) {
 }
 
 Components connectedComponents(const Mesh& mesh) {
-    DisjointSets sets(static_cast<std::size_t>(mesh.vertexCount()));
+    DisjointSets sets(mesh.vertexCount());
     for (Eigen::Index face = 0; face < mesh.faceCount(); ++face)
         for (int corner = 1; corner < 3; ++corner)
             sets.join(mesh.faces(face, 0), mesh.faces(face, corner));
-    Components components{.componentOfVertex =
-                              std::vector<int>(static_cast<std::size_t>(mesh.vertexCount())),
-                          .count = 0};
+    Components components{.componentOfVertex = std::vector<int>(mesh.vertexCount()), .count = 0};
     for (int vertex = 0; vertex < mesh.vertexCount(); ++vertex) {
         // The lowest vertex of a component already has its number.
         const int lowest = sets.nameOf(vertex);

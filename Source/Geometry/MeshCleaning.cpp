@@ -15,7 +15,7 @@ namespace {
 /// Returns for each vertex the first vertex at exactly the same position.
 std::vector<int> firstInPlace(const Eigen::MatrixXd& vertices) {
     std::vector<std::pair<std::array<double, 3>, int>> places;
-    places.reserve(static_cast<std::size_t>(vertices.rows()));
+    places.reserve(vertices.rows());
     for (int vertex = 0; vertex < vertices.rows(); ++vertex)
         places.push_back({{vertices(vertex, 0), vertices(vertex, 1), vertices(vertex, 2)}, vertex});
     std::ranges::sort(places);
@@ -44,6 +44,12 @@ void keepRows(Eigen::MatrixXi& faces, const std::vector<char>& keep) {
         if (keep[face])
             faces.row(kept++) = faces.row(face).eval();
     faces.conservativeResize(kept, Eigen::NoChange);
+}
+
+/// Keeps the first `count` vertices and gives the faces' corners their new numbers.
+void renumber(Mesh& mesh, int count, const std::vector<int>& newNumber) {
+    mesh.vertices.conservativeResize(count, Eigen::NoChange);
+    mesh.faces = mesh.faces.unaryExpr([&](int vertex) { return newNumber[vertex]; }).eval();
 }
 
 } // namespace
@@ -75,8 +81,7 @@ std::vector<int> weldVertices(Mesh& mesh, double toleranceMetres) {
                 newNumber[other] = count;
         mesh.vertices.row(count++) = mesh.vertices.row(vertex).eval();
     }
-    mesh.vertices.conservativeResize(count, Eigen::NoChange);
-    mesh.faces = mesh.faces.unaryExpr([&](int vertex) { return newNumber[vertex]; }).eval();
+    renumber(mesh, count, newNumber);
     return newNumber;
 }
 
@@ -123,17 +128,15 @@ int keepLargestComponent(Mesh& mesh) {
 
 std::vector<int> dropUnreferencedVertices(Mesh& mesh) {
     std::vector<int> newNumber(mesh.vertexCount(), -1);
-    for (Eigen::Index face = 0; face < mesh.faceCount(); ++face)
-        for (int corner = 0; corner < 3; ++corner)
-            newNumber[mesh.faces(face, corner)] = 0;
+    for (const int vertex : mesh.faces.reshaped())
+        newNumber[vertex] = 0;
     int count = 0;
     for (Eigen::Index vertex = 0; vertex < mesh.vertexCount(); ++vertex)
         if (newNumber[vertex] == 0) {
             newNumber[vertex] = count;
             mesh.vertices.row(count++) = mesh.vertices.row(vertex).eval();
         }
-    mesh.vertices.conservativeResize(count, Eigen::NoChange);
-    mesh.faces = mesh.faces.unaryExpr([&](int vertex) { return newNumber[vertex]; }).eval();
+    renumber(mesh, count, newNumber);
     return newNumber;
 }
 

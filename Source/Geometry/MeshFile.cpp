@@ -14,6 +14,16 @@ void RawMesh::addPolygon(const std::vector<std::int64_t>& corners) {
         triangles.insert(triangles.end(), {corners[0], corners[i - 1], corners[i]});
 }
 
+bool RawMesh::addVertex(TextScanner& numbers) {
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto number = numbers.nextNumber();
+        if (!number)
+            return false;
+        coordinates.push_back(*number);
+    }
+    return true;
+}
+
 std::string_view TextScanner::nextWord() {
     while (true) {
         rest_.remove_prefix(std::min(rest_.find_first_not_of(blanks), rest_.size()));

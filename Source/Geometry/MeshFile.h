@@ -14,6 +14,8 @@
 
 namespace idiophone {
 
+class TextScanner;
+
 /// Vertices and triangles from a file. Indices are not checked yet.
 struct RawMesh {
     std::vector<double> coordinates;     ///< [N,3]
@@ -21,6 +23,8 @@ struct RawMesh {
 
     std::int64_t vertexCount() const { return static_cast<std::int64_t>(coordinates.size() / 3); }
     void addPolygon(const std::vector<std::int64_t>& corners);
+    /// Adds the vertex of the next three numbers. Returns false if they are not numbers.
+    bool addVertex(TextScanner& numbers);
 };
 
 /// Reads a text word by word without copies. '#' starts a comment that ends with its line.

@@ -75,12 +75,8 @@ Result<RawMesh> readTextStl(std::string_view bytes) {
     for (auto word = words.nextWord(); !word.empty(); word = words.nextWord()) {
         if (word == "vertex") {
             corners.push_back(mesh.vertexCount());
-            for (int axis = 0; axis < 3; ++axis) {
-                const auto number = words.nextNumber();
-                if (!number)
-                    return failure(numbered("vertex", corners.back()) + " is not three numbers");
-                mesh.coordinates.push_back(*number);
-            }
+            if (!mesh.addVertex(words))
+                return failure(numbered("vertex", corners.back()) + " is not three numbers");
         } else if (word == "endloop") {
             mesh.addPolygon(corners);
             corners.clear();
@@ -148,12 +144,8 @@ Result<RawMesh> readObj(std::string_view bytes) {
         TextScanner words(*line);
         const auto keyword = words.nextWord();
         if (keyword == "v") {
-            for (int axis = 0; axis < 3; ++axis) {
-                const auto coordinate = words.nextNumber();
-                if (!coordinate)
-                    return failure(numbered("line", number) + " is not a vertex of three numbers");
-                mesh.coordinates.push_back(*coordinate);
-            }
+            if (!mesh.addVertex(words))
+                return failure(numbered("line", number) + " is not a vertex of three numbers");
         } else if (keyword == "f") {
             cornerWords.clear();
             for (auto word = words.nextWord(); !word.empty(); word = words.nextWord())
@@ -204,12 +196,8 @@ Result<RawMesh> readOff(std::string_view bytes) {
         // Ignore the rest of the line (normals, colours).
         TextScanner numbers(content);
         if (row < *vertices) {
-            for (int axis = 0; axis < 3; ++axis) {
-                const auto number = numbers.nextNumber();
-                if (!number)
-                    return failure(numbered("vertex", row) + " is not three numbers");
-                mesh.coordinates.push_back(*number);
-            }
+            if (!mesh.addVertex(numbers))
+                return failure(numbered("vertex", row) + " is not three numbers");
             continue;
         }
         std::vector<std::int64_t> corners;
@@ -261,8 +249,7 @@ Result<Mesh> readMesh(const std::filesystem::path& file, double metresPerUnit) {
                         metresPerUnit;
         using RowMajorIndices = Eigen::Matrix<std::int64_t, Eigen::Dynamic, 3, Eigen::RowMajor>;
         mesh.faces =
-            Eigen::Map<const RowMajorIndices>(
-                raw->triangles.data(), static_cast<Eigen::Index>(raw->triangles.size() / 3), 3)
+            Eigen::Map<const RowMajorIndices>(raw->triangles.data(), raw->triangles.size() / 3, 3)
                 .cast<int>();
         return mesh;
     } catch (const std::bad_alloc&) {

@@ -96,10 +96,12 @@ bool RepairReport::mayBeCutOff() const {
 
 std::string RepairReport::text() const {
     std::string text;
+    const auto add = [&](const std::string& sentence) {
+        text += (text.empty() ? "" : " ") + sentence;
+    };
     const auto say = [&](int count, const char* before, const char* one, const char* many) {
         if (count > 0)
-            text += std::string(text.empty() ? "" : " ") + before + std::to_string(count) + " " +
-                    (count == 1 ? one : many) + ".";
+            add(before + std::to_string(count) + " " + (count == 1 ? one : many) + ".");
     };
     say(weldedVertices, "Welded ", "vertex", "vertices");
     say(degenerateFaces, "Dropped ", "degenerate face", "degenerate faces");
@@ -112,11 +114,10 @@ std::string RepairReport::text() const {
     say(cutVertices, "Cut the mesh apart where it is no manifold: ", "vertex more",
         "vertices more");
     if (boundaryEdges > mostOpenEdges)
-        text += std::string(text.empty() ? "" : " ") +
-                "Too many open edges to look for vertices that lie on them.";
+        add("Too many open edges to look for vertices that lie on them.");
     say(boundaryEdges, "Open: ", "boundary edge", "boundary edges");
     if (mayBeCutOff())
-        text += " Many vertices have no face: the end of the mesh may be missing.";
+        add("Many vertices have no face: the end of the mesh may be missing.");
     say(nonManifoldEdges, "Not a manifold: ", "edge of more than two faces",
         "edges of more than two faces");
     say(oneSidedEdges, "One-sided: ", "edge at which the faces cannot agree on a side",
@@ -124,8 +125,7 @@ std::string RepairReport::text() const {
     say(hollows, "", "closed surface inside another, taken for a hollow",
         "closed surfaces inside others, taken for hollows");
     if (isTangled)
-        text += std::string(text.empty() ? "" : " ") +
-                "Too tangled to find out which closed surfaces are hollows of others.";
+        add("Too tangled to find out which closed surfaces are hollows of others.");
     if (components > 1)
         say(components, "", "component", "components that do not touch");
     return text;

@@ -15,6 +15,11 @@ bool hasExtension(const std::filesystem::path& file, std::string_view extension)
     return sameName(nameOf(file.extension()), extension);
 }
 
+/// Writes each row of a matrix as a line that begins with this word.
+Eigen::IOFormat linesOf(const char* word) {
+    return {Eigen::StreamPrecision, Eigen::DontAlignCols, " ", "", word, "\n"};
+}
+
 /// `figures` may be null.
 void writePly(const Mesh& mesh, const VertexFigures* figures, std::ostream& stream) {
     stream << "ply\nformat ascii 1.0\ncomment metres\nelement vertex " << mesh.vertexCount()
@@ -34,18 +39,12 @@ void writePly(const Mesh& mesh, const VertexFigures* figures, std::ostream& stre
         }
         stream << '\n';
     }
-    for (Eigen::Index i = 0; i < mesh.faceCount(); ++i)
-        stream << "3 " << mesh.faces(i, 0) << ' ' << mesh.faces(i, 1) << ' ' << mesh.faces(i, 2)
-               << '\n';
+    stream << mesh.faces.format(linesOf("3 "));
 }
 
 void writeObj(const Mesh& mesh, std::ostream& stream) {
-    for (Eigen::Index i = 0; i < mesh.vertexCount(); ++i)
-        stream << "v " << mesh.vertices(i, 0) << ' ' << mesh.vertices(i, 1) << ' '
-               << mesh.vertices(i, 2) << '\n';
-    for (Eigen::Index i = 0; i < mesh.faceCount(); ++i)
-        stream << "f " << mesh.faces(i, 0) + 1 << ' ' << mesh.faces(i, 1) + 1 << ' '
-               << mesh.faces(i, 2) + 1 << '\n';
+    stream << mesh.vertices.format(linesOf("v "))
+           << (mesh.faces.array() + 1).matrix().format(linesOf("f "));
 }
 
 Result<void> replaceByNumbers(const std::filesystem::path& file,

@@ -22,7 +22,7 @@ void smoothCrowded(const Mesh& mesh,
                    std::span<const std::size_t> vertices,
                    double leastCosine,
                    Eigen::MatrixXd& normals) {
-    std::vector<char> isCrowded(static_cast<std::size_t>(mesh.vertexCount()), 0);
+    std::vector<char> isCrowded(mesh.vertexCount(), 0);
     for (const auto vertex : vertices)
         isCrowded[vertex] = 1;
     Eigen::MatrixXd mean = Eigen::MatrixXd::Zero(mesh.vertexCount(), 3);
@@ -30,7 +30,7 @@ void smoothCrowded(const Mesh& mesh,
         for (Eigen::Index corner = 0; corner < normals.rows(); ++corner) {
             const auto face = corner / 3, vertex = Eigen::Index{mesh.faces(face, corner % 3)};
             const Eigen::RowVector3d own = faceNormals.row(face);
-            if (isCrowded[static_cast<std::size_t>(vertex)] == 0 || !own.allFinite())
+            if (isCrowded[vertex] == 0 || !own.allFinite())
                 continue;
             if (isSum) {
                 mean.row(vertex) += own;
@@ -53,8 +53,8 @@ Mesh objectMesh(const ModalObject& object) {
 }
 
 void setMesh(ModalObject& object, const Mesh& mesh) {
-    object.vertices.resize(static_cast<std::size_t>(mesh.vertices.size()));
-    object.faces.resize(static_cast<std::size_t>(mesh.faces.size()));
+    object.vertices.resize(mesh.vertices.size());
+    object.faces.resize(mesh.faces.size());
     Eigen::Map<Coordinates>(object.vertices.data(), mesh.vertexCount(), 3) =
         mesh.vertices.cast<float>();
     Eigen::Map<Corners>(object.faces.data(), mesh.faceCount(), 3) = mesh.faces;

@@ -11,12 +11,40 @@ namespace idiophone {
 namespace {
 
 enum class Encoding { text, littleEndian, bigEndian };
-enum class Scalar { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
+template <class T>
+double valueOf(const char* bytes) {
+    T value;
+    std::memcpy(&value, bytes, sizeof value);
+    return static_cast<double>(value);
+}
+
+/// A type of numbers, under both of its names.
+struct Scalar {
+    std::string_view name, newName;
+    std::size_t bytes;
+    double (*value)(const char* bytes); ///< in this machine's byte order
+};
+
+constexpr Scalar scalars[] = {
+    {"char", "int8", 1, valueOf<std::int8_t>},    {"uchar", "uint8", 1, valueOf<std::uint8_t>},
+    {"short", "int16", 2, valueOf<std::int16_t>}, {"ushort", "uint16", 2, valueOf<std::uint16_t>},
+    {"int", "int32", 4, valueOf<std::int32_t>},   {"uint", "uint32", 4, valueOf<std::uint32_t>},
+    {"float", "float32", 4, valueOf<float>},      {"double", "float64", 8, valueOf<double>}};
+
+/// Returns nullptr for an unknown name.
+const Scalar* scalarNamed(std::string_view name) {
+    for (const auto& scalar : scalars)
+        if (name == scalar.name || name == scalar.newName)
+            return &scalar;
+    return nullptr;
+}
 
 struct Property {
     std::string_view name;
-    Scalar type = Scalar::float32;
-    std::optional<Scalar> countType; ///< set for lists only
+    const Scalar* type = nullptr;
+    const Scalar* countType = nullptr; ///< set for lists only
+
+    const Scalar& firstType() const { return countType != nullptr ? *countType : *type; }
 };
 
 struct Element {
@@ -30,62 +58,23 @@ struct Header {
     std::vector<Element> elements;
 };
 
-std::optional<Scalar> scalarNamed(std::string_view name) {
-    constexpr std::array<std::array<std::string_view, 2>, 8> names{{{"char", "int8"},
-                                                                    {"uchar", "uint8"},
-                                                                    {"short", "int16"},
-                                                                    {"ushort", "uint16"},
-                                                                    {"int", "int32"},
-                                                                    {"uint", "uint32"},
-                                                                    {"float", "float32"},
-                                                                    {"double", "float64"}}};
-    for (std::size_t i = 0; i < names.size(); ++i)
-        if (name == names[i][0] || name == names[i][1])
-            return static_cast<Scalar>(i);
-    return std::nullopt;
-}
-
-std::size_t sizeOf(Scalar type) {
-    constexpr std::array<std::size_t, 8> sizes{1, 1, 2, 2, 4, 4, 4, 8};
-    return sizes[static_cast<std::size_t>(type)];
-}
-
 /// Reads values in sequence, from text or bytes; nothing at the end of the file.
 class Values {
 public:
     Values(std::string_view body, Encoding encoding)
         : bytes_(body), text_(body), encoding_(encoding) {}
 
-    std::optional<double> next(Scalar type) {
+    std::optional<double> next(const Scalar& type) {
         if (encoding_ == Encoding::text)
             return text_.nextNumber();
-        const std::size_t size = sizeOf(type);
-        if (bytes_.size() < size)
+        if (bytes_.size() < type.bytes)
             return std::nullopt;
         std::array<char, 8> raw{};
-        std::copy_n(bytes_.begin(), size, raw.begin());
-        bytes_.remove_prefix(size);
+        std::copy_n(bytes_.begin(), type.bytes, raw.begin());
+        bytes_.remove_prefix(type.bytes);
         if ((encoding_ == Encoding::bigEndian) != (std::endian::native == std::endian::big))
-            std::reverse(raw.begin(), raw.begin() + static_cast<std::ptrdiff_t>(size));
-        switch (type) {
-        case Scalar::int8:
-            return as<std::int8_t>(raw);
-        case Scalar::uint8:
-            return as<std::uint8_t>(raw);
-        case Scalar::int16:
-            return as<std::int16_t>(raw);
-        case Scalar::uint16:
-            return as<std::uint16_t>(raw);
-        case Scalar::int32:
-            return as<std::int32_t>(raw);
-        case Scalar::uint32:
-            return as<std::uint32_t>(raw);
-        case Scalar::float32:
-            return as<float>(raw);
-        case Scalar::float64:
-            return as<double>(raw);
-        }
-        return std::nullopt;
+            std::reverse(raw.begin(), raw.begin() + type.bytes);
+        return type.value(raw.data());
     }
 
     std::size_t bytesLeft() const {
@@ -93,18 +82,11 @@ public:
     }
 
     /// Returns the minimum number of bytes of a value.
-    std::size_t leastSize(Scalar type) const {
-        return encoding_ == Encoding::text ? 1 : sizeOf(type);
+    std::size_t minimumBytes(const Scalar& type) const {
+        return encoding_ == Encoding::text ? 1 : type.bytes;
     }
 
 private:
-    template <class T>
-    static double as(const std::array<char, 8>& raw) {
-        T value;
-        std::memcpy(&value, raw.data(), sizeof value);
-        return static_cast<double>(value);
-    }
-
     std::string_view bytes_;
     TextScanner text_;
     Encoding encoding_;
@@ -115,14 +97,13 @@ std::optional<Property> readProperty(TextScanner& words) {
     auto type = words.nextWord();
     if (type == "list") {
         property.countType = scalarNamed(words.nextWord());
-        if (!property.countType)
+        if (property.countType == nullptr)
             return std::nullopt;
         type = words.nextWord();
     }
-    const auto scalar = scalarNamed(type);
-    if (!scalar)
+    property.type = scalarNamed(type);
+    if (property.type == nullptr)
         return std::nullopt;
-    property.type = *scalar;
     property.name = words.nextWord();
     return property;
 }
@@ -171,11 +152,11 @@ Result<Header> readHeader(TextScanner& lines) {
 }
 
 bool isPlausible(const Element& element, const Values& values) {
-    std::size_t leastRow = 0;
+    std::size_t rowBytes = 0;
     for (const auto& property : element.properties)
-        leastRow += values.leastSize(property.countType.value_or(property.type));
-    return leastRow == 0 ||
-           static_cast<std::uint64_t>(element.count) <= values.bytesLeft() / leastRow + 1;
+        rowBytes += values.minimumBytes(property.firstType());
+    return rowBytes == 0 ||
+           static_cast<std::uint64_t>(element.count) <= values.bytesLeft() / rowBytes + 1;
 }
 
 /// Reads one row of an element. Adds vertices and faces to the mesh and skips the rest. Returns
@@ -185,10 +166,10 @@ bool readRow(const Element& element, Values& values, RawMesh& mesh) {
     std::array<double, 3> position{};
     std::vector<std::int64_t> corners;
     for (const auto& property : element.properties) {
-        const auto first = values.next(property.countType.value_or(property.type));
+        const auto first = values.next(property.firstType());
         if (!first)
             return false;
-        if (!property.countType) {
+        if (property.countType == nullptr) {
             if (isVertex && property.name.size() == 1 && property.name[0] >= 'x' &&
                 property.name[0] <= 'z')
                 position[property.name[0] - 'x'] = *first;
@@ -200,7 +181,7 @@ bool readRow(const Element& element, Values& values, RawMesh& mesh) {
         if (!(*first >= 0 && *first <= static_cast<double>(values.bytesLeft())))
             return false;
         for (auto left = static_cast<std::int64_t>(*first); left > 0; --left) {
-            const auto value = values.next(property.type);
+            const auto value = values.next(*property.type);
             if (!value)
                 return false;
             if (wanted)

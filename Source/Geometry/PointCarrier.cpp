@@ -32,9 +32,9 @@ struct Frame {
     Vector3d extents; ///< root mean squares
 
     explicit Frame(std::span<const Vector3d> points) {
-        MatrixXd offsets(static_cast<Index>(points.size()), 3);
+        MatrixXd offsets(points.size(), 3);
         for (std::size_t i = 0; i < points.size(); ++i)
-            offsets.row(static_cast<Index>(i)) = points[i].transpose();
+            offsets.row(i) = points[i].transpose();
         mean = offsets.colwise().mean().transpose();
         offsets.rowwise() -= mean.transpose();
         const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(
@@ -54,10 +54,9 @@ Vector3d normalOfLine(const Vector3d& along) {
 
 /// Returns one row of weights per vertex: 1 for its point, 0 for the others.
 MatrixXd chosen(const std::vector<std::size_t>& pointOfVertex, std::size_t points) {
-    MatrixXd weights =
-        MatrixXd::Zero(static_cast<Index>(pointOfVertex.size()), static_cast<Index>(points));
+    MatrixXd weights = MatrixXd::Zero(pointOfVertex.size(), points);
     for (std::size_t i = 0; i < pointOfVertex.size(); ++i)
-        weights(static_cast<Index>(i), static_cast<Index>(pointOfVertex[i])) = 1;
+        weights(i, pointOfVertex[i]) = 1;
     return weights;
 }
 
@@ -76,7 +75,7 @@ PointCarrier strip(std::span<const Vector3d> points, const Frame& frame) {
     carrier.mesh.faces.resize(4 * (count - 1), 3);
     std::vector<std::size_t> pointOfVertex;
     for (int i = 0; i < count; ++i) {
-        const std::size_t point = order[static_cast<std::size_t>(i)].second;
+        const std::size_t point = order[i].second;
         for (int side = -1; side <= 1; ++side) {
             carrier.mesh.vertices.row(3 * i + side + 1) =
                 (points[point] + side * aside).transpose();
@@ -103,16 +102,16 @@ PointCarrier triangulation(std::span<const Vector3d> points, const Frame& frame)
     axes.col(1) = axes.col(2).cross(axes.col(0));
     std::vector<std::pair<Kernel::Point_2, int>> flat;
     PointCarrier carrier;
-    carrier.mesh.vertices.resize(static_cast<Index>(points.size()), 3);
+    carrier.mesh.vertices.resize(points.size(), 3);
     std::vector<std::size_t> pointOfVertex;
     for (std::size_t i = 0; i < points.size(); ++i) {
         const Vector3d place = axes.transpose() * (points[i] - frame.mean);
         flat.emplace_back(Kernel::Point_2(place.x(), place.y()), static_cast<int>(i));
-        carrier.mesh.vertices.row(static_cast<Index>(i)) = points[i].transpose();
+        carrier.mesh.vertices.row(i) = points[i].transpose();
         pointOfVertex.push_back(i);
     }
     const CGAL::Delaunay_triangulation_2<Kernel, Structure> delaunay(flat.begin(), flat.end());
-    Eigen::MatrixXi faces(static_cast<Index>(delaunay.number_of_faces()), 3);
+    Eigen::MatrixXi faces(delaunay.number_of_faces(), 3);
     Index count = 0;
     for (auto face = delaunay.finite_faces_begin(); face != delaunay.finite_faces_end(); ++face) {
         // Points on one edge of the outline are collinear except for rounding.
@@ -156,7 +155,7 @@ PointCarrier discOfRadii(std::span<const double> radiiMetres) {
     int face = 0;
     for (int ring = 0; ring < count; ++ring)
         for (int spoke = 0; spoke < spokes; ++spoke) {
-            const auto [radius, point] = rings[static_cast<std::size_t>(ring)];
+            const auto [radius, point] = rings[ring];
             const double angle = 2 * std::numbers::pi * spoke / spokes;
             const int outer = 1 + ring * spokes + spoke;
             const int outerNext = 1 + ring * spokes + (spoke + 1) % spokes;
@@ -180,10 +179,8 @@ PointCarrier carriedBy(Mesh mesh, std::span<const Vector3d> points) {
     MatrixXd weights(mesh.vertexCount(), count);
     for (Index vertex = 0; vertex < mesh.vertexCount(); ++vertex) {
         for (Index point = 0; point < count; ++point) {
-            const double distance = std::max(
-                (mesh.vertices.row(vertex).transpose() - points[static_cast<std::size_t>(point)])
-                    .norm(),
-                nearest);
+            const double distance =
+                std::max((mesh.vertices.row(vertex).transpose() - points[point]).norm(), nearest);
             weights(vertex, point) = 1 / (distance * distance);
         }
         weights.row(vertex) /= weights.row(vertex).sum();
@@ -192,7 +189,7 @@ PointCarrier carriedBy(Mesh mesh, std::span<const Vector3d> points) {
 }
 
 PointCarrier carriedBy(Mesh mesh, std::span<const double> radiiMetres) {
-    MatrixXd weights = MatrixXd::Zero(mesh.vertexCount(), static_cast<Index>(radiiMetres.size()));
+    MatrixXd weights = MatrixXd::Zero(mesh.vertexCount(), radiiMetres.size());
     for (Index vertex = 0; vertex < mesh.vertexCount(); ++vertex) {
         const double radius = std::hypot(mesh.vertices(vertex, 0), mesh.vertices(vertex, 1));
         const auto above = std::ranges::lower_bound(radiiMetres, radius);
@@ -200,10 +197,8 @@ PointCarrier carriedBy(Mesh mesh, std::span<const double> radiiMetres) {
                                     static_cast<std::ptrdiff_t>(radiiMetres.size()) - 1);
         const auto lower =
             std::max<std::ptrdiff_t>(above == radiiMetres.end() ? upper : upper - 1, 0);
-        const double span = radiiMetres[static_cast<std::size_t>(upper)] -
-                            radiiMetres[static_cast<std::size_t>(lower)];
-        const double share =
-            span > 0 ? (radius - radiiMetres[static_cast<std::size_t>(lower)]) / span : 0;
+        const double span = radiiMetres[upper] - radiiMetres[lower];
+        const double share = span > 0 ? (radius - radiiMetres[lower]) / span : 0;
         weights(vertex, lower) += 1 - share;
         weights(vertex, upper) += share;
     }

@@ -12,8 +12,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <exception>
-#include <new>
 #include <numbers>
 #include <optional>
 #include <string>
@@ -27,22 +25,24 @@ using Vertex = Surface::Vertex_index;
 using Edge = Surface::Edge_index;
 using Face = Surface::Face_index;
 
-struct Cancelled {};
-struct LostInArithmetic {};
-struct TooLong {};
+void checkCancelled(const WorkControl& control) {
+    if (control.isCancelled())
+        throw Stopped{std::string(cancelledMessage)};
+}
 
 /// Limits how often CGAL may query edges. It counts queries rather than time, so that the same mesh
 /// always gives the same result.
-class Patience {
+class QueryBudget {
 public:
-    Patience(const WorkControl& control, std::int64_t questions)
-        : control_(control), left_(questions) {}
+    QueryBudget(const WorkControl& control, std::int64_t queries)
+        : control_(control), left_(queries) {}
 
     void spend() {
         if (--left_ < 0)
-            throw TooLong{};
-        if (left_ % 1024 == 0 && control_.isCancelled())
-            throw Cancelled{};
+            throw Stopped{"The mesh cannot be remeshed in reasonable time: its faces are too "
+                          "thin."};
+        if (left_ % 1024 == 0)
+            checkCancelled(control_);
     }
 
 private:
@@ -58,16 +58,16 @@ struct SharpEdges {
     using category = boost::read_write_property_map_tag;
 
     friend bool get(const SharpEdges& edges, Edge edge) {
-        edges.patience->spend();
+        edges.budget->spend();
         return edges.isSharp[edge];
     }
     friend void put(const SharpEdges& edges, Edge edge, bool sharp) {
-        edges.patience->spend();
+        edges.budget->spend();
         edges.isSharp[edge] = sharp;
     }
 
     Surface::Property_map<Edge, bool> isSharp;
-    Patience* patience = nullptr;
+    QueryBudget* budget = nullptr;
 };
 
 /// The features to preserve: edges, corners, and the patches of faces between those edges.
@@ -143,11 +143,10 @@ public:
         : unit_(unit), features_(features), patches_(patches), control_(control) {}
 
     Surface::Point operator()(Vertex vertex) const {
-        if (control_.isCancelled())
-            throw Cancelled{};
+        checkCancelled(control_);
         const Eigen::Vector3d point = unit_.unitPoint(vertex).transpose();
         if (!point.allFinite())
-            throw LostInArithmetic{};
+            throw Stopped{"The mesh cannot be remeshed: its faces are too thin for arithmetic."};
         const auto face = unit_.surface.face(unit_.surface.halfedge(vertex));
         const auto nearest = patches_[features_.patchOf[face]].nearestPoint(point).pointMetres;
         return {nearest.x(), nearest.y(), nearest.z()};
@@ -162,7 +161,7 @@ private:
 
 /// A scan of 500,000 triangles takes 1.6 million queries. A tube whose triangles are as long as the
 /// tube takes 3 million. Both take ten seconds; needles would take hours.
-std::int64_t questionsAllowed(const UnitSurface& unit) {
+std::int64_t queriesAllowed(const UnitSurface& unit) {
     return 4'000'000 + 20 * static_cast<std::int64_t>(unit.surface.number_of_faces());
 }
 
@@ -181,15 +180,14 @@ void remeshUnit(UnitSurface& unit,
                 const WorkControl& control) {
     const auto features = findFeatures(unit, settings.sharpAngleDegrees);
     const auto patches = patchesOf(unit, features);
-    Patience patience(control, questionsAllowed(unit));
+    QueryBudget budget(control, queriesAllowed(unit));
     for (int pass = 0; pass < settings.passes; ++pass) {
         control.report(static_cast<double>(pass) / settings.passes, "Remeshing");
-        if (control.isCancelled())
-            throw Cancelled{};
+        checkCancelled(control);
         pmp::isotropic_remeshing(
             unit.surface.faces(), edgeLength, unit.surface,
             CGAL::parameters::number_of_iterations(1)
-                .edge_is_constrained_map(SharpEdges{features.isSharp, &patience})
+                .edge_is_constrained_map(SharpEdges{features.isSharp, &budget})
                 .vertex_is_constrained_map(features.isCorner)
                 .face_patch_map(features.patchOf)
                 .projection_functor(Projection(unit, features, patches, control)));
@@ -240,7 +238,7 @@ Result<Mesh> remesh(const Mesh& mesh, const RemeshSettings& settings, const Work
     if (!(settings.passes >= 1 && settings.passes <= 20) ||
         !(settings.sharpAngleDegrees > 0 && settings.sharpAngleDegrees <= 180))
         return failure("Remeshing takes 1 to 20 passes and a sharp angle of 0 to 180 degrees.");
-    try {
+    return withoutExceptions("remeshed", [&]() -> Result<Mesh> {
         const auto repaired =
             repairMesh(mesh, {.cutIntoManifold = true, .cancelled = control.cancelled});
         if (!repaired)
@@ -258,22 +256,11 @@ Result<Mesh> remesh(const Mesh& mesh, const RemeshSettings& settings, const Work
             return failure("The mesh cannot be remeshed in reasonable time: too many of its faces "
                            "meet in one vertex.");
         const auto lighter = decimatedFor(settings.edgeLengthMetres, sound, control);
-        if (control.isCancelled())
-            return cancellation();
+        checkCancelled(control);
         auto unit = unitSurfaceOf(lighter ? *lighter : sound);
         remeshUnit(unit, settings.edgeLengthMetres / unit.diagonalMetres, settings, control);
         return meshOf(unit);
-    } catch (const Cancelled&) {
-        return cancellation();
-    } catch (const TooLong&) {
-        return failure("The mesh cannot be remeshed in reasonable time: its faces are too thin.");
-    } catch (const LostInArithmetic&) {
-        return failure("The mesh cannot be remeshed: its faces are too thin for arithmetic.");
-    } catch (const std::bad_alloc&) {
-        return failure("The mesh needs more memory to be remeshed than this machine has.");
-    } catch (const std::exception& error) {
-        return failure(std::string("The mesh cannot be remeshed: ") + error.what() + ".");
-    }
+    });
 }
 
 } // namespace idiophone

@@ -20,7 +20,7 @@ struct GivenUp {};
 class FaceTest {
 public:
     explicit FaceTest(const Mesh& mesh) : mesh_(mesh) {
-        points_.reserve(static_cast<std::size_t>(mesh.vertexCount()));
+        points_.reserve(mesh.vertexCount());
         for (Eigen::Index v = 0; v < mesh.vertexCount(); ++v)
             points_.emplace_back(mesh.vertices(v, 0), mesh.vertices(v, 1), mesh.vertices(v, 2));
     }
@@ -74,7 +74,7 @@ std::optional<bool> intersectsItself(const Mesh& mesh, const std::atomic<bool>* 
     constexpr std::ptrdiff_t fewBoxes = 2000; // CGAL recommends testing all pairs below this
     const FaceTest test(mesh);
     std::vector<Box> boxes;
-    boxes.reserve(static_cast<std::size_t>(mesh.faceCount()));
+    boxes.reserve(mesh.faceCount());
     for (int face = 0; face < mesh.faceCount(); ++face) {
         const auto triangle = test.triangle(face);
         if (triangle.is_degenerate())

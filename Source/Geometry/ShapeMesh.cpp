@@ -50,7 +50,7 @@ Cells voronoiCells(const Mesh& mesh, const Mesh& shapes, const ModalObject& obje
         cells.rowOfVertex[index] = row;
         cells.distanceMetres[index] = distance;
         for (const int next : neighbours[index])
-            if (cells.rowOfVertex[static_cast<std::size_t>(next)] < 0)
+            if (cells.rowOfVertex[next] < 0)
                 claims.emplace((mesh.vertices.row(next) - shapes.vertices.row(row)).norm(), row,
                                next);
     }
@@ -69,7 +69,7 @@ std::vector<CellFace> cellFaces(const Mesh& mesh, const Cells& cells) {
         CellFace result{.rows = {}, .reachMetres = 0};
         for (int corner = 0; corner < 3; ++corner) {
             const auto vertex = static_cast<std::size_t>(mesh.faces(face, corner));
-            result.rows[static_cast<std::size_t>(corner)] = cells.rowOfVertex[vertex];
+            result.rows[corner] = cells.rowOfVertex[vertex];
             result.reachMetres = std::max(result.reachMetres, cells.distanceMetres[vertex]);
         }
         faces.push_back(result);
@@ -85,7 +85,7 @@ std::vector<double> spacings(const std::vector<CellFace>& faces, const Mesh& sha
         for (std::size_t corner = 0; corner < 3; ++corner)
             if (const auto a = rows[corner], b = rows[(corner + 1) % 3]; a != b && a >= 0 && b >= 0)
                 adjacent.insert({{a, b}, {b, a}});
-    std::vector<double> spacing(static_cast<std::size_t>(shapes.vertexCount()), 0.0);
+    std::vector<double> spacing(shapes.vertexCount(), 0.0);
     std::vector<double> metres;
     for (auto first = adjacent.begin(), end = first; first != adjacent.end(); first = end) {
         metres.clear();
@@ -94,7 +94,7 @@ std::vector<double> spacings(const std::vector<CellFace>& faces, const Mesh& sha
                 (shapes.vertices.row(end->first) - shapes.vertices.row(end->second)).norm());
         const auto middle = metres.begin() + static_cast<std::ptrdiff_t>(metres.size() / 2);
         std::ranges::nth_element(metres, middle);
-        spacing[static_cast<std::size_t>(first->first)] = *middle;
+        spacing[first->first] = *middle;
     }
     return spacing;
 }
@@ -120,7 +120,7 @@ meetings(const std::vector<CellFace>& faces, const Mesh& shapes, const Eigen::Ma
             continue;
         double widest = 0;
         for (const auto row : rows)
-            widest = std::max(widest, spacing[static_cast<std::size_t>(row)]);
+            widest = std::max(widest, spacing[row]);
         const bool isOwnFace = reach == 0;
         if (!isOwnFace && (reach > largestReach * widest || !facesOut(rows, shapes, normals)))
             continue;
@@ -143,7 +143,7 @@ Mesh shapeMesh(const ModalObject& object) {
     const Eigen::MatrixXd meshNormals = vertexNormals(mesh);
     Eigen::MatrixXd normals(rowCount, 3);
     for (Eigen::Index row = 0; row < rowCount; ++row) {
-        const auto vertex = object.shapeVertices[static_cast<std::size_t>(row)];
+        const auto vertex = object.shapeVertices[row];
         shapes.vertices.row(row) = mesh.vertices.row(vertex);
         normals.row(row) = meshNormals.row(vertex);
     }
@@ -152,16 +152,15 @@ Mesh shapeMesh(const ModalObject& object) {
     std::vector<bool> hasFace(object.shapeVertexCount(), false);
     for (const auto& rows : triples)
         for (const auto row : rows)
-            hasFace[static_cast<std::size_t>(row)] = true;
+            hasFace[row] = true;
     for (std::int32_t row = 0; row < rowCount; ++row)
-        if (!hasFace[static_cast<std::size_t>(row)])
+        if (!hasFace[row])
             triples.push_back({row, row, row});
 
-    shapes.faces.resize(static_cast<Eigen::Index>(triples.size()), 3);
+    shapes.faces.resize(triples.size(), 3);
     for (std::size_t face = 0; face < triples.size(); ++face)
         for (std::size_t corner = 0; corner < 3; ++corner)
-            shapes.faces(static_cast<Eigen::Index>(face), static_cast<Eigen::Index>(corner)) =
-                triples[face][corner];
+            shapes.faces(face, corner) = triples[face][corner];
     return shapes;
 }
 

@@ -102,22 +102,22 @@ SurfaceQuery::SurfaceQuery(SurfaceQuery&&) noexcept = default;
 SurfaceQuery& SurfaceQuery::operator=(SurfaceQuery&&) noexcept = default;
 
 SurfacePoint SurfaceQuery::nearestPoint(const Eigen::Vector3d& point) const {
-    std::int64_t boxesLeft = boxesForPoint;
-    return nearestPoint(point, boxesLeft);
+    std::int64_t boxBudget = boxesForPoint;
+    return nearestPoint(point, boxBudget);
 }
 
 // The same search as libigl's, with its order and its triangle distance, but with a box limit.
 SurfacePoint SurfaceQuery::nearestPoint(const Eigen::Vector3d& point,
-                                        std::int64_t& boxesLeft) const {
+                                        std::int64_t& boxBudget) const {
     using Node = igl::AABB<Eigen::MatrixXd, 3>;
     const Eigen::RowVector3d from = point.transpose();
     double best = std::numeric_limits<double>::infinity();
     int bestFace = -1;
     Eigen::RowVector3d nearest;
     const auto search = [&](const auto& self, const Node& node) -> void {
-        if (boxesLeft <= 0)
+        if (boxBudget <= 0)
             return;
-        --boxesLeft;
+        --boxBudget;
         if (node.m_primitive >= 0) {
             double squared = 0;
             Eigen::RowVector3d candidate;
@@ -154,7 +154,7 @@ template <typename Visit>
 bool SurfaceQuery::visitAlong(const Eigen::Vector3d& origin,
                               const Eigen::Vector3d& direction,
                               const double& reach,
-                              std::int64_t& boxesLeft,
+                              std::int64_t& boxBudget,
                               const Visit& visit) const {
     // libigl's ray test works in float and treats triangles under 1e-6 m² as parallel to every ray.
     // Use its tree with our own test.
@@ -163,9 +163,9 @@ bool SurfaceQuery::visitAlong(const Eigen::Vector3d& origin,
     while (!pending.empty()) {
         const auto* node = pending.back();
         pending.pop_back();
-        if (boxesLeft <= 0)
+        if (boxBudget <= 0)
             return false;
-        --boxesLeft;
+        --boxBudget;
         if (entry(node->m_box, origin, direction) >= reach)
             continue;
         if (node->m_primitive >= 0) {
@@ -181,16 +181,16 @@ bool SurfaceQuery::visitAlong(const Eigen::Vector3d& origin,
 
 std::optional<SurfacePoint> SurfaceQuery::firstHit(const Eigen::Vector3d& origin,
                                                    const Eigen::Vector3d& direction) const {
-    std::int64_t boxesLeft = boxesForRay;
-    return firstHit(origin, direction, boxesLeft);
+    std::int64_t boxBudget = boxesForRay;
+    return firstHit(origin, direction, boxBudget);
 }
 
 std::optional<SurfacePoint> SurfaceQuery::firstHit(const Eigen::Vector3d& origin,
                                                    const Eigen::Vector3d& direction,
-                                                   std::int64_t& boxesLeft) const {
+                                                   std::int64_t& boxBudget) const {
     double best = std::numeric_limits<double>::infinity();
     int bestFace = -1;
-    visitAlong(origin, direction, best, boxesLeft, [&](int face, double distance) {
+    visitAlong(origin, direction, best, boxBudget, [&](int face, double distance) {
         if (distance < best) {
             best = distance;
             bestFace = face;
@@ -205,10 +205,10 @@ std::optional<SurfacePoint> SurfaceQuery::firstHit(const Eigen::Vector3d& origin
 
 std::optional<std::vector<double>> SurfaceQuery::passages(const Eigen::Vector3d& origin,
                                                           const Eigen::Vector3d& direction,
-                                                          std::int64_t& boxesLeft) const {
+                                                          std::int64_t& boxBudget) const {
     constexpr double everywhere = std::numeric_limits<double>::infinity();
     std::vector<double> distances;
-    if (!visitAlong(origin, direction, everywhere, boxesLeft,
+    if (!visitAlong(origin, direction, everywhere, boxBudget,
                     [&](int, double distance) { distances.push_back(distance); }))
         return std::nullopt;
     std::ranges::sort(distances);

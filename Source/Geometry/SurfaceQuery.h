@@ -21,7 +21,7 @@ struct SurfacePoint {
 
 /// Nearest-point and ray queries on a mesh. On most surfaces a query visits about a hundred boxes;
 /// where many faces overlap it could visit all. Each visited box is therefore deducted from
-/// `boxesLeft`, or from a fixed limit per query. When no box is left, the result is the best of the
+/// `boxBudget`, or from a fixed limit per query. When no box is left, the result is the best of the
 /// visited faces.
 class SurfaceQuery {
 public:
@@ -38,7 +38,7 @@ public:
     /// Returns the nearest point of the surface. If the point is not finite, is too far away to
     /// measure, or no face was visited, returns some point of the surface at infinite distance.
     SurfacePoint nearestPoint(const Eigen::Vector3d& point) const;
-    SurfacePoint nearestPoint(const Eigen::Vector3d& point, std::int64_t& boxesLeft) const;
+    SurfacePoint nearestPoint(const Eigen::Vector3d& point, std::int64_t& boxBudget) const;
 
     /// Returns the first face along the ray, from either side; nothing if the ray misses. The
     /// direction must not be zero; any length is allowed.
@@ -46,14 +46,14 @@ public:
                                          const Eigen::Vector3d& direction) const;
     std::optional<SurfacePoint> firstHit(const Eigen::Vector3d& origin,
                                          const Eigen::Vector3d& direction,
-                                         std::int64_t& boxesLeft) const;
+                                         std::int64_t& boxBudget) const;
 
     /// Returns the distances at which the ray passes through faces, ascending, in lengths of the
     /// direction. A ray through an edge passes through both faces. Returns nothing if the boxes run
     /// out.
     std::optional<std::vector<double>> passages(const Eigen::Vector3d& origin,
                                                 const Eigen::Vector3d& direction,
-                                                std::int64_t& boxesLeft) const;
+                                                std::int64_t& boxBudget) const;
 
     /// Takes time linear in the number of vertices.
     int nearestVertex(const Eigen::Vector3d& point) const;
@@ -68,7 +68,7 @@ private:
     bool visitAlong(const Eigen::Vector3d& origin,
                     const Eigen::Vector3d& direction,
                     const double& reach,
-                    std::int64_t& boxesLeft,
+                    std::int64_t& boxBudget,
                     const Visit& visit) const;
 
     Mesh mesh_;

@@ -16,20 +16,21 @@ struct Neighbour {
 };
 using Graph = std::vector<std::vector<Neighbour>>; // neighbours of each vertex
 
-/// Returns the edges of faces whose unit normal has at least the component `least` along `facing`.
-Graph edgesFacing(const Mesh& mesh, const Eigen::Vector3d& facing, double least) {
-    Graph graph(static_cast<std::size_t>(mesh.vertexCount()));
+/// Returns the edges of faces whose unit normal has at least the component `minimumCosine` along
+/// `facing`.
+Graph edgesFacing(const Mesh& mesh, const Eigen::Vector3d& facing, double minimumCosine) {
+    Graph graph(mesh.vertexCount());
     for (const auto& face : mesh.faces.rowwise()) {
         const Eigen::Vector3d a = mesh.vertices.row(face[0]);
         const Eigen::Vector3d b = mesh.vertices.row(face[1]);
         const Eigen::Vector3d c = mesh.vertices.row(face[2]);
-        if ((b - a).cross(c - a).normalized().dot(facing) < least)
+        if ((b - a).cross(c - a).normalized().dot(facing) < minimumCosine)
             continue;
         for (int corner = 0; corner < 3; ++corner) {
             const int one = face[corner], other = face[(corner + 1) % 3];
             const double metres = (mesh.vertices.row(one) - mesh.vertices.row(other)).norm();
-            graph[static_cast<std::size_t>(one)].push_back({other, metres});
-            graph[static_cast<std::size_t>(other)].push_back({one, metres});
+            graph[one].push_back({other, metres});
+            graph[other].push_back({one, metres});
         }
     }
     return graph;
@@ -37,11 +38,11 @@ Graph edgesFacing(const Mesh& mesh, const Eigen::Vector3d& facing, double least)
 
 int nearestOf(const Graph& graph, const Mesh& mesh, const Eigen::Vector3d& point) {
     int nearest = -1;
-    double least = std::numeric_limits<double>::infinity();
+    double nearestSquared = std::numeric_limits<double>::infinity();
     for (int v = 0; v < mesh.vertexCount(); ++v)
         if (const double away = (mesh.vertices.row(v).transpose() - point).squaredNorm();
-            away < least && !graph[static_cast<std::size_t>(v)].empty()) {
-            least = away;
+            away < nearestSquared && !graph[v].empty()) {
+            nearestSquared = away;
             nearest = v;
         }
     return nearest;
@@ -53,36 +54,35 @@ std::vector<int> shortestPath(const Graph& graph, int from, int to) {
     std::vector<int> previous(graph.size(), -1);
     using Entry = std::pair<double, int>;
     std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
-    metres[static_cast<std::size_t>(from)] = 0;
+    metres[from] = 0;
     open.emplace(0, from);
     while (!open.empty() && open.top().second != to) {
         const auto [reached, vertex] = open.top();
         open.pop();
-        if (reached > metres[static_cast<std::size_t>(vertex)])
+        if (reached > metres[vertex])
             continue;
-        for (const auto& next : graph[static_cast<std::size_t>(vertex)])
-            if (const double through = reached + next.metres;
-                through < metres[static_cast<std::size_t>(next.vertex)]) {
-                metres[static_cast<std::size_t>(next.vertex)] = through;
-                previous[static_cast<std::size_t>(next.vertex)] = vertex;
+        for (const auto& next : graph[vertex])
+            if (const double through = reached + next.metres; through < metres[next.vertex]) {
+                metres[next.vertex] = through;
+                previous[next.vertex] = vertex;
                 open.emplace(through, next.vertex);
             }
     }
     if (open.empty())
         return {};
     std::vector<int> path;
-    for (int vertex = to; vertex >= 0; vertex = previous[static_cast<std::size_t>(vertex)])
+    for (int vertex = to; vertex >= 0; vertex = previous[vertex])
         path.push_back(vertex);
     return path;
 }
 
 /// Averages every point with its neighbours a few times. The ends stay in place.
-void roundOff(std::vector<Eigen::Vector3d>& way) {
+void roundOff(std::vector<Eigen::Vector3d>& route) {
     constexpr int passes = 8;
     for (int pass = 0; pass < passes; ++pass) {
-        const auto before = way;
-        for (std::size_t i = 1; i + 1 < way.size(); ++i)
-            way[i] = (before[i - 1] + 2 * before[i] + before[i + 1]) / 4;
+        const auto before = route;
+        for (std::size_t i = 1; i + 1 < route.size(); ++i)
+            route[i] = (before[i - 1] + 2 * before[i] + before[i + 1]) / 4;
     }
 }
 
@@ -92,19 +92,19 @@ std::vector<Eigen::Vector3d> surfaceRoute(const Mesh& mesh,
                                           const Eigen::Vector3d& from,
                                           const Eigen::Vector3d& to,
                                           const Eigen::Vector3d& facing) {
-    for (const double least : {0.5, -2.0}) {
-        const auto graph = edgesFacing(mesh, facing, least);
+    for (const double minimumCosine : {0.5, -2.0}) {
+        const auto graph = edgesFacing(mesh, facing, minimumCosine);
         const int start = nearestOf(graph, mesh, from), end = nearestOf(graph, mesh, to);
         if (start < 0 || end < 0)
             continue;
         const auto path = shortestPath(graph, end, start);
-        std::vector<Eigen::Vector3d> way;
+        std::vector<Eigen::Vector3d> route;
         for (const int vertex : path)
-            way.emplace_back(mesh.vertices.row(vertex));
-        if (way.empty())
+            route.emplace_back(mesh.vertices.row(vertex));
+        if (route.empty())
             continue;
-        roundOff(way);
-        return way;
+        roundOff(route);
+        return route;
     }
     return {};
 }
