@@ -37,9 +37,8 @@ void setParts(MatrixXd& matrix, Index k, Index column, const Complex& value) {
 class PieceFit {
 public:
     PieceFit(std::span<const DecayPole> ofPoles, const SpectrumPiece& ofPiece, bool background)
-        : poles(ofPoles), piece(ofPiece), modes(static_cast<Index>(poles.size())),
-          rows(static_cast<Index>(piece.bins.size())), target(2 * rows),
-          basis(MatrixXd::Zero(2 * rows, 2 * modes + (background ? 4 : 0))) {
+        : poles(ofPoles), piece(ofPiece), modes(poles.size()), rows(piece.bins.size()),
+          target(2 * rows), basis(MatrixXd::Zero(2 * rows, 2 * modes + (background ? 4 : 0))) {
         for (const auto& pole : poles)
             sinusoids.emplace_back(pole, piece.rateHz, piece.length);
         for (Index k = 0; k < rows; ++k) {
@@ -47,7 +46,7 @@ public:
             bins.push_back(conjugateBin(piece.firstBin + at, piece.length));
             target.segment<2>(2 * k) << piece.bins[at].real(), piece.bins[at].imag();
             for (Index i = 0; i < modes; ++i) {
-                const auto& sinusoid = sinusoids[static_cast<std::size_t>(i)];
+                const auto& sinusoid = sinusoids[i];
                 setParts(basis, k, 2 * i, sinusoid.at({1, 0}, bins.back()));
                 setParts(basis, k, 2 * i + 1, sinusoid.at({0, 1}, bins.back()));
             }
@@ -67,7 +66,7 @@ public:
     void addTo(ClusterFit& fit, std::size_t pieceNumber) const {
         fit.cost += residual.squaredNorm();
         for (Index i = 0; i < modes; ++i)
-            fit.amplitudes[static_cast<std::size_t>(i)][pieceNumber] = amplitude(i);
+            fit.amplitudes[i][pieceNumber] = amplitude(i);
         addSlopes(fit);
         addSignificances(fit);
     }
@@ -86,10 +85,10 @@ private:
     void addSlopes(ClusterFit& fit) const {
         MatrixXd slopes(2 * rows, 2 * modes);
         for (Index i = 0; i < modes; ++i) {
-            const auto& sinusoid = sinusoids[static_cast<std::size_t>(i)];
-            const double decay = poles[static_cast<std::size_t>(i)].decayPerSecond;
+            const auto& sinusoid = sinusoids[i];
+            const double decay = poles[i].decayPerSecond;
             for (Index k = 0; k < rows; ++k) {
-                const Complex bin = bins[static_cast<std::size_t>(k)];
+                const Complex bin = bins[k];
                 const Complex up = 0.5 * amplitude(i) * sinusoid.up.slopeAt(bin);
                 const Complex down = 0.5 * std::conj(amplitude(i)) * sinusoid.down.slopeAt(bin);
                 // The poles are −α ± iω.
@@ -110,8 +109,7 @@ private:
         for (Index i = 0; i < modes; ++i) {
             const Eigen::Vector2d own = scaled.segment<2>(2 * i);
             const Eigen::Matrix2d block = covariance.block<2, 2>(2 * i, 2 * i);
-            fit.significances[static_cast<std::size_t>(i)] +=
-                own.dot(block.inverse() * own) / noise;
+            fit.significances[i] += own.dot(block.inverse() * own) / noise;
         }
     }
 
@@ -126,6 +124,19 @@ private:
     Eigen::HouseholderQR<MatrixXd> solver;
     MatrixXd triangle; ///< only the upper half is used
 };
+
+/// Returns a pole after a step, limited to the allowed distance from its origin.
+DecayPole
+moved(const DecayPole& pole, const DecayPole& origin, double binHz, double upHz, double faster) {
+    constexpr double farthestDecay = 4, farthestWidths = 3, farthestBins = 3, lowestHz = 10;
+    const double reach = farthestWidths * origin.widthHz() + farthestBins * binHz;
+    const double lowest = std::max(origin.frequencyHz - reach, lowestHz);
+    return {.frequencyHz = std::clamp(pole.frequencyHz + upHz, lowest,
+                                      std::max(lowest, origin.frequencyHz + reach)),
+            .decayPerSecond = std::clamp(pole.decayPerSecond * std::exp(faster),
+                                         origin.decayPerSecond / farthestDecay,
+                                         origin.decayPerSecond * farthestDecay)};
+}
 
 } // namespace
 
@@ -160,6 +171,44 @@ ClusterFit fitCluster(std::span<const DecayPole> poles,
     // A mode without amplitude has no curvature; this keeps its pole where it is.
     fit.curvature.diagonal().array() += nothing;
     return fit;
+}
+
+ClusterFit refineCluster(std::vector<DecayPole>& poles,
+                         std::span<const DecayPole> origins,
+                         std::span<const SpectrumPiece> pieces,
+                         bool background) {
+    constexpr int iterations = 12;
+    constexpr double settledStep = 1e-7; // in ln α, and in widths
+    const double binHz = pieces.front().rateHz / static_cast<double>(pieces.front().length);
+    ClusterFit best = fitCluster(poles, pieces, background);
+    double caution = 1e-3;
+    for (int iteration = 0; iteration < iterations && caution < 1e6; ++iteration) {
+        MatrixXd curvature = best.curvature;
+        curvature.diagonal() *= 1 + caution;
+        const VectorXd step = curvature.ldlt().solve(best.slope);
+        if (!step.allFinite())
+            break;
+        auto tried = poles;
+        double largest = 0;
+        for (std::size_t i = 0; i < poles.size(); ++i) {
+            // Limit a step to a few widths: the slope says nothing about poles farther away.
+            const double reach = 2 * std::max(poles[i].widthHz(), binHz);
+            const double up = std::clamp(step(2 * i) / (2 * std::numbers::pi), -reach, reach);
+            const double faster = std::clamp(step(2 * i + 1), -1.2, 1.2);
+            tried[i] = moved(poles[i], origins[i], binHz, up, faster);
+            largest = std::max({largest, std::abs(faster), std::abs(up) / poles[i].widthHz()});
+        }
+        auto fit = fitCluster(tried, pieces, background);
+        const bool isBetter = fit.cost < best.cost;
+        if (isBetter) {
+            poles = std::move(tried);
+            best = std::move(fit);
+        }
+        if (largest < settledStep)
+            break;
+        caution = isBetter ? std::max(caution / 10, 1e-9) : 10 * caution;
+    }
+    return best;
 }
 
 } // namespace idiophone

@@ -1,6 +1,5 @@
-// Least-squares fit of a few damped sinusoids with given poles to parts of Fourier transforms.
-// Returns the quality of the fit and the descent direction of the poles. PoleRefinement takes the
-// steps.
+// Least-squares fit of a few damped sinusoids to parts of Fourier transforms: with given poles, or
+// with a search over them. PoleRefinement chooses the clusters.
 #pragma once
 
 #include "Analysis/DampedSinusoid.h"
@@ -71,5 +70,14 @@ struct ClusterFit {
 ClusterFit fitCluster(std::span<const DecayPole> poles,
                       std::span<const SpectrumPiece> pieces,
                       bool background);
+
+/// Searches for the poles of the best fit by Levenberg and Marquardt's method, from `poles`, which
+/// become the best found. They stay within a few widths and bins of their `origins`. The amplitudes
+/// are linear and solved for each trial pole (variable projection, Golub & Pereyra 1973, with
+/// Kaufman's derivative).
+ClusterFit refineCluster(std::vector<DecayPole>& poles,
+                         std::span<const DecayPole> origins,
+                         std::span<const SpectrumPiece> pieces,
+                         bool background);
 
 } // namespace idiophone

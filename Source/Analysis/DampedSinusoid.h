@@ -12,6 +12,8 @@ struct DecayPole {
     double frequencyHz = 0;
     double decayPerSecond = 0; ///< α
 
+    /// The half-power width of its resonance.
+    double widthHz() const { return decayPerSecond / std::numbers::pi; }
     std::complex<double> perSecond() const {
         return {-decayPerSecond, 2 * std::numbers::pi * frequencyHz};
     }

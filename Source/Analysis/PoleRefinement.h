@@ -15,9 +15,7 @@ namespace idiophone {
 /// truncated at the end of the recording has a closed form. Least squares there equal least squares
 /// in time (Parseval), and only near modes interact.
 ///
-/// Clusters of modes take turns in a Levenberg-Marquardt search over their poles. The amplitudes
-/// are linear and solved for each trial pole (variable projection, Golub & Pereyra 1973, with
-/// Kaufman's derivative).
+/// Clusters of modes take turns in a search over their poles (`refineCluster`).
 class PoleRefinement {
 public:
     /// Truncates recordings by at most a 64th to a length with a fast transform.
@@ -37,7 +35,8 @@ public:
     /// doubtful if `refine` moved it far from where it was added or last kept.
     bool dropDoubtful();
 
-    const std::vector<DampedSinusoid>& modes() const { return sinusoids; }
+    /// Returns the modes, ascending in frequency.
+    std::vector<DampedSinusoid> modes() const;
 
     /// Returns the recordings minus all modes.
     std::vector<DecayRecording> residuals() const;
@@ -51,27 +50,24 @@ private:
 
         double binHz() const { return rateHz / static_cast<double>(length); }
     };
+    struct Mode {
+        DampedSinusoid sinusoid;
+        DecayPole origin;        ///< the pole where the mode was added or last kept
+        double significance = 0; ///< energy that it explains, over the noise energy of one value
+    };
     struct Cluster;
 
+    bool isDoubtful(const Mode& mode, const std::vector<double>& strongest) const;
     std::vector<Cluster> clusters() const;
     void refine(const Cluster& cluster, Background background);
-    ClusterFit settle(const Cluster& cluster,
-                      std::vector<DecayPole>& poles,
-                      const std::vector<SpectrumPiece>& pieces,
-                      bool background) const;
     double loudness(const Cluster& cluster) const;
-    DecayPole moved(std::size_t mode, const DecayPole& pole, double upHz, double faster) const;
     void changeResidual(const Cluster& cluster, double sign);
     void sortModes();
     void recompute();
     std::vector<double> residualOf(const Spectrum& spectrum, std::size_t recording) const;
 
     std::vector<Spectrum> spectra;
-    std::vector<DampedSinusoid> sinusoids; ///< ascending in frequency between calls
-    /// For each mode: the pole where it was added or last kept, and the energy that it explains,
-    /// over the noise energy of one value.
-    std::vector<DecayPole> origins;
-    std::vector<double> significances;
+    std::vector<Mode> found; ///< ascending in frequency between calls
     double highestHz = 0;
 };
 

@@ -129,11 +129,12 @@ Result<RecordingFit> fitRecordings(std::span<const StrikeRecording> recordings,
     PoleRefinement refinement(decays->recordings);
     search(refinement, highestHz);
 
+    const auto found = refinement.modes();
     RecordingFit fit{.modes = {},
-                     .modesFound = refinement.modes().size(),
+                     .modesFound = found.size(),
                      .remarks = std::move(decays->remarks),
                      .noiseDecibels = {}};
-    for (const auto& [pole, amplitudes] : refinement.modes()) {
+    for (const auto& [pole, amplitudes] : found) {
         auto& mode =
             fit.modes.emplace_back(MeasuredMode{pole.frequencyHz, pole.decayPerSecond, {}});
         for (std::size_t r = 0; r < amplitudes.size(); ++r) {
