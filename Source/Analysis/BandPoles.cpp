@@ -76,18 +76,18 @@ VectorXcd zoomed(const DecayRecording& recording, const std::vector<Taps>& taps,
     const Complex turn = std::polar(1.0, -2 * pi * centreHz / recording.sampleRateHz);
     Complex phase = 1;
     for (Index n = 0; n < length; ++n) {
-        const double sample = recording.samples[static_cast<std::size_t>(n)];
+        const double sample = recording.samples[n];
         cosines(n) = sample * phase.real();
         sines(n) = sample * phase.imag();
         phase *= turn;
     }
-    VectorXcd result(static_cast<Index>(taps.size()));
+    VectorXcd result(taps.size());
     for (std::size_t m = 0; m < taps.size(); ++m) {
         const auto first = static_cast<Index>(taps[m].first);
         const auto count = static_cast<Index>(taps[m].weights.size());
         const Eigen::Map<const VectorXd> weights(taps[m].weights.data(), count);
-        result(static_cast<Index>(m)) = {weights.dot(cosines.segment(first, count)),
-                                         weights.dot(sines.segment(first, count))};
+        result(m) = {weights.dot(cosines.segment(first, count)),
+                     weights.dot(sines.segment(first, count))};
     }
     return result;
 }
@@ -136,9 +136,9 @@ std::vector<bool> standOut(const std::vector<VectorXcd>& signals, const VectorXc
     }
     const auto values = static_cast<double>(signals.size());
     noise /= values * static_cast<double>(std::max<Index>(1, length - count));
-    std::vector<bool> result(static_cast<std::size_t>(count));
+    std::vector<bool> result(count);
     for (Index i = 0; i < count; ++i)
-        result[static_cast<std::size_t>(i)] = taken(i) > energyOverNoise * (values + 1) * noise;
+        result[i] = taken(i) > energyOverNoise * (values + 1) * noise;
     return result;
 }
 
@@ -155,7 +155,7 @@ std::vector<Complex> audibleExponentials(const std::vector<VectorXcd>& signals, 
         return result;
     const auto chosen = standOut(signals, exponentials);
     for (Index i = 0; i < exponentials.size(); ++i)
-        if (chosen[static_cast<std::size_t>(i)])
+        if (chosen[i])
             result.push_back(exponentials(i));
     return result;
 }

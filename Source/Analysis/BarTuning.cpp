@@ -38,8 +38,8 @@ bool bendsVertically(int topCount, const MotionAt& motionAt) {
     for (int line = 0; line < lines; ++line) {
         double mean = 0;
         for (int j = 0; j < BarOutline::topAcross; ++j) {
-            const auto weight = weights[static_cast<std::size_t>(j)];
-            const Eigen::Vector3d motion = motionAt(static_cast<std::size_t>(j * lines + line));
+            const auto weight = weights[j];
+            const Eigen::Vector3d motion = motionAt(j * lines + line);
             mean += weight * motion.z();
             all += weight * motion.squaredNorm();
         }
@@ -62,7 +62,7 @@ int targetCount(const PartialTargets& targets) {
 
 double targetHz(const PartialTargets& targets, int partial) {
     const std::array ratios{1.0, targets.secondRatio, targets.thirdRatio};
-    return targets.fundamentalHz * ratios[static_cast<std::size_t>(partial)];
+    return targets.fundamentalHz * ratios[partial];
 }
 
 /// Returns the lowest bending partials, as many as there are targets.
@@ -94,7 +94,7 @@ bool correct(const PartialTargets& targets,
     bool isMet = std::abs(cents(partialsHz[0], targets.fundamentalHz)) < fundamentalToleranceCents;
     asked.fundamentalHz *= targets.fundamentalHz / partialsHz[0];
     const auto correctRatio = [&](int partial, double wanted, double& ratio) {
-        const double found = partialsHz[static_cast<std::size_t>(partial)];
+        const double found = partialsHz[partial];
         isMet = isMet && std::abs(cents(found, targetHz(targets, partial))) < partialToleranceCents;
         ratio *= wanted / (found / partialsHz[0]);
     };
@@ -146,8 +146,7 @@ std::vector<double> mouthKgPerM2(double blockedOverFree,
     for (Eigen::Index mode = 0; mode < pressures.cols(); ++mode) {
         const std::complex<double> mean =
             pressures(0, mode) / 4.0 + pressures.col(mode).tail(pressures.rows() - 1).sum() / 8.0;
-        result.push_back(blockedOverFree * mean.imag() /
-                         std::sqrt(eigenvalues[static_cast<std::size_t>(mode)]));
+        result.push_back(blockedOverFree * mean.imag() / std::sqrt(eigenvalues[mode]));
     }
     return result;
 }
@@ -178,7 +177,7 @@ analysed(const BarSpecification& bar, const UndercutBar& shape, const WorkContro
         return failure(object.error().message);
     TunedBar result{.shape = shape, .surface = solid.surface};
     for (const auto mode : verticalBendingModes(*object))
-        result.partialsHz.push_back(object->dampedFrequencyHz(static_cast<std::size_t>(mode)));
+        result.partialsHz.push_back(object->dampedFrequencyHz(mode));
     if (bar.cords)
         addCordLoss(*object, *bar.cords);
     if (bar.tube)
@@ -241,9 +240,9 @@ std::vector<Eigen::Index> verticalBendingModes(const ModalObject& bar) {
                 return Eigen::Vector3d(shape[0], shape[1], shape[2]);
             }))
             continue;
-        if (bending.empty() || !haveSameShape(bar, static_cast<std::size_t>(bending.back()), mode))
-            bending.push_back(static_cast<Eigen::Index>(mode));
-        else if (gain(mode) > gain(static_cast<std::size_t>(bending.back())))
+        if (bending.empty() || !haveSameShape(bar, bending.back(), mode))
+            bending.push_back(mode);
+        else if (gain(mode) > gain(bending.back()))
             bending.back() = static_cast<Eigen::Index>(mode);
     }
     return bending;

@@ -15,22 +15,20 @@ namespace idiophone {
 namespace {
 
 std::string notesOn(const BodyModel& body, const SolveSettings& settings, const Modes& modes) {
-    std::string notes = body.notes;
-    const auto add = [&](const std::string& sentence) {
-        notes += (notes.empty() ? "" : " ") + sentence;
-    };
-    const Eigen::Index rigid = 6 * static_cast<Eigen::Index>(body.components);
+    std::string zeroModes, lowModes;
+    const Eigen::Index rigid = 6 * Eigen::Index{body.components};
     if (modes.zeroModes > rigid)
-        add("The model has " + std::to_string(modes.zeroModes) + " zero modes where " +
-            std::to_string(rigid) +
-            (body.kind == ModelKind::twoLayers
-                 ? " are rigid motion: so thin a shell bends at frequencies too low to be told."
-                 : " are rigid motion: flat parts bend freely in it; the two-layer method does "
-                   "not."));
+        zeroModes = "The model has " + std::to_string(modes.zeroModes) + " zero modes where " +
+                    std::to_string(rigid) +
+                    (body.kind == ModelKind::twoLayers
+                         ? " are rigid motion: so thin a shell bends at frequencies too low to be "
+                           "separated."
+                         : " are rigid motion: flat parts bend freely in it; the two-layer method "
+                           "does not.");
     if (modes.belowBand > 0)
-        add(std::to_string(modes.belowBand) + " modes below " +
-            std::to_string(std::lround(settings.lowestFrequencyHz)) + " Hz were left out.");
-    return notes;
+        lowModes = std::to_string(modes.belowBand) + " modes below " +
+                   std::to_string(std::lround(settings.lowestFrequencyHz)) + " Hz were left out.";
+    return joinedSentences({body.notes, zeroModes, lowModes});
 }
 
 /// Returns the part of each λ that grows with the square of the thickness. It compares λ with
@@ -61,19 +59,6 @@ bendingParts(const BodyModel& body, const Eigen::VectorXd& eigenvalues, Eigen::M
     return parts;
 }
 
-std::string joined(const std::string& notes, const std::string& sentence) {
-    return notes + (notes.empty() || sentence.empty() ? "" : " ") + sentence;
-}
-
-/// Maps the progress of a subtask to the range `from` to `to` of the whole.
-WorkControl partOf(const WorkControl& whole, double from, double to) {
-    return {.progress =
-                [&whole, from, to](double fraction, std::string_view step) {
-                    whole.report(std::lerp(from, to, fraction), step);
-                },
-            .cancelled = whole.cancelled};
-}
-
 /// `shapes` [3N×M] covers all vertices; the object keeps those of `vertices`.
 void storeModes(const Eigen::VectorXd& eigenvalues,
                 const Eigen::MatrixXd& shapes,
@@ -98,6 +83,14 @@ Eigen::MatrixXd surfaceShapes(const BodyModel& body, const Eigen::MatrixXd& shap
 
 } // namespace
 
+std::string joinedSentences(std::initializer_list<std::string> sentences) {
+    std::string text;
+    for (const std::string& sentence : sentences)
+        if (!sentence.empty())
+            text += (text.empty() ? "" : " ") + sentence;
+    return text;
+}
+
 Result<ModalObject> solveBody(const BodyModel& body,
                               const SolveSettings& settings,
                               const WorkControl& control,
@@ -108,9 +101,9 @@ Result<ModalObject> solveBody(const BodyModel& body,
                                   {.lowestHz = settings.lowestFrequencyHz,
                                    .highestHz = settings.maxFrequencyHz,
                                    .maximumModes = settings.maximumModes},
-                                  partOf(control, 0, modesShare));
+                                  control.part(0, modesShare));
     if (!modes)
-        return failure(modes.error().message);
+        return tl::unexpected(modes.error());
     if (modes->eigenvalues.size() == 0)
         return failure("The object has no mode between " +
                        std::to_string(std::lround(settings.lowestFrequencyHz)) + " and " +
@@ -139,16 +132,16 @@ Result<ModalObject> solveBody(const BodyModel& body,
                                  {.directions = settings.listeningDirections,
                                   .method = settings.radiation,
                                   .nearPointsMetres = settings.nearPointsMetres},
-                                 partOf(control, modesShare, 1));
+                                 control.part(modesShare, 1));
     if (!radiation)
-        return failure(radiation.error().message);
+        return tl::unexpected(radiation.error());
     object.radiation = std::move(radiation->table);
     if (nearPressures != nullptr)
         *nearPressures = std::move(radiation->nearPressures);
     object.provenance = {
         .source = settings.source,
         .software = "Idiophone " IDIOPHONE_VERSION,
-        .notes = joined(notesOn(body, settings, *modes), radiation->notes),
+        .notes = joinedSentences({notesOn(body, settings, *modes), radiation->notes}),
         .analysisSeconds =
             std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(),
         .analysedVertices = body.surface.vertexCount(),

@@ -9,6 +9,7 @@
 #include "Object/ModalObject.h"
 #include "Object/WorkControl.h"
 
+#include <initializer_list>
 #include <string>
 #include <vector>
 
@@ -34,6 +35,9 @@ struct BodyModel {
     int components = 1; ///< separate parts; each has six rigid motions
     std::string notes;  ///< remarks for the user about how the model was made
 };
+
+/// Joins the sentences that are not empty.
+std::string joinedSentences(std::initializer_list<std::string> sentences);
 
 struct SolveSettings {
     std::string name;

@@ -33,7 +33,7 @@ double couplingMetresOf(const Mesh& surface) {
 std::vector<int> targetsOf(const SharedUnknowns& unknowns, const SurfaceOrbits& orbits) {
     std::vector<int> faces;
     for (const auto& collocation : unknowns.collocations)
-        faces.push_back(orbits.firsts[static_cast<std::size_t>(collocation.orbit)]);
+        faces.push_back(orbits.firsts[collocation.orbit]);
     return faces;
 }
 
@@ -60,8 +60,7 @@ BoundaryElements::BoundaryElements(const Mesh& surface,
 Eigen::MatrixXd BoundaryElements::arranged(const Eigen::ArrayXd& values) const {
     Eigen::MatrixXd result = Eigen::MatrixXd::Zero(orbitCount(), symmetryOrder());
     for (Index face = 0; face < faceCount(); ++face)
-        result(orbits_.orbits[static_cast<std::size_t>(face)],
-               orbits_.elements[static_cast<std::size_t>(face)]) = values(face);
+        result(orbits_.orbits[face], orbits_.elements[face]) = values(face);
     return result;
 }
 
@@ -74,7 +73,7 @@ std::vector<bool> BoundaryElements::silentOrbits(const Eigen::RowVectorXcd& char
         result[orbit] = false;
         for (std::size_t element = 0; element < symmetry_.images.size(); ++element)
             if (symmetry_.images[element][first] == orbits_.firsts[orbit] &&
-                std::abs(character(static_cast<Index>(element)) - 1.0) > 1e-9)
+                std::abs(character(element) - 1.0) > 1e-9)
                 result[orbit] = true;
     }
     return result;
@@ -91,12 +90,11 @@ BoundaryElements::systemsFor(const Eigen::MatrixXd& normalVelocities, double wav
         system.character = symmetry_.characters.row(row);
         Eigen::MatrixXcd parts = Eigen::MatrixXcd::Zero(orbitCount(), modes);
         for (Index element = 0; element < order; ++element) {
-            const auto& images = symmetry_.images[static_cast<std::size_t>(element)];
+            const auto& images = symmetry_.images[element];
             const Complex share = std::conj(system.character(element)) / static_cast<double>(order);
             for (Index orbit = 0; orbit < orbitCount(); ++orbit) {
-                const int first = orbits_.firsts[static_cast<std::size_t>(orbit)];
-                parts.row(orbit) +=
-                    share * normalVelocities.row(images[static_cast<std::size_t>(first)]);
+                const int first = orbits_.firsts[orbit];
+                parts.row(orbit) += share * normalVelocities.row(images[first]);
             }
         }
         for (Index mode = 0; mode < modes; ++mode)
@@ -108,8 +106,7 @@ BoundaryElements::systemsFor(const Eigen::MatrixXd& normalVelocities, double wav
         system.isSilent = silentOrbits(system.character);
         system.slopes = slopeOfVelocity * parts(Eigen::all, system.modes);
         system.matrix = Matrix::Zero(unknownCount(), unknownCount());
-        system.rightSide =
-            Eigen::MatrixXcd::Zero(unknownCount(), static_cast<Index>(system.modes.size()));
+        system.rightSide = Eigen::MatrixXcd::Zero(unknownCount(), system.modes.size());
         systems.push_back(std::move(system));
     }
     return systems;
@@ -123,21 +120,17 @@ Result<void> BoundaryElements::assemble(double waveNumber,
     const auto count = static_cast<Index>(systems.size());
     Eigen::MatrixXcd characters(symmetryOrder(), count);
     for (Index s = 0; s < count; ++s)
-        characters.col(s) = systems[static_cast<std::size_t>(s)].character.transpose();
+        characters.col(s) = systems[s].character.transpose();
     const Eigen::MatrixXcd none = Eigen::MatrixXcd::Zero(rowsAtOnce, orbitCount());
     std::vector<Eigen::MatrixXcd> slopes(systems.size(), none);
     BoundaryRow row;
     const auto equations = static_cast<Index>(unknowns_.collocations.size());
-    const auto unknownOf = [&](Index orbit) {
-        return unknowns_.ofOrbits[static_cast<std::size_t>(orbit)];
-    };
+    const auto unknownOf = [&](Index orbit) { return unknowns_.ofOrbits[orbit]; };
     for (Index first = 0; first < equations; first += rowsAtOnce) {
         if (control.isCancelled())
             return cancellation();
-        const auto rows =
-            std::span(unknowns_.collocations)
-                .subspan(static_cast<std::size_t>(first),
-                         static_cast<std::size_t>(std::min(rowsAtOnce, equations - first)));
+        const auto rows = std::span(unknowns_.collocations)
+                              .subspan(first, std::min(rowsAtOnce, equations - first));
         for (std::size_t r = 0; r < rows.size(); ++r) {
             const auto [target, share] = rows[r];
             rows_.fill(static_cast<std::size_t>(first) + r, waveNumber, coupling, row);
@@ -148,14 +141,14 @@ Result<void> BoundaryElements::assemble(double waveNumber,
                 share * (arranged(row.slopeReal) * characters +
                          Complex(0, 1) * (arranged(row.slopeImaginary) * characters));
             for (Index s = 0; s < count; ++s) {
-                auto& system = systems[static_cast<std::size_t>(s)];
-                auto source = slopes[static_cast<std::size_t>(s)].row(static_cast<Index>(r));
+                auto& system = systems[s];
+                auto source = slopes[s].row(r);
                 source.setZero();
-                if (system.isSilent[static_cast<std::size_t>(target)])
+                if (system.isSilent[target])
                     continue;
                 auto equation = system.matrix.row(unknownOf(target));
                 for (Index orbit = 0; orbit < orbitCount(); ++orbit)
-                    if (!system.isSilent[static_cast<std::size_t>(orbit)])
+                    if (!system.isSilent[orbit])
                         equation(unknownOf(orbit)) += Matrix::Scalar(ofPressure(orbit, s));
                 equation(unknownOf(target)) += static_cast<float>(share / 2);
                 source = ofSlope.col(s).transpose();
@@ -163,12 +156,10 @@ Result<void> BoundaryElements::assemble(double waveNumber,
             }
         }
         for (Index s = 0; s < count; ++s) {
-            auto& system = systems[static_cast<std::size_t>(s)];
-            const Eigen::MatrixXcd sources =
-                slopes[static_cast<std::size_t>(s)].topRows(std::ssize(rows)) * system.slopes;
+            auto& system = systems[s];
+            const Eigen::MatrixXcd sources = slopes[s].topRows(std::ssize(rows)) * system.slopes;
             for (std::size_t r = 0; r < rows.size(); ++r)
-                system.rightSide.row(unknownOf(rows[r].orbit)) +=
-                    sources.row(static_cast<Index>(r));
+                system.rightSide.row(unknownOf(rows[r].orbit)) += sources.row(r);
         }
     }
     // Unknowns without an equation become 0.
@@ -193,12 +184,11 @@ Result<Eigen::MatrixXcd> BoundaryElements::surfacePressures(double waveNumber,
         const Eigen::MatrixXcd solution =
             factors.solve(system.rightSide.cast<Matrix::Scalar>()).template cast<Complex>();
         for (Index face = 0; face < faceCount(); ++face) {
-            const int orbit = orbits_.orbits[static_cast<std::size_t>(face)];
-            if (system.isSilent[static_cast<std::size_t>(orbit)])
+            const int orbit = orbits_.orbits[face];
+            if (system.isSilent[orbit])
                 continue;
             pressures(face, system.modes) +=
-                system.character(orbits_.elements[static_cast<std::size_t>(face)]) *
-                solution.row(unknowns_.ofOrbits[static_cast<std::size_t>(orbit)]);
+                system.character(orbits_.elements[face]) * solution.row(unknowns_.ofOrbits[orbit]);
         }
     }
     return pressures;
@@ -209,7 +199,7 @@ Eigen::MatrixXcd BoundaryElements::planeWaves(double waveNumber,
                                               const Eigen::Vector3d& originMetres) const {
     Eigen::MatrixXcd waves(directions.rows(), faceCount());
     for (Index face = 0; face < faceCount(); ++face) {
-        const BoundaryPanel& panel = rows_.panels()[static_cast<std::size_t>(face)];
+        const BoundaryPanel& panel = rows_.panels()[face];
         const Complex strength(0, waveNumber * panel.areaM2 / (4 * std::numbers::pi));
         for (Index direction = 0; direction < directions.rows(); ++direction) {
             // The midpoints of the sides integrate exactly to the second degree.
@@ -229,7 +219,7 @@ Eigen::MatrixXcd BoundaryElements::planeWaves(double waveNumber,
 Eigen::MatrixXd BoundaryElements::cosines(const Eigen::MatrixXd& directions) const {
     Eigen::MatrixXd normals(3, faceCount());
     for (Index face = 0; face < faceCount(); ++face)
-        normals.col(face) = rows_.panels()[static_cast<std::size_t>(face)].normal;
+        normals.col(face) = rows_.panels()[face].normal;
     return directions * normals;
 }
 

@@ -120,10 +120,10 @@ BoundaryRows::Surroundings BoundaryRows::surroundingsOf(const BoundaryPanel& tar
         const BoundaryPanel& panel = panels_[source];
         const double edges = (panel.centroid - target.centroid).norm() / panel.longestEdgeMetres;
         if (edges < nearDistance) {
-            result.near.push_back(static_cast<int>(source));
+            result.near.push_back(source);
             result.pairs.push_back(nearPair(target, panel));
         } else if (edges < middleDistance) {
-            result.middle.push_back(static_cast<int>(source));
+            result.middle.push_back(source);
         }
     }
     return result;
@@ -144,7 +144,7 @@ BoundaryRows::BoundaryRows(std::vector<BoundaryPanel> panels, std::vector<int> t
         longestEdgeMetres_ = std::max(longestEdgeMetres_, panel.longestEdgeMetres);
     }
     for (const int target : targets_)
-        surroundings_.push_back(surroundingsOf(panels_[static_cast<std::size_t>(target)]));
+        surroundings_.push_back(surroundingsOf(panels_[target]));
 }
 
 template <bool isRemainder>
@@ -164,8 +164,7 @@ void BoundaryRows::add(const Equation& equation,
             // Unused lanes repeat the last point; their results are ignored.
             const std::size_t at = first + std::min(lane, used - 1);
             owners[lane] = sources[at / perSource];
-            const Point& point =
-                points[static_cast<std::size_t>(owners[lane]) * perSource + at % perSource];
+            const Point& point = points[owners[lane] * perSource + at % perSource];
             const auto i = static_cast<Eigen::Index>(lane);
             x(i) = point.place.x(), y(i) = point.place.y(), z(i) = point.place.z();
             nx(i) = point.normal.x(), ny(i) = point.normal.y(), nz(i) = point.normal.z();
@@ -225,8 +224,7 @@ void BoundaryRows::fill(std::size_t target,
                         double waveNumber,
                         double couplingMetres,
                         BoundaryRow& row) const {
-    fill({panels_[static_cast<std::size_t>(targets_[target])], waveNumber, couplingMetres},
-         surroundings_[target], row);
+    fill({panels_[targets_[target]], waveNumber, couplingMetres}, surroundings_[target], row);
 }
 
 void BoundaryRows::fillAt(const Vector3d& pointMetres, double waveNumber, BoundaryRow& row) const {
@@ -242,7 +240,7 @@ void BoundaryRows::fill(const Equation& equation,
     const auto& [target, waveNumber, couplingMetres] = equation;
     for (auto* part :
          {&row.pressureReal, &row.pressureImaginary, &row.slopeReal, &row.slopeImaginary})
-        part->setZero(static_cast<Eigen::Index>(panels_.size()));
+        part->setZero(panels_.size());
     const auto clear = [&](int source) {
         row.pressureReal(source) = row.pressureImaginary(source) = 0;
         row.slopeReal(source) = row.slopeImaginary(source) = 0;

@@ -1,5 +1,6 @@
 #include "Analysis/ClosedSurface.h"
 
+#include "Geometry/MeshBuilder.h"
 #include "Geometry/Remesh.h"
 #include "Geometry/SurfaceQuery.h"
 
@@ -17,65 +18,40 @@ using Triplets = std::vector<Eigen::Triplet<double>>;
 
 /// [count] true for components with an edge that does not have exactly two faces.
 std::vector<bool> openComponents(const Mesh& mesh, const Components& components) {
-    std::vector<bool> isOpen(static_cast<std::size_t>(components.count), false);
+    std::vector<bool> isOpen(components.count, false);
     for (const auto& edge : uniqueEdges(mesh))
         if (edge.faceCount != 2)
-            isOpen[static_cast<std::size_t>(
-                components.componentOfVertex[static_cast<std::size_t>(edge.a)])] = true;
+            isOpen[components.componentOfVertex[edge.a]] = true;
     return isOpen;
 }
 
-/// Collects the vertices and faces of a closed surface.
-struct SurfaceBuilder {
-    std::vector<Eigen::RowVector3d> vertices;
-    std::vector<Eigen::RowVector3i> faces;
+/// Collects a closed surface and its motion.
+struct SurfaceBuilder : MeshBuilder {
     Triplets motion;
 
-    int add(const Eigen::RowVector3d& place) {
-        vertices.push_back(place);
-        return static_cast<int>(vertices.size()) - 1;
-    }
+    using MeshBuilder::add;
     int add(const Eigen::RowVector3d& place, Eigen::Index movedBy) {
         const int vertex = add(place);
-        motion.emplace_back(vertex, static_cast<int>(movedBy), 1.0);
+        motion.emplace_back(vertex, movedBy, 1.0);
         return vertex;
     }
 };
 
-/// Returns the boundary edges, directed as in their face. An edge counts once for each use that no
-/// face of the opposite direction cancels.
-std::vector<Edge> boundaryEdges(const std::vector<Eigen::RowVector3i>& faces) {
-    std::map<Edge, int> uses;
-    for (const auto& face : faces)
-        for (int k = 0; k < 3; ++k) {
-            const int a = face(k), b = face((k + 1) % 3);
-            ++uses[{a, b}];
-            --uses[{b, a}];
-        }
-    std::vector<Edge> edges;
-    for (const auto& [edge, count] : uses)
-        for (int use = 0; use < count; ++use)
-            edges.push_back(edge);
-    return edges;
-}
-
 /// Closes the gap between both sides along one edge, with a vertex in its middle.
 void addRim(SurfaceBuilder& surface, Edge edge, Edge upper, Edge lower) {
-    const auto place = [&](int vertex) {
-        return surface.vertices[static_cast<std::size_t>(vertex)];
-    };
+    const auto place = [&](int vertex) { return surface.vertices[vertex]; };
     const int middle = surface.add(
         (place(upper.first) + place(upper.second) + place(lower.first) + place(lower.second)) / 4);
     surface.motion.emplace_back(middle, edge.first, 0.5);
     surface.motion.emplace_back(middle, edge.second, 0.5);
-    surface.faces.emplace_back(upper.second, upper.first, middle);
-    surface.faces.emplace_back(upper.first, lower.first, middle);
-    surface.faces.emplace_back(lower.first, lower.second, middle);
-    surface.faces.emplace_back(lower.second, upper.second, middle);
+    surface.face(upper.second, upper.first, middle);
+    surface.face(upper.first, lower.first, middle);
+    surface.face(lower.first, lower.second, middle);
+    surface.face(lower.second, upper.second, middle);
 }
 
 bool hasArea(const SurfaceBuilder& surface, const Eigen::RowVector3i& face) {
-    const auto corner = [&](int k) { return surface.vertices[static_cast<std::size_t>(face(k))]; };
+    const auto corner = [&](int k) { return surface.vertices[face(k)]; };
     const Eigen::RowVector3d first = corner(1) - corner(0), second = corner(2) - corner(0);
     constexpr double degenerate = 1e-9;
     return first.cross(second).norm() >
@@ -86,19 +62,27 @@ bool hasArea(const SurfaceBuilder& surface, const Eigen::RowVector3i& face) {
 /// Makes the surface and removes faces without area.
 ClosedSurface built(SurfaceBuilder builder, Eigen::Index movingVertices) {
     std::erase_if(builder.faces, [&](const auto& face) { return !hasArea(builder, face); });
-    const auto vertexCount = static_cast<Eigen::Index>(builder.vertices.size());
-    ClosedSurface surface{{Eigen::MatrixXd(vertexCount, 3),
-                           Eigen::MatrixXi(static_cast<Eigen::Index>(builder.faces.size()), 3)},
-                          Eigen::SparseMatrix<double>(vertexCount, movingVertices)};
-    for (Eigen::Index vertex = 0; vertex < vertexCount; ++vertex)
-        surface.mesh.vertices.row(vertex) = builder.vertices[static_cast<std::size_t>(vertex)];
-    for (std::size_t face = 0; face < builder.faces.size(); ++face)
-        surface.mesh.faces.row(static_cast<Eigen::Index>(face)) = builder.faces[face];
+    ClosedSurface surface{builder.mesh(),
+                          Eigen::SparseMatrix<double>(builder.vertices.size(), movingVertices)};
     surface.motion.setFromTriplets(builder.motion.begin(), builder.motion.end());
     return surface;
 }
 
 } // namespace
+
+std::vector<Edge> boundaryEdges(const Eigen::MatrixXi& faces) {
+    std::map<Edge, int> uses;
+    for (const auto& face : faces.rowwise())
+        for (int k = 0; k < 3; ++k) {
+            const int a = face(k), b = face((k + 1) % 3);
+            ++uses[{a, b}];
+            --uses[{b, a}];
+        }
+    std::vector<Edge> edges;
+    for (const auto& [edge, count] : uses)
+        edges.insert(edges.end(), std::max(count, 0), edge);
+    return edges;
+}
 
 Eigen::MatrixXd ClosedSurface::normalShapes(const Eigen::MatrixXd& shapes) const {
     Triplets triplets;
@@ -132,8 +116,7 @@ Result<ClosedSurface> closedSurface(const Mesh& mesh, double thicknessMetres) {
     const auto components = connectedComponents(mesh);
     const auto isOpen = openComponents(mesh, components);
     const auto isSheet = [&](Eigen::Index vertex) -> bool {
-        return isOpen[static_cast<std::size_t>(
-            components.componentOfVertex[static_cast<std::size_t>(vertex)])];
+        return isOpen[components.componentOfVertex[vertex]];
     };
     const Eigen::MatrixXd offsets = thicknessMetres / 2 * vertexNormals(mesh);
 
@@ -146,22 +129,19 @@ Result<ClosedSurface> closedSurface(const Mesh& mesh, double thicknessMetres) {
             surface.add(isSheet(vertex) ? Eigen::RowVector3d(place + offset) : place, vertex));
         lower.push_back(isSheet(vertex) ? surface.add(place - offset, vertex) : upper.back());
     }
-    const auto on = [](const std::vector<int>& side, int vertex) {
-        return side[static_cast<std::size_t>(vertex)];
-    };
-    std::vector<Eigen::RowVector3i> sheetFaces;
+    MeshBuilder sheets;
     for (const auto& face : mesh.faces.rowwise()) {
-        surface.faces.emplace_back(on(upper, face(0)), on(upper, face(1)), on(upper, face(2)));
+        surface.face(upper[face(0)], upper[face(1)], upper[face(2)]);
         if (!isSheet(face(0)))
             continue;
-        surface.faces.emplace_back(on(lower, face(2)), on(lower, face(1)), on(lower, face(0)));
-        sheetFaces.emplace_back(face);
+        surface.face(lower[face(2)], lower[face(1)], lower[face(0)]);
+        sheets.face(face(0), face(1), face(2));
     }
-    if (!sheetFaces.empty() && !(thicknessMetres > 0))
+    if (!sheets.faces.empty() && !(thicknessMetres > 0))
         return failure("An open surface needs a thickness to radiate from both of its sides.");
-    for (const Edge& edge : boundaryEdges(sheetFaces))
-        addRim(surface, edge, {on(upper, edge.first), on(upper, edge.second)},
-               {on(lower, edge.first), on(lower, edge.second)});
+    for (const Edge& edge : boundaryEdges(sheets.mesh().faces))
+        addRim(surface, edge, {upper[edge.first], upper[edge.second]},
+               {lower[edge.first], lower[edge.second]});
     return built(std::move(surface), mesh.vertexCount());
 }
 

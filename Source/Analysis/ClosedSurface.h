@@ -7,6 +7,8 @@
 #include "Object/WorkControl.h"
 
 #include <Eigen/SparseCore>
+#include <utility>
+#include <vector>
 
 namespace idiophone {
 
@@ -19,6 +21,10 @@ struct ClosedSurface {
     /// 3v+2 of `shapes` [3N×M] belong to vertex v.
     Eigen::MatrixXd normalShapes(const Eigen::MatrixXd& shapes) const;
 };
+
+/// Returns the boundary edges of faces [F×3] in ascending order, directed as in their face. An edge
+/// counts once for each use that no face of the opposite direction cancels.
+std::vector<std::pair<int, int>> boundaryEdges(const Eigen::MatrixXi& faces);
 
 /// Closed components stay. In open ones, each face becomes two, offset by half the thickness along
 /// the vertex normals. Four triangles close each boundary edge, which keeps the symmetries of a

@@ -7,8 +7,6 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
-#include <exception>
-#include <new>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -23,12 +21,6 @@ using Eigen::VectorXd;
 constexpr Index denseUpTo = 400; ///< rows; dense solves are faster below
 constexpr double workLimitBytes = 3e9;
 constexpr double countingShare = 0.05; ///< share of the counting phase in the progress
-constexpr std::string_view cannotFactorise =
-    "The stiffness matrix cannot be factorised; the mesh is too badly shaped.";
-
-/// Thrown by iterations, caught in this file.
-struct Cancelled {};
-
 /// A slice costs about three factorisations, and about 7 n products per mode for each mode in its
 /// basis. Fewer than 60 modes would waste work on modes outside. More than 220 would make one dense
 /// step too long to cancel.
@@ -43,6 +35,7 @@ double lambdaOf(double frequencyHz) {
     return omega * omega;
 }
 
+/// Thrown by iterations, caught in this file.
 struct Fault {
     std::string message;
 };
@@ -52,6 +45,14 @@ struct Slice {
     double low = 0, high = 0;
     Index below = 0, count = 0;
 };
+
+EigenBlock solveDense(const VibrationModel& model) {
+    const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> solver(MatrixXd(model.stiffness),
+                                                                    MatrixXd(model.mass));
+    if (solver.info() != Eigen::Success)
+        throw Fault{"The eigenvalue solver did not converge."};
+    return {solver.eigenvalues(), solver.eigenvectors()};
+}
 
 class BandSolver {
 public:
@@ -64,15 +65,25 @@ public:
     Index factoriseAndCount(double lambda);
 
 private:
-    EigenBlock solveDense();
     Vectors zeroSpace();
     void split(const Slice& slice, std::vector<Slice>& slices);
     EigenBlock solveSlice(const Slice& slice, const Vectors& deflated, const Vectors& before);
-    void orthonormalise(Vectors& block) const;
-    void checkCancelled() const;
-    void countOperation();
-
-    Index rows() const { return model_.stiffness.rows(); }
+    void orthonormalise(Vectors& block) const {
+        Vectors image;
+        if (space_.orthonormalise(block, image).size() != block.cols() * block.cols())
+            throw Fault{"The eigenvalue solver met dependent vectors."};
+    }
+    void checkCancelled() const {
+        if (control_.isCancelled())
+            throw Fault{std::string(cancelledMessage)};
+    }
+    void countOperation() {
+        checkCancelled();
+        control_.report(countingShare +
+                            (0.99 - countingShare) *
+                                (1 - std::exp(-2 * ++operations_ / expectedOperations_)),
+                        "Solving for modes");
+    }
 
     const VibrationModel& model_;
     MassSpace space_;
@@ -83,41 +94,14 @@ private:
     double operations_ = 0, expectedOperations_ = 1, counts_ = 0;
 };
 
-void BandSolver::checkCancelled() const {
-    if (control_.isCancelled())
-        throw Cancelled{};
-}
-
-void BandSolver::countOperation() {
-    checkCancelled();
-    control_.report(countingShare + (0.99 - countingShare) *
-                                        (1 - std::exp(-2 * ++operations_ / expectedOperations_)),
-                    "Solving for modes");
-}
-
 Index BandSolver::factoriseAndCount(double lambda) {
-    const auto outcome = factor_.factorise(lambda);
-    if (outcome == ShiftedFactor::Outcome::cancelled)
-        throw Cancelled{};
-    if (outcome == ShiftedFactor::Outcome::failed)
-        throw Fault{std::string(cannotFactorise)};
+    if (factor_.factorise(lambda) != ShiftedFactor::Outcome::done) {
+        checkCancelled();
+        throw Fault{"The stiffness matrix cannot be factorised; the mesh is too badly shaped."};
+    }
     if (operations_ == 0)
         control_.report(countingShare * (1 - std::exp(-0.1 * ++counts_)), "Counting modes");
     return factor_.eigenvaluesBelow();
-}
-
-void BandSolver::orthonormalise(Vectors& block) const {
-    Vectors image;
-    if (space_.orthonormalise(block, image).size() != block.cols() * block.cols())
-        throw Fault{"The eigenvalue solver met dependent vectors."};
-}
-
-EigenBlock BandSolver::solveDense() {
-    const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> solver(MatrixXd(model_.stiffness),
-                                                                    MatrixXd(model_.mass));
-    if (solver.info() != Eigen::Success)
-        throw Fault{"The eigenvalue solver did not converge."};
-    return {solver.eigenvalues(), solver.eigenvectors()};
 }
 
 /// Returns an orthonormal basis of the zero modes, by subspace iteration with a shift just below
@@ -125,13 +109,13 @@ EigenBlock BandSolver::solveDense() {
 /// suffice. A Lanczos process would find hundreds of equal eigenvalues one copy at a time.
 Vectors BandSolver::zeroSpace() {
     if (zeroModes_ == 0)
-        return Vectors(rows(), 0);
-    if (static_cast<double>(rows()) * static_cast<double>(zeroModes_) * 8 > workLimitBytes)
+        return Vectors(space_.rows(), 0);
+    if (static_cast<double>(space_.rows()) * static_cast<double>(zeroModes_) * 8 > workLimitBytes)
         throw Fault{"The mesh has " + std::to_string(zeroModes_) +
                     " zero modes in this model, too many to separate; use the two-layer method."};
     const double edge = lambdaOf(band_.lowestHz);
     factoriseAndCount(-edge);
-    Vectors basis = fixedRandomBlock(rows(), zeroModes_, 1);
+    Vectors basis = fixedRandomBlock(space_.rows(), zeroModes_, 1);
     orthonormalise(basis);
     const VectorXd perRootMass = model_.mass.diagonal().cwiseSqrt().cwiseInverse();
     for (int step = 0; step < 60; ++step) {
@@ -151,7 +135,8 @@ void BandSolver::split(const Slice& slice, std::vector<Slice>& slices) {
     if (slice.count == 0)
         return;
     const double low = std::sqrt(std::max(slice.low, 0.0)), high = std::sqrt(slice.high);
-    if (slice.count > 3 * modesPerSlice(rows(), factor_.products()) / 2 && high - low > 1e-3 * high)
+    if (slice.count > 3 * modesPerSlice(space_.rows(), factor_.products()) / 2 &&
+        high - low > 1e-3 * high)
         for (const double share : {0.5, 0.47, 0.53, 0.44, 0.56, 0.41, 0.59, 0.38, 0.62}) {
             const double cut = std::pow(low + share * (high - low), 2);
             const Index left = factoriseAndCount(cut) - slice.below;
@@ -171,16 +156,15 @@ EigenBlock
 BandSolver::solveSlice(const Slice& slice, const Vectors& deflated, const Vectors& before) {
     // The `count` eigenvalues nearest to the shift are exactly those of the slice. The shift is its
     // middle. For the lowest slice, whose zero modes are deflated, it lies below.
-    const bool lowest = slice.below == zeroModes_;
-    factoriseAndCount(lowest ? -lambdaOf(band_.lowestHz) : (slice.low + slice.high) / 2);
+    factoriseAndCount(slice.below == zeroModes_ ? -lambdaOf(band_.lowestHz)
+                                                : (slice.low + slice.high) / 2);
     Vectors found = deflated;
-    unsigned pass = 0;
-    int stalls = 0;
+    int pass = 0, stalls = 0;
     for (; found.cols() < deflated.cols() + slice.count; ++pass) {
         const Index missing = slice.count - (found.cols() - deflated.cols());
         if (pass > 40)
             throw Fault{"The eigenvalue solver did not converge."};
-        if (static_cast<double>(rows()) *
+        if (static_cast<double>(space_.rows()) *
                 static_cast<double>(largestBasis(missing) + found.cols()) * 8 >
             workLimitBytes)
             throw Fault{"The analysis would need more than 3 GB; lower the band or the mesh."};
@@ -188,7 +172,7 @@ BandSolver::solveSlice(const Slice& slice, const Vectors& deflated, const Vector
                                   {.low = slice.low,
                                    .high = slice.high,
                                    .wanted = missing,
-                                   .seed = 7 + pass,
+                                   .seed = 7u + pass,
                                    .step = [&] { countOperation(); }});
         if (fresh.values.size() == 0) {
             // The modes are too far from the shift. Move it nearer to the ends of the slice in
@@ -213,7 +197,7 @@ BandSolver::solveSlice(const Slice& slice, const Vectors& deflated, const Vector
     Vectors products = Vectors::Zero(slice.count, slice.count);
     addInnerProducts(products, 1, vectors, image);
     const Eigen::SelfAdjointEigenSolver<MatrixXd> small(products);
-    Vectors mixed = Vectors::Zero(rows(), slice.count);
+    Vectors mixed = Vectors::Zero(space_.rows(), slice.count);
     addCombinations(mixed, 1, vectors, small.eigenvectors());
     return {small.eigenvalues(), std::move(mixed)};
 }
@@ -221,13 +205,13 @@ BandSolver::solveSlice(const Slice& slice, const Vectors& deflated, const Vector
 EigenBlock BandSolver::solve() {
     control_.report(0, "Counting modes");
     const double norm = factor_.norm();
-    const double lowest = lambdaOf(band_.lowestHz), highest = lambdaOf(band_.highestHz);
+    const double lowest = lambdaOf(band_.lowestHz);
     const double zeroEdge = std::min(lowest, std::max(lambdaOf(band_.lowestHz / 20), 1e-14 * norm));
     zeroModes_ = factoriseAndCount(zeroEdge);
     const double bottom = factor_.shift();
-    const Index upTo = factoriseAndCount(highest);
+    const Index upTo = factoriseAndCount(lambdaOf(band_.highestHz));
     const double top = factor_.shift();
-    const Index count = upTo - zeroModes_;
+    const Index count = upTo - zeroModes_, n = space_.rows();
     if (count < 0)
         throw Fault{"The modes of the mesh cannot be counted in this band; check its size, its "
                     "unit and its proportions."};
@@ -236,12 +220,11 @@ EigenBlock BandSolver::solve() {
                     std::to_string(std::lround(band_.highestHz)) + " Hz, more than the limit of " +
                     std::to_string(band_.maximumModes) +
                     "; lower the highest frequency or choose a coarser mesh."};
-    const Index n = rows();
     if (n <= denseUpTo || upTo > n * 3 / 4) {
         if (n > 3000)
             throw Fault{"Nearly all modes of the mesh lie in the band; lower the highest "
                         "frequency."};
-        return solveDense();
+        return solveDense(model_);
     }
     EigenBlock all{VectorXd(count), Vectors(n, count)};
     if (count == 0)
@@ -291,19 +274,13 @@ Modes modesInBand(const VibrationModel& model,
     return modes;
 }
 
-/// Runs `work` and turns each exception into an error sentence.
+/// Runs `work` and turns a Fault into an error.
 template <class Work>
-auto sentenceOrResultOf(const Work& work) -> Result<decltype(work())> {
+auto resultOf(const Work& work) -> Result<decltype(work())> {
     try {
         return work();
-    } catch (const Cancelled&) {
-        return cancellation();
     } catch (const Fault& fault) {
         return failure(fault.message);
-    } catch (const std::bad_alloc&) {
-        return failure("The analysis needs more memory than this machine has.");
-    } catch (const std::exception& fault) {
-        return failure(std::string("The eigenvalue solver failed: ") + fault.what() + ".");
     }
 }
 
@@ -311,17 +288,13 @@ auto sentenceOrResultOf(const Work& work) -> Result<decltype(work())> {
 
 Result<Modes>
 solveModes(const VibrationModel& model, const FrequencyBand& band, const WorkControl& control) {
-    return sentenceOrResultOf([&] { return modesInBand(model, band, control); });
+    return resultOf([&] { return modesInBand(model, band, control); });
 }
 
 Result<Index> countModesBelow(const VibrationModel& model, double frequencyHz) {
-    return sentenceOrResultOf([&] {
-        const WorkControl control;
-        ShiftedFactor factor(model, control);
-        if (factor.factorise(lambdaOf(frequencyHz)) != ShiftedFactor::Outcome::done)
-            throw Fault{std::string(cannotFactorise)};
-        return factor.eigenvaluesBelow();
-    });
+    const WorkControl control;
+    return resultOf(
+        [&] { return BandSolver(model, {}, control).factoriseAndCount(lambdaOf(frequencyHz)); });
 }
 
 } // namespace idiophone

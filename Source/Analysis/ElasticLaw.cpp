@@ -73,16 +73,15 @@ Eigen::MatrixXd allDirections() {
     return icosphereMesh(1, 3).vertices;
 }
 
-/// Strain–displacement matrix of a plane wave along n: the Voigt strain of u(n·x) is B u'.
-Eigen::Matrix<double, 6, 3> strainOfDirection(const Eigen::Vector3d& n) {
+} // namespace
+
+Eigen::Matrix<double, 6, 3> strainAlong(const Eigen::Vector3d& n) {
     Eigen::Matrix<double, 6, 3> b = Eigen::Matrix<double, 6, 3>::Zero();
     b(0, 0) = b(4, 2) = b(5, 1) = n.x();
     b(1, 1) = b(3, 2) = b(5, 0) = n.y();
     b(2, 2) = b(3, 1) = b(4, 0) = n.z();
     return b;
 }
-
-} // namespace
 
 Result<ElasticLaw> elasticLaw(const OrthotropicElasticity& elasticity, const GrainAxes& axes) {
     if (const auto sound = validated(elasticity); !sound)
@@ -106,7 +105,7 @@ double slowestShearSpeedMetresPerSecond(const ElasticLaw& law, double densityKgP
     double least = std::numeric_limits<double>::infinity();
     const Eigen::MatrixXd directions = allDirections();
     for (const auto& direction : directions.rowwise()) {
-        const auto b = strainOfDirection(direction.transpose());
+        const auto b = strainAlong(direction.transpose());
         const Eigen::Matrix3d christoffel = b.transpose() * law.stiffnessPa * b;
         const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(christoffel,
                                                                     Eigen::EigenvaluesOnly);

@@ -17,6 +17,10 @@ struct ElasticLaw {
     Matrix6d stiffnessPa; ///< symmetric, positive definite
 };
 
+/// Strain–displacement matrix B: the Voigt strain of a displacement u that varies along the
+/// gradient n is B u.
+Eigen::Matrix<double, 6, 3> strainAlong(const Eigen::Vector3d& n);
+
 /// The directions of the grain in a wooden body.
 struct GrainAxes {
     Eigen::Vector3d grain = Eigen::Vector3d::UnitX(); ///< L, of any length but 0

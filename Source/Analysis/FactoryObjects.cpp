@@ -1,10 +1,7 @@
 #include "Analysis/FactoryObjects.h"
 
 #include "Analysis/FactoryBars.h"
-#include "Analysis/FactoryProps.h"
 #include "Analysis/FactoryShapes.h"
-
-#include <algorithm>
 
 namespace idiophone {
 
@@ -15,8 +12,6 @@ std::vector<std::string> factoryObjectNames() {
             names.push_back(instrument.barName(note));
     for (auto& name : factoryShapeNames())
         names.push_back(std::move(name));
-    for (auto& name : factoryPropNames())
-        names.push_back(std::move(name));
     return names;
 }
 
@@ -26,9 +21,7 @@ Result<ModalObject> makeFactoryObject(const std::string& name, const WorkControl
             if (instrument.barName(note) == name)
                 return tuneBar(instrument.barAt(note, noteFrequencyHz(note)), control)
                     .map([](TunedBar tuned) { return std::move(tuned.object); });
-    const auto props = factoryPropNames();
-    return std::ranges::find(props, name) == props.end() ? makeFactoryShape(name, control)
-                                                         : makeFactoryProp(name, control);
+    return makeFactoryShape(name, control);
 }
 
 } // namespace idiophone

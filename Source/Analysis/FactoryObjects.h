@@ -10,7 +10,7 @@
 
 namespace idiophone {
 
-/// Returns the names of all objects of FactoryBars, FactoryShapes and FactoryProps.
+/// Returns the names of all objects of FactoryBars and FactoryShapes.
 std::vector<std::string> factoryObjectNames();
 
 /// Analyses one of them, in seconds. Errors: an unknown name, or `cancelledMessage`.

@@ -1,5 +1,6 @@
-// The factory instruments that are not bars: plates, rings, bowls, bells and tubes, from generated
-// meshes. docs/instruments.md lists their dimensions and the sources.
+// The factory objects that are not bars, from generated meshes: plates, rings, bowls, bells, tubes,
+// and the bodies and floors of the scenes. docs/instruments.md and docs/scenes.md list their
+// dimensions and the sources.
 #pragma once
 
 #include "Object/ModalObject.h"

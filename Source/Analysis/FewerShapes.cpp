@@ -12,7 +12,7 @@ namespace {
 
 std::vector<std::size_t> spreadRows(const ModalObject& object, std::size_t count) {
     const auto place = [&](std::size_t row) {
-        return &object.vertices[static_cast<std::size_t>(object.shapeVertices[row]) * 3];
+        return &object.vertices[object.shapeVertices[row] * 3];
     };
     return spreadPlaces<float>(object.shapeVertexCount(), count, [&](std::size_t i, std::size_t j) {
         const float *p = place(i), *q = place(j);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -37,7 +38,7 @@ public:
     /// the energy before, shortly before the peak. Then finds the first sample near it that exceeds
     /// the level before.
     std::size_t onset() const {
-        const std::size_t before = count(0.005), after = count(0.002);
+        const std::size_t before = window, after = count(0.002);
         const double floor = 1e-5 * peakLevel() * peakLevel() * static_cast<double>(before);
         std::size_t best = peak;
         double bestRise = 0;
@@ -71,21 +72,12 @@ public:
 
     /// Returns the next sudden rise from `begin` on, or the end of the recording.
     std::size_t nextStrike(std::size_t onset, std::size_t begin) const {
-        const std::size_t window = count(0.005);
-        const double least = strikeEnergy * energy(sharpEnergies, onset, onset + window);
-        for (std::size_t i = begin + window; i + window <= samples.size(); ++i)
-            if (isStrike(i, window, least))
-                return i - window / 4;
-        return samples.size();
+        const auto strike = firstStrike(onset, begin + window, samples.size() + 1 - window);
+        return strike ? *strike - window / 4 : samples.size();
     }
 
-    bool strikeBefore(std::size_t onset) const {
-        const std::size_t window = count(0.005);
-        const double least = strikeEnergy * energy(sharpEnergies, onset, onset + window);
-        for (std::size_t i = window; i + 2 * window < onset; ++i)
-            if (isStrike(i, window, least))
-                return true;
-        return false;
+    bool hasStrikeBefore(std::size_t onset) const {
+        return firstStrike(onset, window, onset - std::min(onset, 2 * window)).has_value();
     }
 
     /// Returns true if three samples in a row have the maximum value. They must be near full scale,
@@ -119,13 +111,22 @@ private:
         const std::size_t last = sums.size() - 1;
         return sums[std::min(until, last)] - sums[std::min(from, last)];
     }
-    bool isStrike(std::size_t i, std::size_t window, double least) const {
-        const double after = energy(sharpEnergies, i, i + window);
-        return after > least && after > strikeRise * energy(sharpEnergies, i - window, i);
+    /// Returns the first sudden rise of energy in a range that is not too faint beside the strike
+    /// at `onset`.
+    std::optional<std::size_t>
+    firstStrike(std::size_t onset, std::size_t from, std::size_t until) const {
+        const double faintest = strikeEnergy * energy(sharpEnergies, onset, onset + window);
+        for (std::size_t i = from; i < until; ++i) {
+            const double after = energy(sharpEnergies, i, i + window);
+            if (after > faintest && after > strikeRise * energy(sharpEnergies, i - window, i))
+                return i;
+        }
+        return std::nullopt;
     }
 
     std::span<const float> samples;
     double rate;
+    std::size_t window = count(0.005); ///< samples that are compared before and after a strike
     std::vector<double> energies, sharpEnergies; ///< cumulative, of samples and second differences
     std::size_t peak = 0;
 };
@@ -147,7 +148,7 @@ findFreeDecay(std::span<const float> samples, double sampleRateHz, double contac
                                      : strikes.contactEnd(decay.onset);
     decay.end = strikes.nextStrike(decay.onset, decay.begin);
     decay.clipped = strikes.clipped();
-    decay.others = decay.end < samples.size() || strikes.strikeBefore(decay.onset);
+    decay.others = decay.end < samples.size() || strikes.hasStrikeBefore(decay.onset);
     if (static_cast<double>(decay.end) <
         static_cast<double>(decay.begin) + shortestDecaySeconds * sampleRateHz)
         return failure("it ends or is struck again less than 20 ms after its strongest strike");

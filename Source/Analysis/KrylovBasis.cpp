@@ -25,42 +25,37 @@ void KrylovBasis::append(Vectors block) {
 }
 
 void KrylovBasis::projectOut(const Vectors& image, Vectors& block) const {
-    const auto addProduct = denseKernels().addProduct;
     const Index w = block.cols();
     Vectors shares = Vectors::Zero(size_, w);
     forStrips(block.rows(), [&](Index row, Index rows) {
         double* share = shares.data();
         for (const auto& own : blocks_) {
             const Index m = own.cols();
-            addProduct(m, w, rows, 1, own.data() + row * m, 1, m, image.data() + row * w, w, share,
-                       w);
+            denseKernels().addProduct(m, w, rows, 1, own.data() + row * m, 1, m,
+                                      image.data() + row * w, w, share, w);
             share += m * w;
         }
     });
-    forStrips(block.rows(), [&](Index row, Index rows) {
-        const double* share = shares.data();
-        for (const auto& own : blocks_) {
-            const Index m = own.cols();
-            addProduct(rows, w, m, -1, own.data() + row * m, m, 1, share, w, block.data() + row * w,
-                       w);
-            share += m * w;
-        }
-    });
+    addTo(block, -1, shares);
 }
 
 Vectors KrylovBasis::combinations(const Vectors& coefficients) const {
-    const Index n = blocks_.front().rows(), count = coefficients.cols();
-    Vectors sums = Vectors::Zero(n, count);
-    forStrips(n, [&](Index row, Index rows) {
+    Vectors sums = Vectors::Zero(blocks_.front().rows(), coefficients.cols());
+    addTo(sums, 1, coefficients);
+    return sums;
+}
+
+void KrylovBasis::addTo(Vectors& sums, double factor, const Vectors& coefficients) const {
+    const Index w = sums.cols();
+    forStrips(sums.rows(), [&](Index row, Index rows) {
         const double* coefficient = coefficients.data();
         for (const auto& own : blocks_) {
             const Index m = own.cols();
-            denseKernels().addProduct(rows, count, m, 1, own.data() + row * m, m, 1, coefficient,
-                                      count, sums.data() + row * count, count);
-            coefficient += m * count;
+            denseKernels().addProduct(rows, w, m, factor, own.data() + row * m, m, 1, coefficient,
+                                      w, sums.data() + row * w, w);
+            coefficient += m * w;
         }
     });
-    return sums;
 }
 
 } // namespace idiophone

@@ -23,6 +23,8 @@ public:
     Vectors combinations(const Vectors& coefficients) const;
 
 private:
+    void addTo(Vectors& sums, double factor, const Vectors& coefficients) const;
+
     std::vector<Vectors> blocks_;
     Eigen::Index size_ = 0;
 };

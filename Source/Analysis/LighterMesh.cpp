@@ -25,8 +25,7 @@ std::vector<std::int32_t> nearestVertices(const Places& places, const Mesh& ligh
 Result<ModalObject> withLighterMesh(const ModalObject& object,
                                     const Mesh& lighter,
                                     const std::vector<int>& shapeVertices) {
-    const Places places = Eigen::Map<const Places>(
-        object.vertices.data(), static_cast<Eigen::Index>(object.vertexCount()), 3);
+    const Places places = Eigen::Map<const Places>(object.vertices.data(), object.vertexCount(), 3);
     const auto origin = nearestVertices(places, lighter);
     auto distinct = origin;
     std::ranges::sort(distinct);
@@ -44,14 +43,13 @@ Result<ModalObject> withLighterMesh(const ModalObject& object,
         result.faces.insert(result.faces.end(), face.begin(), face.end());
     result.shapes.clear();
     for (const int vertex : shapeVertices) {
-        const auto wanted = origin[static_cast<std::size_t>(vertex)];
+        const auto wanted = origin[vertex];
         const auto row = std::ranges::lower_bound(object.shapeVertices, wanted);
         if (row == object.shapeVertices.end() || *row != wanted)
             return failure(
                 "The object \"" + object.name +
                 "\" has no shapes at a vertex of its lighter mesh that is to keep them.");
-        const auto shapes =
-            object.shapesAt(static_cast<std::size_t>(row - object.shapeVertices.begin()));
+        const auto shapes = object.shapesAt(row - object.shapeVertices.begin());
         result.shapes.insert(result.shapes.end(), shapes.begin(), shapes.end());
     }
     result.shapeVertices.assign(shapeVertices.begin(), shapeVertices.end());

@@ -6,12 +6,14 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 namespace idiophone {
 namespace {
 
 using Eigen::Index;
 using Eigen::MatrixXd;
+using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 constexpr double usualMassKg = 0.2;
@@ -24,28 +26,25 @@ double eigenvalueOf(const MeasuredMode& mode) {
 
 /// Returns [places, modes] amplitudes. Strikes at one place become one row, the root of their mean
 /// energy. `distinct` receives the places.
-template <class Place, class Same>
 MatrixXd amplitudesAt(const RecordingFit& fit,
-                      const std::vector<Place>& places,
-                      std::vector<Place>& distinct,
-                      Same same) {
+                      const std::vector<Vector3d>& places,
+                      std::vector<Vector3d>& distinct) {
     std::vector<std::size_t> placeOf;
     for (const auto& place : places) {
-        const auto known =
-            std::ranges::find_if(distinct, [&](const Place& other) { return same(place, other); });
-        placeOf.push_back(static_cast<std::size_t>(known - distinct.begin()));
+        const auto known = std::ranges::find_if(distinct, [&](const Vector3d& other) {
+            return (place - other).norm() < samePlaceMetres;
+        });
+        placeOf.push_back(known - distinct.begin());
         if (known == distinct.end())
             distinct.push_back(place);
     }
-    const auto modes = static_cast<Index>(fit.modes.size());
-    MatrixXd energies = MatrixXd::Zero(static_cast<Index>(distinct.size()), modes);
+    MatrixXd energies = MatrixXd::Zero(distinct.size(), fit.modes.size());
     VectorXd strikes = VectorXd::Zero(energies.rows());
     for (std::size_t r = 0; r < placeOf.size(); ++r) {
-        const auto row = static_cast<Index>(placeOf[r]);
-        strikes(row) += 1;
-        for (Index i = 0; i < modes; ++i) {
-            const double amplitude = fit.modes[static_cast<std::size_t>(i)].amplitudes[r];
-            energies(row, i) += amplitude * amplitude;
+        strikes(placeOf[r]) += 1;
+        for (Index i = 0; i < energies.cols(); ++i) {
+            const double amplitude = fit.modes[i].amplitudes[r];
+            energies(placeOf[r], i) += amplitude * amplitude;
         }
     }
     return (strikes.cwiseInverse().asDiagonal() * energies).cwiseSqrt();
@@ -59,38 +58,32 @@ struct CarriedModes {
 Result<CarriedModes> carriedModes(const RecordingFit& fit,
                                   std::span<const StruckPlace> places,
                                   const std::optional<Mesh>& mesh) {
-    std::vector<Eigen::Vector3d> points, distinctPoints;
-    std::vector<double> radii, distinctRadii;
-    for (const auto& place : places)
+    std::vector<Vector3d> points, distinct; // a radius is a point on the x axis
+    std::size_t radiusCount = 0;
+    for (const auto& place : places) {
         if (const auto* point = std::get_if<std::array<double, 3>>(&place))
-            points.emplace_back((*point)[0], (*point)[1], (*point)[2]);
+            points.emplace_back(point->data());
         else
-            radii.push_back(std::get<double>(place));
-    if (!points.empty() && !radii.empty())
+            points.emplace_back(std::get<double>(place), 0, 0);
+        radiusCount += std::holds_alternative<double>(place) ? 1 : 0;
+    }
+    if (radiusCount != 0 && radiusCount != places.size())
         return failure("Some recordings are struck at points and some at radii: give all of them "
                        "X,Y,Z or all a radius.");
-    if (!points.empty()) {
-        MatrixXd amplitudes =
-            amplitudesAt(fit, points, distinctPoints, [](const auto& a, const auto& b) {
-                return (a - b).norm() < samePlaceMetres;
-            });
-        return CarriedModes{mesh
-                                ? carriedBy(*mesh, std::span<const Eigen::Vector3d>(distinctPoints))
-                                : carrierThrough(distinctPoints),
+    MatrixXd amplitudes = amplitudesAt(fit, points, distinct);
+    if (radiusCount == 0)
+        return CarriedModes{mesh ? carriedBy(*mesh, std::span<const Vector3d>(distinct))
+                                 : carrierThrough(distinct),
                             std::move(amplitudes)};
-    }
-    const MatrixXd found = amplitudesAt(fit, radii, distinctRadii, [](double a, double b) {
-        return std::abs(a - b) < samePlaceMetres;
-    });
-    std::vector<Index> order(distinctRadii.size());
-    for (std::size_t i = 0; i < order.size(); ++i)
-        order[i] = static_cast<Index>(i);
-    std::ranges::sort(order, {},
-                      [&](Index i) { return distinctRadii[static_cast<std::size_t>(i)]; });
-    std::ranges::sort(distinctRadii);
-    return CarriedModes{mesh ? carriedBy(*mesh, std::span<const double>(distinctRadii))
-                             : discOfRadii(distinctRadii),
-                        found(order, Eigen::all)};
+    std::vector<Index> order(distinct.size());
+    std::iota(order.begin(), order.end(), Index{0});
+    std::ranges::sort(order, {}, [&](Index i) { return distinct[i].x(); });
+    std::vector<double> radii;
+    for (const Index i : order)
+        radii.push_back(distinct[i].x());
+    return CarriedModes{mesh ? carriedBy(*mesh, std::span<const double>(radii))
+                             : discOfRadii(radii),
+                        amplitudes(order, Eigen::all)};
 }
 
 Material materialOf(const RecordingFit& fit, const MeasuredObjectSettings& settings) {
@@ -119,11 +112,8 @@ massOf(const Mesh& mesh, const Material& material, const MeasuredObjectSettings&
     const Eigen::Matrix3d spread =
         mass.massKg / static_cast<double>(mesh.vertexCount()) * offsets.transpose() * offsets;
     const Eigen::Matrix3d inertia = spread.trace() * Eigen::Matrix3d::Identity() - spread;
-    for (Index axis = 0; axis < 3; ++axis) {
-        mass.centreMetres[static_cast<std::size_t>(axis)] = centre(axis);
-        for (Index other = 0; other < 3; ++other)
-            mass.inertiaKgM2[static_cast<std::size_t>(3 * axis + other)] = inertia(axis, other);
-    }
+    Eigen::Map<Eigen::RowVector3d>(mass.centreMetres.data()) = centre;
+    Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(mass.inertiaKgM2.data()) = inertia;
     return mass;
 }
 
@@ -142,7 +132,7 @@ void setShapes(const CarriedModes& carried, double massKg, ModalObject& object) 
         for (Index mode = 0; mode < squares.cols(); ++mode)
             for (std::size_t axis = 0; axis < 3; ++axis)
                 object.shapes.push_back(static_cast<float>(std::sqrt(squares(vertex, mode))) *
-                                        normals[static_cast<std::size_t>(vertex) * 3 + axis]);
+                                        normals[vertex * 3 + axis]);
 }
 
 } // namespace
@@ -150,10 +140,10 @@ void setShapes(const CarriedModes& carried, double massKg, ModalObject& object) 
 // The best fit minimises the relative errors (γ + ηλ)/(2α) − 1, a linear problem. If γ or η is
 // negative, the best fit with one of them alone replaces it.
 DampingLaw fittedDamping(std::span<const MeasuredMode> modes) {
-    MatrixXd terms(static_cast<Index>(modes.size()), 2);
+    MatrixXd terms(modes.size(), 2);
     for (std::size_t i = 0; i < modes.size(); ++i) {
         const double damping = 2 * modes[i].decayPerSecond;
-        terms.row(static_cast<Index>(i)) << 1 / damping, eigenvalueOf(modes[i]) / damping;
+        terms.row(i) << 1 / damping, eigenvalueOf(modes[i]) / damping;
     }
     const Eigen::RowVector2d scale = terms.colwise().norm();
     terms = terms * scale.cwiseInverse().asDiagonal();
@@ -188,16 +178,12 @@ Result<ModalObject> measuredObject(const RecordingFit& fit,
     object.method = "measured";
     object.mass = massOf(mesh, object.material, settings);
     // Sort by λ: heavy damping can give the damped frequencies another order.
-    std::vector<Index> order;
-    for (std::size_t i = 0; i < fit.modes.size(); ++i)
-        order.push_back(static_cast<Index>(i));
-    const auto mode = [&](Index i) -> const MeasuredMode& {
-        return fit.modes[static_cast<std::size_t>(i)];
-    };
-    std::ranges::sort(order, {}, [&](Index i) { return eigenvalueOf(mode(i)); });
+    std::vector<Index> order(fit.modes.size());
+    std::iota(order.begin(), order.end(), Index{0});
+    std::ranges::sort(order, {}, [&](Index i) { return eigenvalueOf(fit.modes[i]); });
     for (const Index i : order) {
-        object.eigenvalues.push_back(eigenvalueOf(mode(i)));
-        object.decaysPerSecond.push_back(mode(i).decayPerSecond);
+        object.eigenvalues.push_back(eigenvalueOf(fit.modes[i]));
+        object.decaysPerSecond.push_back(fit.modes[i].decayPerSecond);
     }
     object.bandHz = std::sqrt(object.eigenvalues.back()) / (2 * std::numbers::pi);
     setGeometry(mesh, object);

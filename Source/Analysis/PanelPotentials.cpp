@@ -27,7 +27,7 @@ PanelPotentials panelPotentials(const Eigen::Matrix3d& corners,
     const Eigen::Matrix3d fromPoint = corners.colwise() - point;
     std::array<double, 3> distances{};
     for (int k = 0; k < 3; ++k)
-        distances[static_cast<std::size_t>(k)] = fromPoint.col(k).norm();
+        distances[k] = fromPoint.col(k).norm();
     const double height = -normal.dot(fromPoint.col(0));
     const bool isInPlane = std::abs(height) <= flat * (distances[0] + distances[1] + distances[2]);
     const double solidAngle = isInPlane ? 0 : signedSolidAngle(fromPoint, distances);
@@ -38,8 +38,7 @@ PanelPotentials panelPotentials(const Eigen::Matrix3d& corners,
     for (int k = 0; k < 3; ++k) {
         const int next = (k + 1) % 3;
         const auto a = fromPoint.col(k), b = fromPoint.col(next);
-        const double ra = distances[static_cast<std::size_t>(k)],
-                     rb = distances[static_cast<std::size_t>(next)];
+        const double ra = distances[k], rb = distances[next];
         const Eigen::Vector3d edge = b - a;
         const double length = edge.norm();
         const Eigen::Vector3d outward = edge.cross(normal) / length;

@@ -41,12 +41,8 @@ double volumeM3(const Corners& corners) {
 
 Eigen::Matrix<double, 6, 30> strainMatrix(const Eigen::Matrix<double, 10, 3>& gradients) {
     Eigen::Matrix<double, 6, 30> b = Eigen::Matrix<double, 6, 30>::Zero();
-    for (int node = 0; node < 10; ++node) {
-        const double x = gradients(node, 0), y = gradients(node, 1), z = gradients(node, 2);
-        b(0, 3 * node) = b(4, 3 * node + 2) = b(5, 3 * node + 1) = x;
-        b(1, 3 * node + 1) = b(3, 3 * node + 2) = b(5, 3 * node) = y;
-        b(2, 3 * node + 2) = b(3, 3 * node + 1) = b(4, 3 * node) = z;
-    }
+    for (int node = 0; node < 10; ++node)
+        b.middleCols<3>(3 * node) = strainAlong(gradients.row(node).transpose());
     return b;
 }
 

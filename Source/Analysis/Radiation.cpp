@@ -11,6 +11,7 @@
 #include <complex>
 #include <iterator>
 #include <numbers>
+#include <span>
 #include <thread>
 #include <utility>
 
@@ -152,9 +153,9 @@ Result<void> solveAll(std::vector<RadiationTask>& tasks,
 
 /// [points×3].
 Eigen::MatrixXd rowsOf(const std::vector<Eigen::Vector3d>& points) {
-    Eigen::MatrixXd rows(static_cast<Index>(points.size()), 3);
+    Eigen::MatrixXd rows(points.size(), 3);
     for (std::size_t row = 0; row < points.size(); ++row)
-        rows.row(static_cast<Index>(row)) = points[row].transpose();
+        rows.row(row) = points[row].transpose();
     return rows;
 }
 
@@ -227,20 +228,18 @@ Result<Radiation> radiationOf(const RadiatingBody& body,
         .solvedHz =
             servedHz(surface->mesh, static_cast<double>(elements.unknownCount() * order), effort)};
 
-    auto own = ownTasks(frequenciesHz, effort.sameFrequency);
-    auto grid = gridTasks(frequenciesHz, settings.frequencyRatios);
-    std::vector<RadiationTask> tasks(std::make_move_iterator(own.begin()),
-                                     std::make_move_iterator(own.end()));
-    tasks.insert(tasks.end(), std::make_move_iterator(grid.begin()),
-                 std::make_move_iterator(grid.end()));
+    auto tasks = ownTasks(frequenciesHz, effort.sameFrequency);
+    const std::size_t ownCount = tasks.size();
+    std::ranges::move(gridTasks(frequenciesHz, settings.frequencyRatios),
+                      std::back_inserter(tasks));
     if (const auto solved =
             solveAll(tasks, hearing, threadsFor(elements, settings.threads), control);
         !solved)
         return tl::unexpected(solved.error());
-    std::move(tasks.begin(), tasks.begin() + std::ssize(own), own.begin());
-    std::move(tasks.begin() + std::ssize(own), tasks.end(), grid.begin());
+    const auto own = std::span(tasks).first(ownCount);
 
-    Radiation result{.table = tableOf(own, grid, frequenciesHz, settings.frequencyRatios),
+    Radiation result{.table = tableOf(own, std::span(tasks).subspan(ownCount), frequenciesHz,
+                                      settings.frequencyRatios),
                      .nearPressures =
                          Eigen::MatrixXcd(hearing.nearPointsMetres.rows(), frequenciesHz.size()),
                      .solvedHz = hearing.solvedHz,

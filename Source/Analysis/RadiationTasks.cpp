@@ -4,6 +4,7 @@
 #include <cmath>
 #include <complex>
 #include <numbers>
+#include <numeric>
 
 namespace idiophone {
 namespace {
@@ -29,7 +30,7 @@ between(const Eigen::RowVectorXcd& from, const Eigen::RowVectorXcd& to, double s
 }
 
 /// Returns the weights [D×count] of the modes of one pole at another frequency.
-Eigen::MatrixXcd interpolated(const std::vector<RadiationTask>& grid,
+Eigen::MatrixXcd interpolated(std::span<const RadiationTask> grid,
                               double frequencyHz,
                               Index firstMode,
                               Index count) {
@@ -72,9 +73,8 @@ std::vector<RadiationTask> gridTasks(const Eigen::VectorXd& frequenciesHz,
                                      const std::vector<double>& ratios) {
     const double first = audibleHz(frequenciesHz.minCoeff() * ratios.front()),
                  last = audibleHz(frequenciesHz.maxCoeff() * ratios.back());
-    std::vector<Index> all;
-    for (Index mode = 0; mode < frequenciesHz.size(); ++mode)
-        all.push_back(mode);
+    std::vector<Index> all(frequenciesHz.size());
+    std::iota(all.begin(), all.end(), Index{0});
     std::vector<RadiationTask> tasks;
     for (int step = 0;; ++step) {
         const double frequencyHz = audibleHz(lowestHz * std::exp2(step / 2.0));
@@ -85,21 +85,21 @@ std::vector<RadiationTask> gridTasks(const Eigen::VectorXd& frequenciesHz,
     }
 }
 
-RadiationTable tableOf(const std::vector<RadiationTask>& own,
-                       const std::vector<RadiationTask>& grid,
+RadiationTable tableOf(std::span<const RadiationTask> own,
+                       std::span<const RadiationTask> grid,
                        const Eigen::VectorXd& frequenciesHz,
                        const std::vector<double>& frequencyRatios) {
     const Index modes = frequenciesHz.size(), directions = own.front().weights.rows();
     const auto ratios = static_cast<Index>(frequencyRatios.size());
     RadiationTable table{.directions = {}, .frequencyRatios = frequencyRatios, .weights = {}};
-    table.weights.resize(static_cast<std::size_t>(directions * ratios * modes));
+    table.weights.resize(directions * ratios * modes);
     const auto store = [&](Index ratio, Index mode, const Eigen::VectorXcd& weights) {
         for (Index direction = 0; direction < directions; ++direction)
-            table.weights[static_cast<std::size_t>((direction * ratios + ratio) * modes + mode)] =
+            table.weights[(direction * ratios + ratio) * modes + mode] =
                 std::complex<float>(weights(direction));
     };
     for (Index ratio = 0; ratio < ratios; ++ratio) {
-        const double value = frequencyRatios[static_cast<std::size_t>(ratio)];
+        const double value = frequencyRatios[ratio];
         if (std::abs(value - 1) > 1e-9) {
             for (Index first = 0, next = 0; first < modes; first = next) {
                 while (next < modes && frequenciesHz(next) <= frequenciesHz(first) * (1 + samePole))
@@ -113,7 +113,7 @@ RadiationTable tableOf(const std::vector<RadiationTask>& own,
         }
         for (const RadiationTask& task : own)
             for (std::size_t k = 0; k < task.modes.size(); ++k)
-                store(ratio, task.modes[k], task.weights.col(static_cast<Index>(k)));
+                store(ratio, task.modes[k], task.weights.col(k));
     }
     return table;
 }

@@ -4,6 +4,7 @@
 #include "Object/RadiationTable.h"
 
 #include <Eigen/Core>
+#include <span>
 #include <vector>
 
 namespace idiophone {
@@ -28,8 +29,8 @@ std::vector<RadiationTask> gridTasks(const Eigen::VectorXd& frequenciesHz,
                                      const std::vector<double>& ratios);
 
 /// Returns the table from both kinds of solved tasks, without its directions.
-RadiationTable tableOf(const std::vector<RadiationTask>& own,
-                       const std::vector<RadiationTask>& grid,
+RadiationTable tableOf(std::span<const RadiationTask> own,
+                       std::span<const RadiationTask> grid,
                        const Eigen::VectorXd& frequenciesHz,
                        const std::vector<double>& frequencyRatios);
 

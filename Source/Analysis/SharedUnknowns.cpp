@@ -18,20 +18,19 @@ Eigen::MatrixXd placesAndNormals(const std::vector<BoundaryPanel>& panels,
                                  Index clusters) {
     double areaM2 = 0;
     for (const int panel : chosen)
-        areaM2 += panels[static_cast<std::size_t>(panel)].areaM2;
+        areaM2 += panels[panel].areaM2;
     const double normalMetres = 2 * std::sqrt(areaM2 / static_cast<double>(clusters));
-    Eigen::MatrixXd places(static_cast<Index>(chosen.size()), 6);
+    Eigen::MatrixXd places(chosen.size(), 6);
     for (std::size_t row = 0; row < chosen.size(); ++row) {
-        const auto& panel = panels[static_cast<std::size_t>(chosen[row])];
-        places.row(static_cast<Index>(row)) << panel.centroid.transpose(),
-            normalMetres * panel.normal.transpose();
+        const auto& panel = panels[chosen[row]];
+        places.row(row) << panel.centroid.transpose(), normalMetres * panel.normal.transpose();
     }
     return places;
 }
 
 /// Returns the cluster of each panel. Each new centre is the point farthest from the earlier ones.
 std::vector<int> clustersOf(const Eigen::MatrixXd& places, Index clusters) {
-    std::vector<int> owners(static_cast<std::size_t>(places.rows()), 0);
+    std::vector<int> owners(places.rows(), 0);
     Eigen::VectorXd distances =
         Eigen::VectorXd::Constant(places.rows(), std::numeric_limits<double>::infinity());
     Index centre = 0;
@@ -41,7 +40,7 @@ std::vector<int> clustersOf(const Eigen::MatrixXd& places, Index clusters) {
         for (Index row = 0; row < places.rows(); ++row)
             if (toCentre(row) < distances(row)) {
                 distances(row) = toCentre(row);
-                owners[static_cast<std::size_t>(row)] = static_cast<int>(cluster);
+                owners[row] = static_cast<int>(cluster);
             }
         distances.maxCoeff(&centre);
     }
@@ -54,10 +53,9 @@ std::vector<Collocation> collocationsOf(const std::vector<BoundaryPanel>& panels
                                         const SurfaceOrbits& orbits,
                                         const std::vector<int>& owners,
                                         Index clusters) {
-    std::vector<std::vector<int>> free(static_cast<std::size_t>(clusters)), fixed = free;
+    std::vector<std::vector<int>> free(clusters), fixed = free;
     for (std::size_t orbit = 0; orbit < owners.size(); ++orbit)
-        (orbits.areFixed[orbit] ? fixed : free)[static_cast<std::size_t>(owners[orbit])].push_back(
-            static_cast<int>(orbit));
+        (orbits.areFixed[orbit] ? fixed : free)[owners[orbit]].push_back(orbit);
     std::vector<Collocation> result;
     for (std::size_t cluster = 0; cluster < free.size(); ++cluster) {
         const auto& members = free[cluster].empty() ? fixed[cluster] : free[cluster];
@@ -66,8 +64,8 @@ std::vector<Collocation> collocationsOf(const std::vector<BoundaryPanel>& panels
         double area = 0;
         for (std::size_t k = 0; k < count; ++k) {
             const int orbit = members[(2 * k + 1) * members.size() / (2 * count)];
-            const int face = orbits.firsts[static_cast<std::size_t>(orbit)];
-            result.push_back({orbit, panels[static_cast<std::size_t>(face)].areaM2});
+            const int face = orbits.firsts[orbit];
+            result.push_back({orbit, panels[face].areaM2});
             area += result.back().share;
         }
         for (std::size_t k = first; k < result.size(); ++k)

@@ -69,11 +69,7 @@ Result<double> fitMesh(Mesh& mesh,
             return failure("The mesh of " + std::to_string(mesh.vertexCount()) +
                            " vertices needs too many triangles to be covered with those of a "
                            "shell; simplify the mesh, or check its proportions and its unit.");
-        auto remeshed = remesh(
-            mesh, {.edgeLengthMetres = edge},
-            {.progress = [&](double fraction,
-                             std::string_view step) { control.report(0.1 * fraction, step); },
-             .cancelled = control.cancelled});
+        auto remeshed = remesh(mesh, {.edgeLengthMetres = edge}, control.part(0, 0.1));
         if (!remeshed)
             return tl::unexpected(remeshed.error());
         mesh = std::move(*remeshed);
@@ -109,12 +105,11 @@ shellBody(const Mesh& surface, const ShellBodySettings& settings, const WorkCont
         body.pointsMetres.row(2 * v) = mesh.vertices.row(v) + offsets.row(v);
         body.pointsMetres.row(2 * v + 1) = mesh.vertices.row(v) - offsets.row(v);
     }
-    if (const auto doubt = doubtOfThickness(surface, settings.thicknessMetres); !doubt.empty())
-        body.notes += (body.notes.empty() ? "" : " ") + doubt;
-    else if (isTooThick(mesh, settings.thicknessMetres))
-        body.notes += std::string(body.notes.empty() ? "" : " ") +
-                      "The shell is thicker than its curvature allows in places; pitches may be "
-                      "off there.";
+    std::string doubt = doubtOfThickness(surface, settings.thicknessMetres);
+    if (doubt.empty() && isTooThick(mesh, settings.thicknessMetres))
+        doubt = "The shell is thicker than its curvature allows in places; pitches may be off "
+                "there.";
+    body.notes = joinedSentences({body.notes, doubt});
     return body;
 }
 

@@ -6,12 +6,15 @@
 
 namespace idiophone {
 
+inline constexpr int defaultShellVertices = 4000;
+
 struct ShellBodySettings {
     Material material;
     double thicknessMetres = 0.005;
     double maxFrequencyHz = highestAnalysedHz;
-    int vertexBudget = 4000; ///< approximate; wider bands get coarser triangles than they need
-    bool fitsMesh = true;    ///< false leaves the mesh and the band unchanged
+    int vertexBudget =
+        defaultShellVertices; ///< approximate; wider bands get coarser triangles than they need
+    bool fitsMesh = true;     ///< false leaves the mesh and the band unchanged
 };
 
 /// Remeshes the surface if its triangles are much coarser or finer than the band needs. Edges over

@@ -37,7 +37,7 @@ std::vector<double> linesAlong(const UndercutBar& bar, int along) {
             std::lerp(edge, half, static_cast<double>(k - inArch) / (halfLines - inArch)));
     std::vector<double> all;
     for (int k = halfLines; k > 0; --k)
-        all.push_back(-right[static_cast<std::size_t>(k)]);
+        all.push_back(-right[k]);
     all.insert(all.end(), right.begin(), right.end());
     return all;
 }
@@ -50,7 +50,7 @@ bool isMirrored(int box, int boxes) {
 Eigen::MatrixXd latticePlaces(const UndercutBar& bar, const BarGrid& grid, const Lattice& lattice) {
     const auto lines = linesAlong(bar, grid.along);
     const auto corner = [&](int i, int j, int k) {
-        const double x = lines[static_cast<std::size_t>(i)];
+        const double x = lines[i];
         const double down = 1 - static_cast<double>(k) / grid.through;
         return Eigen::Vector3d(x, bar.widthMetres * (static_cast<double>(j) / grid.across - 0.5),
                                -heightMetresAt(bar, x) * down);
@@ -86,7 +86,7 @@ void addBox(const Lattice& lattice,
         }
         Eigen::Matrix3i edges;
         for (int step = 0; step < 3; ++step)
-            edges.col(step) = corners[static_cast<std::size_t>(step) + 1] - corners[0];
+            edges.col(step) = corners[step + 1] - corners[0];
         if (edges.cast<double>().determinant() < 0)
             std::swap(corners[1], corners[2]);
         std::array<int, 10> nodes;
@@ -94,8 +94,7 @@ void addBox(const Lattice& lattice,
             nodes[c] = lattice.index(corners[c]);
         for (std::size_t e = 0; e < tetrahedronEdges.size(); ++e) {
             const auto [a, b] = tetrahedronEdges[e];
-            nodes[4 + e] = lattice.index(
-                (corners[static_cast<std::size_t>(a)] + corners[static_cast<std::size_t>(b)]) / 2);
+            nodes[4 + e] = lattice.index((corners[a] + corners[b]) / 2);
         }
         tetrahedra.push_back(nodes);
     } while (std::next_permutation(axes.begin(), axes.end()));
@@ -113,7 +112,7 @@ boundaryTriangles(const std::vector<std::array<int, 10>>& tetrahedra) {
         for (const auto& face : faceNodes) {
             std::array<int, 6> nodes;
             for (std::size_t k = 0; k < 6; ++k)
-                nodes[k] = tetrahedron[static_cast<std::size_t>(face[k])];
+                nodes[k] = tetrahedron[face[k]];
             std::array<int, 3> key{nodes[0], nodes[1], nodes[2]};
             std::ranges::sort(key);
             auto& entry = faces[key];
@@ -139,8 +138,7 @@ BarOutline outlineOf(const BarGrid& grid, const Lattice& lattice, const std::vec
     BarOutline outline;
     outline.topCount = lines * across;
     const auto add = [&](int line, int j, int k) {
-        outline.surfaceVertices.push_back(
-            number[static_cast<std::size_t>(lattice.index({4 * line, 2 * j, 2 * k}))]);
+        outline.surfaceVertices.push_back(number[lattice.index({4 * line, 2 * j, 2 * k})]);
     };
     for (int j = 0; j < across; ++j)
         for (int line = 0; line < lines; ++line)
@@ -169,11 +167,10 @@ BarOutline outlineOf(const BarGrid& grid, const Lattice& lattice, const std::vec
     faces.push_back({top(0, 1), top(0, 2), bottom(0, 1)});
     quad(bottom(last, 1), top(last, 2), top(last, 1), bottom(last, 0));
     faces.push_back({top(last, 1), top(last, 0), bottom(last, 0)});
-    outline.mesh.faces.resize(static_cast<Eigen::Index>(faces.size()), 3);
+    outline.mesh.faces.resize(faces.size(), 3);
     for (std::size_t f = 0; f < faces.size(); ++f)
         for (std::size_t k = 0; k < 3; ++k)
-            outline.mesh.faces(static_cast<Eigen::Index>(f), static_cast<Eigen::Index>(k)) =
-                faces[f][k];
+            outline.mesh.faces(f, k) = faces[f][k];
     return outline;
 }
 
@@ -191,33 +188,31 @@ SolidBar solidBar(const UndercutBar& bar, const BarGrid& grid) {
     const auto triangles = boundaryTriangles(tetrahedra);
 
     // Surface nodes come first, in the lattice's order.
-    std::vector<char> onSurface(static_cast<std::size_t>(lattice.count()), 0);
+    std::vector<char> onSurface(lattice.count(), 0);
     for (const auto& triangle : triangles)
         for (const int node : triangle)
-            onSurface[static_cast<std::size_t>(node)] = 1;
+            onSurface[node] = 1;
     std::vector<int> order(onSurface.size());
     std::iota(order.begin(), order.end(), 0);
-    const auto inside = std::ranges::stable_partition(
-        order, [&](int node) { return onSurface[static_cast<std::size_t>(node)] != 0; });
+    const auto inside =
+        std::ranges::stable_partition(order, [&](int node) { return onSurface[node] != 0; });
     const int surfaceCount = static_cast<int>(inside.begin() - order.begin());
     std::vector<int> number(order.size());
     for (std::size_t k = 0; k < order.size(); ++k)
-        number[static_cast<std::size_t>(order[k])] = static_cast<int>(k);
+        number[order[k]] = static_cast<int>(k);
 
     SolidBar result;
     result.elements.nodes = latticePlaces(bar, grid, lattice)(order, Eigen::all);
     result.elements.surfaceVertexCount = surfaceCount;
-    result.elements.tetrahedra.resize(static_cast<Eigen::Index>(tetrahedra.size()), 10);
+    result.elements.tetrahedra.resize(tetrahedra.size(), 10);
     for (std::size_t t = 0; t < tetrahedra.size(); ++t)
         for (std::size_t k = 0; k < 10; ++k)
-            result.elements.tetrahedra(static_cast<Eigen::Index>(t), static_cast<Eigen::Index>(k)) =
-                number[static_cast<std::size_t>(tetrahedra[t][k])];
+            result.elements.tetrahedra(t, k) = number[tetrahedra[t][k]];
     result.surface.vertices = result.elements.nodes.topRows(surfaceCount);
-    result.surface.faces.resize(static_cast<Eigen::Index>(triangles.size()), 3);
+    result.surface.faces.resize(triangles.size(), 3);
     for (std::size_t t = 0; t < triangles.size(); ++t)
         for (std::size_t k = 0; k < 3; ++k)
-            result.surface.faces(static_cast<Eigen::Index>(t), static_cast<Eigen::Index>(k)) =
-                number[static_cast<std::size_t>(triangles[t][k])];
+            result.surface.faces(t, k) = number[triangles[t][k]];
     result.outline = outlineOf(grid, lattice, number);
     result.outline.mesh.vertices =
         result.surface.vertices(result.outline.surfaceVertices, Eigen::all);

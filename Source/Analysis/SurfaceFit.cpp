@@ -39,7 +39,7 @@ std::vector<double> middleOf(std::span<const float> samples) {
     const std::size_t length = transformLength(std::min(samples.size(), longestFit));
     const auto middle = samples.subspan((samples.size() - length) / 2, length);
     std::vector<double> result(middle.begin(), middle.end());
-    Eigen::Map<Eigen::ArrayXd> values(result.data(), static_cast<Eigen::Index>(length));
+    Eigen::Map<Eigen::ArrayXd> values(result.data(), length);
     values -= values.mean();
     const std::size_t fade = length / 32;
     for (std::size_t i = 0; i < fade; ++i) {
@@ -139,9 +139,8 @@ private:
     }
 
     std::optional<ResonFit> covarianceFit(const std::vector<std::complex<double>>& whitened) {
-        transform.inv(samples, whitened, static_cast<Eigen::Index>(2 * (whitened.size() - 1)));
-        const Eigen::Map<const Eigen::VectorXd> x(samples.data(),
-                                                  static_cast<Eigen::Index>(samples.size()));
+        transform.inv(samples, whitened, 2 * (whitened.size() - 1));
+        const Eigen::Map<const Eigen::VectorXd> x(samples.data(), samples.size());
         // Leave out the faded ends, which the whitening spreads a little.
         const Eigen::Index first = x.size() / 16, count = x.size() - 2 * first;
         const auto product = [&](Eigen::Index i, Eigen::Index j) {

@@ -44,7 +44,7 @@ public:
         }
         Permutation images;
         for (const auto& face : mesh_.faces.rowwise()) {
-            const auto image = [&](int k) { return vertices[static_cast<std::size_t>(face(k))]; };
+            const auto image = [&](int k) { return vertices[face(k)]; };
             const auto found = faces_.find(sorted({image(0), image(1), image(2)}));
             if (found == faces_.end())
                 return {};
@@ -85,7 +85,7 @@ struct Generator {
 
 std::vector<std::vector<int>> elementsOf(const std::vector<Generator>& generators,
                                          Eigen::Index faces) {
-    Permutation identity(static_cast<std::size_t>(faces));
+    Permutation identity(faces);
     std::iota(identity.begin(), identity.end(), 0);
     std::vector<Permutation> elements{identity};
     for (const auto& generator : generators) {
@@ -94,7 +94,7 @@ std::vector<std::vector<int>> elementsOf(const std::vector<Generator>& generator
             for (std::size_t element = 0; element < before; ++element) {
                 Permutation next = elements[elements.size() - before];
                 for (int& face : next)
-                    face = generator.images[static_cast<std::size_t>(face)];
+                    face = generator.images[face];
                 elements.push_back(std::move(next));
             }
     }
@@ -148,17 +148,15 @@ SurfaceOrbits orbitsOf(const SurfaceSymmetry& symmetry, const Mesh& mesh) {
                 .dot(obliqueDirection()));
     std::vector<int> faces(places.size());
     std::iota(faces.begin(), faces.end(), 0);
-    std::ranges::stable_sort(faces, std::greater{},
-                             [&](int face) { return places[static_cast<std::size_t>(face)]; });
+    std::ranges::stable_sort(faces, std::greater{}, [&](int face) { return places[face]; });
     SurfaceOrbits result{
         {}, std::vector<int>(faces.size(), -1), std::vector<int>(faces.size(), 0), {}};
     for (const int first : faces) {
-        if (result.orbits[static_cast<std::size_t>(first)] >= 0)
+        if (result.orbits[first] >= 0)
             continue;
         bool isFixed = false;
         for (std::size_t element = 0; element < symmetry.images.size(); ++element) {
-            const auto image =
-                static_cast<std::size_t>(symmetry.images[element][static_cast<std::size_t>(first)]);
+            const auto image = static_cast<std::size_t>(symmetry.images[element][first]);
             if (result.orbits[image] >= 0) {
                 isFixed = true;
                 continue;

@@ -38,7 +38,7 @@ void copySurface(const Mesh& surface, tetgenio& input) {
         facet.polygonlist->vertexlist = new int[3];
         facet.polygonlist->numberofvertices = 3;
         for (int k = 0; k < 3; ++k)
-            facet.polygonlist->vertexlist[k] = surface.faces(static_cast<Eigen::Index>(f), k);
+            facet.polygonlist->vertexlist[k] = surface.faces(f, k);
     }
 }
 
@@ -130,7 +130,7 @@ std::string sentence(int code) {
     case 4:
         return "The surface has features too small to be filled with tetrahedra.";
     case 5:
-        return "Two faces of the surface lie too close together to be told apart.";
+        return "Two faces of the surface lie too close together to be distinguished.";
     default:
         return "The surface could not be filled with tetrahedra (TetGen error " +
                std::to_string(code) + ").";
@@ -178,8 +178,6 @@ Result<LinearTetrahedra> runTetGen(const Mesh& surface, const TetGenSettings& se
         return failure(sentence(code));
     } catch (TetGenStop stop) {
         return failure(sentence(stop));
-    } catch (const std::bad_alloc&) {
-        return failure(sentence(1));
     }
 }
 

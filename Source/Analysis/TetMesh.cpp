@@ -78,7 +78,7 @@ std::vector<bool> solidRegions(const Mesh& surface, const LinearTetrahedra& fill
         for (int k = 0; k < 4; ++k)
             middle += filled.points.row(filled.tetrahedra(element.second, k)) / 4;
         const double turns = igl::winding_number(surface.vertices, surface.faces, middle);
-        solid[static_cast<std::size_t>(region)] = std::lround(turns) % 2 != 0;
+        solid[region] = std::lround(turns) % 2 != 0;
     }
     return solid;
 }
@@ -86,16 +86,16 @@ std::vector<bool> solidRegions(const Mesh& surface, const LinearTetrahedra& fill
 /// Returns the used elements and points. The surface's points stay first.
 Result<LinearTetrahedra> withoutCavities(const Mesh& surface, LinearTetrahedra filled) {
     const auto solid = solidRegions(surface, filled);
-    std::vector<int> newIndex(static_cast<std::size_t>(filled.points.rows()), -1);
+    std::vector<int> newIndex(filled.points.rows(), -1);
     LinearTetrahedra kept;
     kept.tetrahedra.resize(filled.tetrahedra.rows(), 4);
     Eigen::Index count = 0;
     for (Eigen::Index t = 0; t < filled.tetrahedra.rows(); ++t) {
-        if (!solid[static_cast<std::size_t>(filled.regions(t))])
+        if (!solid[filled.regions(t)])
             continue;
         kept.tetrahedra.row(count++) = filled.tetrahedra.row(t);
         for (int k = 0; k < 4; ++k)
-            newIndex[static_cast<std::size_t>(filled.tetrahedra(t, k))] = 0;
+            newIndex[filled.tetrahedra(t, k)] = 0;
     }
     kept.tetrahedra.conservativeResize(count, 4);
     int next = 0;
@@ -105,13 +105,13 @@ Result<LinearTetrahedra> withoutCavities(const Mesh& surface, LinearTetrahedra f
                            "tetrahedra: vertex " +
                            std::to_string(p) + " belongs to none.");
         if (newIndex[p] == 0) {
-            filled.points.row(next) = filled.points.row(static_cast<Eigen::Index>(p)).eval();
+            filled.points.row(next) = filled.points.row(p).eval();
             newIndex[p] = next++;
         }
     }
     kept.points = filled.points.topRows(next);
     for (int& corner : kept.tetrahedra.reshaped())
-        corner = newIndex[static_cast<std::size_t>(corner)];
+        corner = newIndex[corner];
     return kept;
 }
 
@@ -123,16 +123,20 @@ double sixVolumes(const Eigen::MatrixXd& points, const Eigen::RowVectorXi& corne
     return u.cross(v).dot(w);
 }
 
-TetMesh withMidEdgeNodes(const LinearTetrahedra& linear, int surfaceVertexCount) {
+} // namespace
+
+TetMesh withMidEdgeNodes(const Eigen::MatrixXd& points,
+                         const Eigen::MatrixXi& tetrahedra,
+                         int surfaceVertexCount) {
     TetMesh mesh{.nodes = {},
-                 .tetrahedra = Eigen::MatrixXi(linear.tetrahedra.rows(), 10),
+                 .tetrahedra = Eigen::MatrixXi(tetrahedra.rows(), 10),
                  .surfaceVertexCount = surfaceVertexCount};
     std::unordered_map<std::uint64_t, int> middles;
     std::vector<std::pair<int, int>> edges;
-    const auto corners = static_cast<int>(linear.points.rows());
-    for (Eigen::Index t = 0; t < linear.tetrahedra.rows(); ++t) {
-        Eigen::RowVectorXi element = linear.tetrahedra.row(t);
-        if (sixVolumes(linear.points, element) < 0)
+    const auto corners = static_cast<int>(points.rows());
+    for (Eigen::Index t = 0; t < tetrahedra.rows(); ++t) {
+        Eigen::RowVectorXi element = tetrahedra.row(t);
+        if (sixVolumes(points, element) < 0)
             std::swap(element(2), element(3));
         mesh.tetrahedra.row(t).head<4>() = element;
         for (int e = 0; e < 6; ++e) {
@@ -147,14 +151,12 @@ TetMesh withMidEdgeNodes(const LinearTetrahedra& linear, int surfaceVertexCount)
         }
     }
     mesh.nodes.resize(corners + static_cast<Eigen::Index>(edges.size()), 3);
-    mesh.nodes.topRows(corners) = linear.points;
+    mesh.nodes.topRows(corners) = points;
     for (std::size_t e = 0; e < edges.size(); ++e)
         mesh.nodes.row(corners + static_cast<Eigen::Index>(e)) =
-            (linear.points.row(edges[e].first) + linear.points.row(edges[e].second)) / 2;
+            (points.row(edges[e].first) + points.row(edges[e].second)) / 2;
     return mesh;
 }
-
-} // namespace
 
 Result<TetMesh> tetrahedralise(const Mesh& closedSurface, const TetMeshSettings& settings) {
     if (const auto fault = faultOf(closedSurface, settings); !fault.empty())
@@ -179,7 +181,7 @@ Result<TetMesh> tetrahedralise(const Mesh& closedSurface, const TetMeshSettings&
     const auto solid = withoutCavities(closedSurface, std::move(*filled));
     if (!solid)
         return failure(solid.error().message);
-    auto mesh = withMidEdgeNodes(*solid, static_cast<int>(closedSurface.vertexCount()));
+    auto mesh = withMidEdgeNodes(solid->points, solid->tetrahedra, closedSurface.vertexCount());
     if (mesh.nodes.rows() > settings.maximumNodes)
         return tooMany();
     return mesh;

@@ -44,6 +44,12 @@ struct TetMeshSettings {
 /// keeps its tolerances in globals.
 Result<TetMesh> tetrahedralise(const Mesh& closedSurface, const TetMeshSettings& settings);
 
+/// Returns ten-node elements for four-node ones [T×4], with nodes on the middles of all edges.
+/// Elements of negative orientation are turned.
+TetMesh withMidEdgeNodes(const Eigen::MatrixXd& points,
+                         const Eigen::MatrixXi& tetrahedra,
+                         int surfaceVertexCount);
+
 double volumeM3(const TetMesh& mesh);
 
 /// Returns the mean length of the edges between corners.

@@ -48,8 +48,8 @@ std::vector<double> freeBeamFrequenciesHz(std::span<const double> nodesMetres,
     Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(rows, rows), mass = stiffness;
     const Eigen::Vector3d none = Eigen::Vector3d::Zero();
     for (Eigen::Index e = 0; e < elements; ++e) {
-        const double start = nodesMetres[static_cast<std::size_t>(e)];
-        const double half = (nodesMetres[static_cast<std::size_t>(e) + 1] - start) / 2;
+        const double start = nodesMetres[e];
+        const double half = (nodesMetres[e + 1] - start) / 2;
         ElementMatrix k = ElementMatrix::Zero(), m = k;
         for (const auto& point : reduced) {
             const BeamSection section = sectionAt(start + half * (1 + point.xi));

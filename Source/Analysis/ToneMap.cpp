@@ -1,7 +1,7 @@
 #include "Analysis/ToneMap.h"
 
+#include <Eigen/Core>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -51,27 +51,20 @@ void forEachCoupling(const std::vector<Tone>& tones, const Use& use) {
         }
 }
 
-/// Vertices whose sums are computed together.
-constexpr std::size_t rowsTogether = 8;
-using OfRows = std::array<double, rowsTogether>;
-
-/// Returns (φ · n)² of each tone at some shape vertices. Unused entries are 0.
-std::vector<OfRows> gainsOf(const std::vector<Tone>& tones,
-                            const ModalObject& object,
-                            const std::vector<float>& normals,
-                            std::size_t firstRow) {
-    std::vector<OfRows> gains(tones.size());
-    const auto count = std::min(rowsTogether, object.shapeVertexCount() - firstRow);
-    for (std::size_t k = 0; k < count; ++k) {
-        const auto shapes = object.shapesAt(firstRow + k);
-        const float* normal =
-            &normals[static_cast<std::size_t>(object.shapeVertices[firstRow + k]) * 3];
-        for (std::size_t i = 0; i < tones.size(); ++i) {
+/// [V×tones] (φ · n)² of each tone at the shape vertices.
+Eigen::ArrayXXd gainsOf(const std::vector<Tone>& tones,
+                        const ModalObject& object,
+                        const std::vector<float>& normals) {
+    Eigen::ArrayXXd gains(object.shapeVertexCount(), tones.size());
+    for (Eigen::Index row = 0; row < gains.rows(); ++row) {
+        const auto shapes = object.shapesAt(row);
+        const float* normal = &normals[object.shapeVertices[row] * 3];
+        for (Eigen::Index i = 0; i < gains.cols(); ++i) {
             double along = 0;
             for (std::size_t axis = 0; axis < 3; ++axis)
                 along += static_cast<double>(shapes[3 * tones[i].mode + axis]) *
                          static_cast<double>(normal[axis]);
-            gains[i][k] = along * along;
+            gains(row, i) = along * along;
         }
     }
     return gains;
@@ -81,25 +74,17 @@ std::vector<OfRows> gainsOf(const std::vector<Tone>& tones,
 
 std::vector<double> brightnessHz(const ModalObject& object, const std::vector<float>& normals) {
     const auto tones = audibleTones(object);
-    std::vector<double> result(object.shapeVertexCount());
-    for (std::size_t firstRow = 0; firstRow < result.size(); firstRow += rowsTogether) {
-        const auto gains = gainsOf(tones, object, normals, firstRow);
-        OfRows energy{}, moment{};
-        forEachCoupling(tones, [&](std::size_t i, std::size_t j, double each) {
-            const double both = (i == j ? 1 : 2) * each;
-            const double frequencies = tones[i].frequencyHz + tones[j].frequencyHz;
-            const auto &one = gains[i], &other = gains[j];
-            for (std::size_t k = 0; k < rowsTogether; ++k) {
-                const double shared = both * one[k] * other[k];
-                energy[k] += shared;
-                moment[k] += shared * frequencies / 2;
-            }
-        });
-        const auto count = std::min(rowsTogether, result.size() - firstRow);
-        for (std::size_t k = 0; k < count; ++k)
-            result[firstRow + k] = energy[k] > 0 ? moment[k] / energy[k] : 0;
-    }
-    return result;
+    const auto gains = gainsOf(tones, object, normals);
+    Eigen::ArrayXd energy = Eigen::ArrayXd::Zero(gains.rows()), moment = energy, shared;
+    forEachCoupling(tones, [&](std::size_t i, std::size_t j, double each) {
+        const double both = (i == j ? 1 : 2) * each;
+        const double frequencies = tones[i].frequencyHz + tones[j].frequencyHz;
+        shared = both * gains.col(i) * gains.col(j);
+        energy += shared;
+        moment += shared * frequencies / 2;
+    });
+    const Eigen::ArrayXd centroids = (energy > 0).select(moment / energy, 0);
+    return {centroids.begin(), centroids.end()};
 }
 
 } // namespace idiophone

@@ -89,11 +89,10 @@ outerRadiation(const Mesh& tube, const ModalObject& object, const WorkControl& c
     }
     Eigen::MatrixXd shapes = Eigen::MatrixXd::Zero(3 * (count + 2), modes);
     for (int v = 0; v < count; ++v) {
-        const auto values = object.shapesAt(static_cast<std::size_t>(v));
+        const auto values = object.shapesAt(v);
         for (Eigen::Index mode = 0; mode < modes; ++mode)
             for (int axis = 0; axis < 3; ++axis)
-                shapes(3 * v + axis, mode) =
-                    static_cast<double>(values[static_cast<std::size_t>(3 * mode + axis)]);
+                shapes(3 * v + axis, mode) = static_cast<double>(values[3 * mode + axis]);
         if (v < around)
             shapes.middleRows<3>(3 * bottom) += shapes.middleRows<3>(3 * v) / around;
         if (v >= lastCircle)
@@ -119,7 +118,7 @@ std::vector<int> struckVertices(const Mesh& mesh, const TubeSpecification& tube)
     Mesh squeezed = mesh;
     squeezed.vertices.col(2) *= pi * radius / 4 * (tube.shapeVertexCount / 4.0) /
                                 (mesh.vertices.col(2).maxCoeff() - mesh.vertices.col(2).minCoeff());
-    return spreadVertices(squeezed, reachable, static_cast<std::size_t>(tube.shapeVertexCount));
+    return spreadVertices(squeezed, reachable, tube.shapeVertexCount);
 }
 
 Result<ModalObject>
