@@ -1,10 +1,10 @@
 # idiophone_debian_source(<FetchContent name> PACKAGE p VERSION v SUITE s [FOLDER f])
-# On Debian 12, unpacks a pinned source package once into build/dependencies and points FetchContent
-# at it; elsewhere does nothing, so that FetchContent fetches the upstream tag.
+# On Debian 12 this unpacks a pinned source package once into build/dependencies and points
+# FetchContent at it. Elsewhere FetchContent fetches the upstream tag.
 #
 # idiophone_debian_binary(<variable> PACKAGE p VERSION v SUITE s)
-# For packages whose source is not served: on Debian 12, unpacks what would be installed and sets the
-# variable to its folder; elsewhere sets it to nothing.
+# For packages whose source is not served. On Debian 12 this unpacks the binary package and sets the
+# variable to its folder. Elsewhere it sets the variable to nothing.
 include(FetchContent)
 
 set(IDIOPHONE_DEPENDENCIES "${PROJECT_SOURCE_DIR}/build/dependencies" CACHE PATH
@@ -17,9 +17,9 @@ if(EXISTS /usr/share/keyrings/debian-archive-keyring.gpg)
         set(is_bookworm ON)
     endif()
 endif()
-option(IDIOPHONE_DEBIAN_SOURCES "Take what is pinned from Debian's packages, not from upstream repositories" ${is_bookworm})
+option(IDIOPHONE_DEBIAN_SOURCES "Take pinned dependencies from Debian's packages, not from upstream repositories" ${is_bookworm})
 
-# Unpacks it into the folder unless that stands already; further arguments go to debian-source.sh.
+# Unpacks a package into the folder unless the folder exists. Further arguments go to debian-source.sh.
 function(idiophone_unpack_debian folder package version suite)
     if(EXISTS "${folder}")
         return()

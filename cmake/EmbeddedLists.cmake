@@ -1,9 +1,9 @@
-# The lists of Resources that are a part of the program: each one's text for Object, which reads it,
-# and its names for Parameters, whose choices have them. So a material, or a mallet, is one entry of
-# one file.
+# Embeds the lists of materials and mallets: the text for Object, which parses it, and the names for
+# Parameters, which offers them as choices. To add a material or a mallet, add one entry to one file.
 #
-# idiophone_embed_list(<file> <key of the list> <function>): appends to embedded_list_texts the source
-# file that defines the text, `function`, and to embedded_list_names that of the names, `functionNames`.
+# idiophone_embed_list(<file> <key of the list> <function>): appends the source file that defines
+# `function`, the text, to embedded_list_texts, and the source file that defines `functionNames` to
+# embedded_list_names.
 function(idiophone_embed_list file key function)
     set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${file}")
     file(READ "${file}" text)
@@ -15,7 +15,7 @@ function(idiophone_embed_list file key function)
         string(APPEND names "    R\"json(${name})json\",\n")
     endforeach()
 
-    # A literal for each line, as compilers bound the length of one.
+    # One literal for each line, because compilers bound the length of a literal.
     string(REPLACE "\n" ")json\" \"\\n\"\nR\"json(" lines "${text}")
 
     set(text_source "${PROJECT_BINARY_DIR}/${function}.cpp")

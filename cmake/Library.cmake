@@ -1,12 +1,12 @@
-# Object, Synth and Analysis as a CMake package, for programs that sound or analyse. docs/library.md.
+# Installs Object, Synth, Geometry and Analysis as a CMake package (docs/library.md).
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
 set(package "${CMAKE_INSTALL_LIBDIR}/cmake/Idiophone")
 set(headers "${CMAKE_INSTALL_INCLUDEDIR}/idiophone")
 
-# install_modules(<export> TARGETS ... HEADERS ...): static libraries, and of their headers what a
-# program includes, directly or not.
+# install_modules(<export> TARGETS ... HEADERS ...): installs static libraries and the headers that a
+# program includes, directly or indirectly.
 function(install_modules export)
     cmake_parse_arguments(arg "" "" "TARGETS;HEADERS" ${ARGN})
     install(TARGETS ${arg_TARGETS} EXPORT ${export}
@@ -26,7 +26,7 @@ foreach(module Object Synth Geometry Analysis)
     target_compile_features(idiophone_${lower} PUBLIC cxx_std_20)
 endforeach()
 
-# To load objects, strike them and press on them.
+# Loads objects, strikes them and presses on them.
 install_modules(IdiophoneTargets
     TARGETS idiophone_object idiophone_synth
     HEADERS
@@ -35,7 +35,7 @@ install_modules(IdiophoneTargets
         Synth/CellOutput Synth/ContactForce Synth/ForceCell Synth/LiveConditions Synth/ModalPole Synth/Reson
         Synth/SoundingGroups Synth/Strike Synth/StrikePoints Synth/Surface Synth/SurfaceProfile Synth/Synthesiser
         Synth/SynthesiserSlot Synth/SynthesisSettings Synth/TubeOpening)
-# To make them of meshes. A component of its own, as it wants Eigen.
+# Makes objects from meshes. This is a component of its own because it needs Eigen.
 install_modules(IdiophoneAnalysisTargets
     TARGETS idiophone_geometry idiophone_analysis idiophone_tetgen
     HEADERS

@@ -1,14 +1,14 @@
-# What `cmake --install` puts where, and the packages that CPack makes of it.
+# Where `cmake --install` puts files, and the packages that CPack makes of them.
 include(GNUInstallDirs)
 
-# Bundles are directories, whose files keep their permissions.
+# Installs a bundle, which is a directory. Its files keep their permissions.
 function(install_bundle target destination component)
     get_target_property(bundle ${target} JUCE_PLUGIN_ARTEFACT_FILE)
     install(DIRECTORY "${bundle}" DESTINATION "${destination}" COMPONENT ${component}
         USE_SOURCE_PERMISSIONS)
 endfunction()
 
-# macOS and Windows: written without such a machine at hand, and not run yet.
+# The branches for macOS and Windows have not been run yet.
 if(APPLE)
     set(audio "Library/Audio/Plug-Ins")
     install_bundle(Idiophone_VST3 "${audio}/VST3" plugin)
@@ -29,13 +29,13 @@ elseif(WIN32)
         install(FILES LICENSE THIRD-PARTY DESTINATION . COMPONENT ${component})
     endforeach()
 else()
-    # Where hosts look, which is not the folder of the architecture.
+    # Hosts look here, not in the folder of the architecture.
     install_bundle(Idiophone_VST3 lib/vst3 plugin)
     install_bundle(Idiophone_LV2 lib/lv2 plugin)
     install(PROGRAMS "$<TARGET_FILE:Idiophone_Standalone>" DESTINATION "${CMAKE_INSTALL_BINDIR}"
         RENAME idiophone-standalone COMPONENT standalone)
     install(TARGETS idiophone_console RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}" COMPONENT console)
-    # The newest entry of the changelog is this version's; while it has no date, this day is it.
+    # The first entry of the changelog is this version's. Without a date, today counts.
     set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/CHANGELOG.md")
     file(STRINGS CHANGELOG.md release REGEX "^## " LIMIT_COUNT 1)
     if(NOT release MATCHES "^## ([0-9.]+) \\((unreleased|[0-9-]+)\\)$"
@@ -60,12 +60,12 @@ else()
         DESTINATION "${documents}" COMPONENT console)
     install(DIRECTORY docs DESTINATION "${documents}" COMPONENT console
         PATTERN "*.py" EXCLUDE PATTERN "*.sh" EXCLUDE)
-    # What the pages lead to.
+    # Files that the pages link to.
     install(FILES LICENSE THIRD-PARTY DESTINATION "${documents}" COMPONENT console)
     install(DIRECTORY Presets DESTINATION "${documents}" COMPONENT console)
     install(DIRECTORY Resources/Mallets Resources/Materials DESTINATION "${documents}/Resources"
         COMPONENT console)
-    # Where Debian looks, of each package.
+    # Debian looks for the licence of each package here.
     install(FILES LICENSE DESTINATION "${documents}" RENAME copyright COMPONENT console)
     install(FILES LICENSE DESTINATION "${documents}-dev" RENAME copyright COMPONENT development)
     install(FILES THIRD-PARTY DESTINATION "${documents}-dev" COMPONENT development)
@@ -74,7 +74,7 @@ else()
 endif()
 
 set(CPACK_PACKAGE_NAME idiophone)
-set(CPACK_COMPONENTS_ALL plugin standalone console development) # and nothing of other projects
+set(CPACK_COMPONENTS_ALL plugin standalone console development) # without files of dependencies
 set(CPACK_PACKAGE_VENDOR Idiophone)
 set(CPACK_PACKAGE_CONTACT "Idiophone <team@idiophone.org>")
 set(CPACK_RESOURCE_FILE_LICENSE "${PROJECT_SOURCE_DIR}/LICENSE")
@@ -92,7 +92,7 @@ elseif(WIN32)
     set(CPACK_NSIS_EXTRA_UNINSTALL_COMMANDS "RMDir /r '$COMMONFILES64\\VST3\\Idiophone.vst3'")
 else()
     set(CPACK_GENERATOR DEB TGZ)
-    # Two packages: what is played, and what is programmed with.
+    # Two packages: the programs and the library.
     set(CPACK_COMPONENTS_GROUPING ONE_PER_GROUP)
     set(CPACK_DEB_COMPONENT_INSTALL ON)
     foreach(component PLUGIN STANDALONE CONSOLE)

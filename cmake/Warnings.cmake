@@ -1,4 +1,4 @@
-# What every target of ours is compiled with; dependencies are left as they are.
+# The warnings of Idiophone's own targets. Dependencies keep their own.
 add_library(idiophone_warnings INTERFACE)
 if(MSVC)
     target_compile_options(idiophone_warnings INTERFACE /W4 /permissive- /utf-8
@@ -6,8 +6,8 @@ if(MSVC)
 else()
     target_compile_options(idiophone_warnings INTERFACE
         -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual)
-    # gcc 12 warns of overlaps inside its own std::string, and of reading and writing beyond it once its
-    # headers are precompiled.
+    # gcc 12 warns of overlaps inside its own std::string. With precompiled headers it also warns of
+    # accesses beyond the string.
     set(is_gcc_12 $<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,13>>)
     target_compile_options(idiophone_warnings INTERFACE
         $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>

@@ -8,6 +8,6 @@ FetchContent_Declare(Catch2
     GIT_TAG v3.7.1
     GIT_SHALLOW ON)
 FetchContent_MakeAvailable(Catch2)
-set_target_properties(Catch2 PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 0) # as its amalgamated file
+set_target_properties(Catch2 PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 0) # like its amalgamated file
 set_property(DIRECTORY "${Catch2_SOURCE_DIR}" PROPERTY EXCLUDE_FROM_ALL TRUE) # is not installed
 list(APPEND CMAKE_MODULE_PATH "${Catch2_SOURCE_DIR}/extras")

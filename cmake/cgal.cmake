@@ -1,5 +1,5 @@
-# CGAL 5.5, header only: remeshing, simplification of scans, exact predicates of triangles, for which
-# Boost's integers do instead of GMP and MPFR.
+# CGAL 5.5, header only: remeshing, simplification of scans, exact predicates of triangles. The
+# predicates use Boost's integers instead of GMP and MPFR.
 if(TARGET idiophone_cgal)
     return()
 endif()
@@ -13,7 +13,7 @@ else()
     # The release archive, for the repository keeps the headers in a folder for each package.
     FetchContent_Declare(CGAL
         URL https://github.com/CGAL/cgal/releases/download/v5.5.1/CGAL-5.5.1-library.tar.xz)
-    # Populated, not added: only the headers are wanted.
+    # Populated, not added: only the headers are needed.
     FetchContent_GetProperties(CGAL)
     if(NOT cgal_POPULATED)
         FetchContent_Populate(CGAL)

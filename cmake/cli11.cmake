@@ -1,5 +1,5 @@
-# CLI11 2.4.1: the console's command line. Compiled once: as headers alone, its code is made anew in
-# every command's file, which took most of the console's build.
+# CLI11 2.4.1: the console's command line. It is compiled once. As a header-only library it would be
+# compiled again in every file that uses it.
 if(TARGET idiophone_cli11)
     return()
 endif()

@@ -2,8 +2,8 @@
 # Unpacks one pinned Debian package, signature checked, without touching the machine's own apt
 # sources. Used by DebianSource.cmake; the mirror is read from the machine's apt settings.
 #   debian-source.sh PACKAGE VERSION SUITE DESTINATION [FOLDER_TO_KEEP | --archives | --binary]
-# --archives: of the source package only what it is packed in; --binary: the package that is
-# installed, to DESTINATION/PACKAGE-VERSION, instead of its source.
+# --archives downloads the archives of the source package without unpacking them. --binary unpacks the
+# binary package into DESTINATION/PACKAGE-VERSION.
 set -euo pipefail
 package=$1 version=$2 suite=$3 destination=$4 keep=${5:-}
 mirror=$(apt-get indextargets --format '$(REPO_URI) $(RELEASE)' 'Created-By: Packages' |
@@ -21,7 +21,7 @@ apt=(apt-get -qq -o "Dir::Etc::sourcelist=$work/sources.list" -o Dir::Etc::sourc
 cd "$destination"
 [ -n "$(find "$work/lists" -name "*$lists*" -print -quit)" ] || "${apt[@]}" update
 if [ "$keep" = --archives ]; then
-    # Some mirrors serve a package's archives but not its description: take what there is.
+    # Some mirrors serve the archives of a package but not its description.
     "${apt[@]}" source --download-only "$package=$version" || true
 elif [ "$keep" = --binary ]; then
     "${apt[@]}" download "$package=$version"

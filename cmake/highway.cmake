@@ -5,7 +5,7 @@ endif()
 set(HWY_ENABLE_TESTS OFF)
 set(HWY_ENABLE_EXAMPLES OFF)
 set(HWY_ENABLE_CONTRIB OFF)
-# Programs on Idiophone::Synth link to it, too: where it is fetched it is installed with ours.
+# Programs that link Idiophone::Synth link Highway too, so a fetched copy is installed.
 set(HWY_ENABLE_INSTALL ON)
 set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME development)
 FetchContent_Declare(hwy

@@ -7,14 +7,13 @@ FetchContent_Declare(juce
     GIT_REPOSITORY https://github.com/juce-framework/JUCE.git
     GIT_TAG 8.0.6
     GIT_SHALLOW ON)
-set(IDIOPHONE_JUCEAIDE "" CACHE FILEPATH "JUCE's tool, if another build has made it; this one makes it otherwise")
-if(EXISTS "${IDIOPHONE_JUCEAIDE}")
+# JUCE builds its tool juceaide while CMake configures, which takes a minute. Only bundles of macOS
+# and resources of Windows need it.
+if(CMAKE_SYSTEM_NAME STREQUAL "Linux")
     set(JUCE_MODULES_ONLY ON)
 endif()
 FetchContent_MakeAvailable(juce)
-if(EXISTS "${IDIOPHONE_JUCEAIDE}")
-    add_executable(juce::juceaide IMPORTED GLOBAL)
-    set_target_properties(juce::juceaide PROPERTIES IMPORTED_LOCATION "${IDIOPHONE_JUCEAIDE}")
+if(JUCE_MODULES_ONLY)
     include("${juce_SOURCE_DIR}/extras/Build/CMake/JUCEUtils.cmake")
 endif()
 set_property(DIRECTORY "${juce_SOURCE_DIR}" PROPERTY EXCLUDE_FROM_ALL TRUE) # is not installed

@@ -1,12 +1,12 @@
-# The client of MTS-ESP (0BSD): the tuning that one plugin of a session sets for all.
+# The client of MTS-ESP (0BSD): one plugin sets the tuning of a session.
 if(TARGET idiophone_mts_esp)
     return()
 endif()
 idiophone_debian_binary(mts_esp
     PACKAGE libmts-esp-dev VERSION 0.0~git20230110.9df9a9c-1+b1 SUITE trixie)
 if(mts_esp)
-    # Not position-independent all through: what links it into a shared library excludes its
-    # symbols from what is exported (--exclude-libs).
+    # Parts are not position-independent, so a shared library that links it must not export its
+    # symbols (--exclude-libs).
     add_library(idiophone_mts_esp INTERFACE)
     target_link_libraries(idiophone_mts_esp INTERFACE
         "${mts_esp}/usr/lib/libMTS.a" ${CMAKE_DL_LIBS})

@@ -6,8 +6,8 @@ endif()
 include(ExternalProject)
 
 if(IDIOPHONE_DEBIAN_SOURCES)
-    # The mirror serves this package's archives without its description, so that each is unpacked
-    # here; apt has checked them against the signed index.
+    # The mirror serves this package's archives without its description, so they are unpacked here.
+    # apt has checked them against the signed index.
     set(version 3.7.10.14+~4.13.3)
     set(folder "${IDIOPHONE_DEPENDENCIES}/vst3sdk-${version}")
     if(NOT EXISTS "${folder}")

@@ -1,5 +1,5 @@
-# TetGen 1.5: closed surfaces to tetrahedra (AGPL, as we are). Built here, not taken from a package:
-# the package's assertions end the process, ours throw (Source/Analysis/TetGenWatch.h).
+# TetGen 1.5: closed surfaces to tetrahedra (AGPL, like Idiophone). It is built here because the
+# assertions of Debian's package end the process. Ours throw (Source/Analysis/TetGenWatch.h).
 if(TARGET idiophone_tetgen)
     return()
 endif()
@@ -9,7 +9,7 @@ idiophone_debian_source(tetgen PACKAGE tetgen VERSION 1.5.0-5 SUITE bookworm)
 FetchContent_Declare(tetgen
     GIT_REPOSITORY https://github.com/libigl/tetgen.git
     GIT_TAG a754f2485470f1ac51503e273d7e74a281c67807)
-# Populated, not added: its own build knows nothing of our assertions.
+# Populated, not added: its own build does not use our assertions.
 FetchContent_GetProperties(tetgen)
 if(NOT tetgen_POPULATED)
     FetchContent_Populate(tetgen)
@@ -24,10 +24,10 @@ target_include_directories(idiophone_tetgen SYSTEM INTERFACE
 if(MSVC)
     target_compile_options(idiophone_tetgen PRIVATE /w /fp:strict)
 else()
-    # Its exact predicates count every rounding: no multiplication may be fused with an addition.
+    # Its exact predicates depend on every rounding, so no multiplication may be fused with an addition.
     target_compile_options(idiophone_tetgen PRIVATE -w -ffp-contract=off)
 endif()
-# Shewchuk's sums read one number beyond an expansion before they see that it has ended.
+# Shewchuk's sums read one number beyond the end of an expansion.
 if(IDIOPHONE_SANITIZE MATCHES address)
     set_source_files_properties("${tetgen_SOURCE_DIR}/predicates.cxx" PROPERTIES
         COMPILE_OPTIONS -fno-sanitize=address)

@@ -65,10 +65,10 @@ bool isStereo(const ParameterValues& values, const Played& played) {
            (values[radiation] > 0 && hasRadiation(values, played));
 }
 
-constexpr const char* whileStruck = "it acts with contact=Strike";
-constexpr const char* whileHeld = "it acts with contact=Scrape or contact=Roll";
+constexpr const char* whileStruck = "it needs contact=Strike";
+constexpr const char* whileHeld = "it needs contact=Scrape or contact=Roll";
 constexpr const char* overTubes = "no object is a bar over a tube";
-constexpr const char* onPaths = "there is one point to strike";
+constexpr const char* onPaths = "there is only one point to strike";
 
 constexpr Condition conditions[]{
     {strikeSpread, isStruck, whileStruck},
@@ -85,22 +85,21 @@ constexpr Condition conditions[]{
     {contactForce, isHeld, whileHeld},
     {contactSpeed, isHeld, whileHeld},
     {roughness, isHeld, whileHeld},
-    {rollCoupling, isRolled, "it acts with contact=Roll"},
+    {rollCoupling, isRolled, "it needs contact=Roll"},
     {strikeAlong, hasPath, onPaths},
     {strikeAcross, hasPath, onPaths},
     {strikeSpread, hasPath, onPaths},
-    {releaseTime, keysDamp,
-     "it acts with let_ring=off, and where pressure damps keys that are struck"},
+    {releaseTime, keysDamp, "it needs let_ring=off, or strikes with pressure that damps keys"},
     {motorDepth, hasTubes, overTubes},
     {motorSpeed, hasTubes, overTubes},
     {motorSync, hasTubes, overTubes},
-    {motorSpeed, motorModulates, "it acts with motor_depth above 0"},
-    {motorSync, isFree, "there is no host with a tempo; motor_speed acts"},
-    {roomDecay, hasRoom, "it acts with room above 0"},
-    {thickness, hasShells, "no object is a shell, and solids keep the thickness of their mesh"},
+    {motorSpeed, motorModulates, "it needs motor_depth above 0"},
+    {motorSync, isFree, "there is no host with a tempo; use motor_speed"},
+    {roomDecay, hasRoom, "it needs room above 0"},
+    {thickness, hasShells, "no object is a shell"},
     {keepPitch, hasPitches, "no key has a pitch of its own"},
     {radiation, hasRadiation, "no object was analysed with its radiation"},
-    {width, isStereo, "both channels are the same; it acts with radiation or room above 0"}};
+    {width, isStereo, "both channels are equal; it needs radiation or room above 0"}};
 
 /// Parameters without effect where no mallets play.
 constexpr std::array ofMallets{
@@ -119,10 +118,10 @@ bool isAmong(std::span<const ParameterId> list, ParameterId parameter) {
 std::string_view
 whyIdle(ParameterId parameter, const ParameterValues& values, const Played& played) {
     if (played.by == PlayedBy::stage && isAmong(ofMallets, parameter))
-        return "the keys move bodies, and no mallets";
+        return "the keys move bodies instead of mallets";
     if ((played.by == PlayedBy::scene || played.by == PlayedBy::impulses) &&
         (isAmong(ofMallets, parameter) || isAmong(ofKeys, parameter)))
-        return "it acts where keys are played";
+        return "it needs keys";
     for (const auto& condition : conditions)
         if (condition.parameter == parameter && !condition.acts(values, played))
             return condition.saying;
@@ -168,7 +167,7 @@ AssignedEffect assignedEffect(ParameterValues values,
             continue;
         auto why = whyIdle(info.parameter, values, played);
         if (keepMaterials && isAmong(materialFigures, info.parameter))
-            why = "the objects are of several materials; choose one with --set material=...";
+            why = "the objects have several materials; choose one with --set material=...";
         if (!why.empty())
             effect.warnings.push_back(std::string("--set ") + info.id +
                                       " has no effect: " + std::string(why));

@@ -6,12 +6,27 @@
 
 #include <CLI/CLI.hpp>
 #include <functional>
+#include <memory>
+#include <utility>
 
 namespace idiophone {
 
 /// Runs after the whole command line is parsed. The error becomes one sentence on standard error
 /// and an exit code other than 0.
 using Action = std::function<Result<void>()>;
+
+/// Adds a subcommand and its options' values. If it is given, Main runs `run` with them.
+template <class Options>
+std::pair<CLI::App*, std::shared_ptr<Options>> addCommand(CLI::App& program,
+                                                          Action& chosen,
+                                                          const char* name,
+                                                          const char* description,
+                                                          Result<void> (*run)(const Options&)) {
+    auto* command = program.add_subcommand(name, description);
+    auto options = std::make_shared<Options>();
+    command->final_callback([=, &chosen] { chosen = [=] { return run(*options); }; });
+    return {command, options};
+}
 
 void addAnalyse(CLI::App& program, Action& chosen);
 void addInfo(CLI::App& program, Action& chosen);

@@ -1,6 +1,5 @@
 #include "Analysis/FactoryObjects.h"
 #include "Console/Command.h"
-#include "Console/Interrupt.h"
 #include "Console/OutputCheck.h"
 #include "Console/ProgressLine.h"
 #include "Object/FileBytes.h"
@@ -14,7 +13,7 @@
 namespace idiophone {
 namespace {
 
-struct Options {
+struct FactoryOptions {
     std::filesystem::path folder;
     std::string only;
     bool replaces = false;
@@ -29,19 +28,17 @@ void report(const ModalObject& object, const std::filesystem::path& file, double
               << seconds << " s" << std::endl;
 }
 
-Result<void> makeOne(const std::string& name, const Options& options) {
+Result<void> makeOne(const std::string& name, const FactoryOptions& options) {
     const auto file = options.folder / (name + ".modal");
     std::error_code ignored;
-    if (!options.replaces && std::filesystem::exists(file, ignored)) // the user has not named it
-        return failure(nameOf(file) + ": it is there already; --replace makes it anew");
+    if (!options.replaces &&
+        std::filesystem::exists(file, ignored)) // the user did not name the file
+        return failure(nameOf(file) + ": it exists already; --replace replaces it");
     if (auto writable = checkWritable(file); !writable)
         return writable;
     auto made = [&] {
         ProgressLine progress(name);
-        return makeFactoryObject(
-            name, {.progress = [&](double fraction,
-                                   std::string_view step) { progress.show(fraction, step); },
-                   .cancelled = &interruptRequested()});
+        return makeFactoryObject(name, progress.control());
     }();
     if (!made)
         return tl::unexpected(made.error());
@@ -53,7 +50,7 @@ Result<void> makeOne(const std::string& name, const Options& options) {
     return {};
 }
 
-Result<void> makeFactory(const Options& options) {
+Result<void> makeFactory(const FactoryOptions& options) {
     if (auto made = makeDirectory(options.folder); !made)
         return made;
     if (!options.only.empty())
@@ -67,16 +64,15 @@ Result<void> makeFactory(const Options& options) {
 } // namespace
 
 void addFactory(CLI::App& program, Action& chosen) {
-    auto* command =
-        program.add_subcommand("factory", "Makes the modal objects of the factory presets anew");
-    auto options = std::make_shared<Options>();
-    command->add_option("-o,--output", options->folder, "The directory to write them to")
-        ->required();
-    command->add_option("--only", options->only, "One of them, such as xylophone-72 or plate")
+    const auto [command, options] = addCommand<FactoryOptions>(
+        program, chosen, "factory", "Makes the modal objects of the factory presets again",
+        makeFactory);
+    command->add_option("-o,--output", options->folder, "The directory to write to")->required();
+    command
+        ->add_option("--only", options->only,
+                     "Makes only this object, for example xylophone-72 or plate")
         ->check(CLI::IsMember(factoryObjectNames()));
-    command->add_flag("--replace", options->replaces, "Also files that are there already");
-    command->final_callback(
-        [options, &chosen] { chosen = [options] { return makeFactory(*options); }; });
+    command->add_flag("--replace", options->replaces, "Replaces files that exist already");
 }
 
 } // namespace idiophone

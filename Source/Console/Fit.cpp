@@ -3,7 +3,6 @@
 #include "Console/JsonText.h"
 #include "Console/MaterialChoice.h"
 #include "Console/OptionChecks.h"
-#include "Console/OutputCheck.h"
 #include "Console/WavReader.h"
 #include "Geometry/MeshReader.h"
 #include "Object/ModalObjectFile.h"
@@ -19,7 +18,7 @@
 namespace idiophone {
 namespace {
 
-struct Options {
+struct FitOptions {
     std::vector<std::string> strikes; ///< RECORDING@PLACE
     std::filesystem::path output;
     std::string name;
@@ -40,8 +39,9 @@ constexpr double farthestMetres = 1e4;
 /// Splits at the last @, because a file name may contain some.
 Result<RecordedStrike> parseStrike(const std::string& text) {
     const auto refuse = [&] {
-        return failure(text + ": it is not a recording, an @ and a place: X,Y,Z or a radius, in "
-                              "metres");
+        return failure(text +
+                       ": it does not name a recording, an @ and a place (X,Y,Z or a radius, "
+                       "in metres)");
     };
     const auto at = text.rfind('@');
     if (at == std::string::npos || at == 0)
@@ -66,7 +66,7 @@ Result<RecordedStrike> parseStrike(const std::string& text) {
     return strike;
 }
 
-Result<MeasuredObjectSettings> settingsFrom(const Options& options,
+Result<MeasuredObjectSettings> settingsFrom(const FitOptions& options,
                                             const std::vector<RecordedStrike>& strikes) {
     MeasuredObjectSettings settings;
     settings.name = options.name.empty() ? options.output.stem().string() : options.name;
@@ -106,24 +106,23 @@ Result<RecordingFit> fitFiles(const std::vector<RecordedStrike>& strikes,
 }
 
 /// Returns the notes on the fit that the object does not contain.
-std::string notesOf(const RecordingFit& fit, const ModalObject& object, const Options& options) {
+std::string notesOf(const RecordingFit& fit, const ModalObject& object, const FitOptions& options) {
     std::ostringstream notes;
-    notes << fit.modes.size() << " of the " << fit.modesFound
-          << " modes that the recordings share.";
+    notes << fit.modes.size() << " of the " << fit.modesFound << " modes common to the recordings.";
     if (options.material.empty())
-        notes << std::setprecision(3) << " Its material is not known: a damping of gamma "
+        notes << std::setprecision(3) << " Its material is unknown. A damping of gamma "
               << object.material.damping.fluidPerSecond << " 1/s and eta "
               << object.material.damping.viscoelasticSeconds
-              << " s was fitted to its decays, all else is that of steel.";
+              << " s was fitted to its decays. All other figures are those of steel.";
     if (!options.massKg && (options.mesh.empty() || options.material.empty()))
-        notes << " Its mass is not known: it is as loud as " << std::setprecision(3)
-              << object.mass.massKg << " kg are.";
+        notes << " Its mass is unknown. It is as loud as an object of " << std::setprecision(3)
+              << object.mass.massKg << " kg.";
     for (const auto& remark : fit.remarks)
         notes << ' ' << remark;
     return notes.str();
 }
 
-void report(const ModalObject& object, const RecordingFit& fit, const Options& options) {
+void report(const ModalObject& object, const RecordingFit& fit, const FitOptions& options) {
     if (options.json) {
         auto modes = nlohmann::ordered_json::array();
         for (const auto& mode : fit.modes)
@@ -147,13 +146,13 @@ void report(const ModalObject& object, const RecordingFit& fit, const Options& o
               << object.modeCount() << " modes from " << fit.modes.front().frequencyHz << " to "
               << fit.modes.back().frequencyHz << " Hz, from " << fit.noiseDecibels.size()
               << " recordings, in " << object.provenance.analysisSeconds << " s\n"
-              << "What the modes leave of the recordings:";
+              << "Level of the recordings without the modes:";
     for (const double level : fit.noiseDecibels)
         std::cout << ' ' << level;
     std::cout << " dB\n" << object.provenance.notes << std::endl;
 }
 
-Result<void> fitAndWrite(const Options& options) {
+Result<void> fitAndWrite(const FitOptions& options) {
     std::vector<RecordedStrike> strikes;
     for (const auto& text : options.strikes) {
         auto strike = parseStrike(text);
@@ -164,8 +163,6 @@ Result<void> fitAndWrite(const Options& options) {
     const auto settings = settingsFrom(options, strikes);
     if (!settings)
         return tl::unexpected(settings.error());
-    if (auto writable = checkWritable(options.output); !writable)
-        return writable;
     const auto start = std::chrono::steady_clock::now();
     const auto fit = fitFiles(strikes, options.fit);
     if (!fit)
@@ -188,32 +185,35 @@ Result<void> fitAndWrite(const Options& options) {
 } // namespace
 
 void addFit(CLI::App& program, Action& chosen) {
-    auto* command =
-        program.add_subcommand("fit", "Makes a modal object from recordings of strikes");
-    auto options = std::make_shared<Options>();
+    const auto [command, options] = addCommand<FitOptions>(
+        program, chosen, "fit", "Makes a modal object from recordings of strikes", fitAndWrite);
     command
-        ->add_option("RECORDING@PLACE", options->strikes,
-                     "WAV files, each of a strike at a place: X,Y,Z or a radius, in metres")
+        ->add_option(
+            "RECORDING@PLACE", options->strikes,
+            "WAV files of one strike each, with the struck place: X,Y,Z or a radius, in metres")
         ->required();
     command->add_option("-o,--output", options->output, "The .modal file to write")
         ->type_name(writtenFile)
         ->required();
-    command->add_option("--name", options->name, "The object's name; else the output's");
-    command->add_option("--modes", options->fit.modeCount, "At most so many: the strongest")
+    command->add_option("--name", options->name,
+                        "Name of the object (default: of the output file)");
+    command
+        ->add_option("--modes", options->fit.modeCount,
+                     "Maximum number of modes; the strongest are kept")
         ->check(CLI::Range(1, 1000))
         ->capture_default_str();
-    command->add_option("--mesh", options->mesh,
-                        "What was struck, in metres; else a surface through the places");
+    command->add_option(
+        "--mesh", options->mesh,
+        "Mesh of the struck object, in metres (default: a surface through the places)");
     command->add_option("--material", options->material,
-                        "A material's name or a JSON file; else its damping is fitted");
-    command->add_option("--mass", options->massKg, "In kilograms")->check(numberBetween(1e-6, 1e6));
+                        "Name of a material, or a JSON file (default: the damping is fitted)");
+    command->add_option("--mass", options->massKg, "Mass in kilograms")
+        ->check(numberBetween(1e-6, 1e6));
     command
         ->add_option("--contact-time", options->fit.contactSeconds,
-                     "How long the striker touched, in seconds: its spectrum is taken out")
+                     "Contact time of the mallet in seconds; its spectrum is removed")
         ->check(numberBetween(1e-6, 0.1));
-    command->add_flag("--json", options->json, "Reports as JSON");
-    command->final_callback(
-        [options, &chosen] { chosen = [options] { return fitAndWrite(*options); }; });
+    command->add_flag("--json", options->json, "Writes the report as JSON");
 }
 
 } // namespace idiophone

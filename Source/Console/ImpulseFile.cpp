@@ -20,7 +20,7 @@ constexpr double longestSeconds = 36000;
 constexpr double longestContactSeconds = 1;
 // Generous: a lorry at motorway speed has 1e6 N s.
 constexpr double largestImpulse = 1e6;
-constexpr double farthestMetres = 1e6;
+constexpr double maximumMetres = 1e6;
 
 // Inside this file an error in a line is an exception.
 struct Fault {
@@ -50,7 +50,7 @@ std::array<double, 3> vector(const json& value, const std::string& what, double 
 
 std::string objectName(const json& value) {
     if (!value.is_string() || value.get_ref<const std::string&>().empty())
-        throw Fault{"'object' is not a text"};
+        throw Fault{"'object' is not a string"};
     return value;
 }
 
@@ -58,13 +58,13 @@ std::string bodyName(const json& value) {
     if (value.is_number_integer())
         return value.dump();
     if (!value.is_string())
-        throw Fault{"'body' is neither a text nor a whole number"};
+        throw Fault{"'body' is neither a string nor an integer"};
     return value;
 }
 
 std::int64_t vertexNumber(const json& value) {
     if (!value.is_number_integer() || value < 0 || value > std::int64_t{1} << 31)
-        throw Fault{"'vertex' is not the number of a vertex"};
+        throw Fault{"'vertex' is not a vertex number"};
     return value;
 }
 
@@ -78,7 +78,7 @@ void parseMember(const std::string& key, const json& value, Impulse& impulse) {
     else if (key == "vertex")
         impulse.vertex = vertexNumber(value);
     else if (key == "point")
-        impulse.pointMetres = vector(value, "'point'", farthestMetres);
+        impulse.pointMetres = vector(value, "'point'", maximumMetres);
     else if (key == "impulse")
         impulse.impulseNewtonSeconds = vector(value, "'impulse'", largestImpulse);
     else if (key == "contact_time")
@@ -93,7 +93,7 @@ void parseMember(const std::string& key, const json& value, Impulse& impulse) {
 Fault notJson(std::string_view text) {
     const auto at = firstByteNotJson(text);
     if (!at)
-        return {"it is nested too deep"};
+        return {"it is nested too deeply"};
     if (text.find_first_not_of(" \t\r", *at) == std::string_view::npos)
         return {"it is not JSON: it ends too early"};
     const auto isOfWord = [](char c) {
@@ -119,7 +119,7 @@ Impulse parseLine(const std::string& text) {
         throw Fault{"it is not a JSON object"};
     for (const char* key : {"time", "object", "impulse"})
         if (!root.contains(key))
-            throw Fault{"it lacks '" + std::string(key) + "'"};
+            throw Fault{"it has no '" + std::string(key) + "'"};
     if (root.contains("vertex") == root.contains("point"))
         throw Fault{"it needs either 'vertex' or 'point'"};
     Impulse impulse;
@@ -150,7 +150,7 @@ Error BadLines::error(const std::filesystem::path& file) const {
         sentences += (sentences.empty() ? "" : "\n") + file.string() + ": line " +
                      std::to_string(line) + ": " + sentence;
     if (count > first.size())
-        sentences += "\nand " + std::to_string(count - first.size()) + " more bad lines.";
+        sentences += "\nand " + std::to_string(count - first.size()) + " more bad lines";
     return {sentences};
 }
 

@@ -87,7 +87,8 @@ Result<ImpulseScore> arrange(std::span<const Impulse> impulses,
         if (isNew)
             score.slots.push_back({.object = *struck.object, .sizeRatio = impulse.sizeRatio});
         else if (score.slots[body->second].sizeRatio != impulse.sizeRatio) {
-            faults.add(impulse.line, "its 'size' is another one than before of the same body");
+            faults.add(impulse.line,
+                       "its 'size' differs from that of earlier lines of the same body");
             continue;
         }
 
@@ -95,7 +96,7 @@ Result<ImpulseScore> arrange(std::span<const Impulse> impulses,
                                           : struck.surface->nearest(impulse.pointMetres);
         if (!point) {
             faults.add(impulse.line, "vertex " + std::to_string(*impulse.vertex) + " of " +
-                                         inQuotes(impulse.object) + " carries no mode shapes");
+                                         inQuotes(impulse.object) + " has no mode shapes");
             continue;
         }
         Contact contact{.seconds = impulse.seconds, .slot = body->second, .strike = {}};
@@ -113,7 +114,7 @@ Result<ImpulseScore> arrange(std::span<const Impulse> impulses,
         else if (!factoryObject(name) &&
                  std::filesystem::equivalent(pathNamed(localName(resolved(name, file))), output,
                                              fault))
-            faults.add(struck.firstLine, inQuotes(name) + " is what would be written over");
+            faults.add(struck.firstLine, inQuotes(name) + " is the output file");
     if (!faults.empty())
         return tl::unexpected(faults.error(file));
     if (auto bounded = boundedSlots(score.slots, file.string(), "bodies"); !bounded)
@@ -155,8 +156,8 @@ public:
     bool finished() const { return due == contacts.size() && synth.silent(); }
     void warnOfLeftOut(const std::filesystem::path& file) const {
         for (const auto& [count, why] :
-             {std::pair{crowdedOut, "their bodies were in 64 contacts already"},
-              std::pair{beyondReason, "they are too hard for objects as light as theirs"}})
+             {std::pair{crowdedOut, "their bodies already had 64 contacts"},
+              std::pair{beyondReason, "they are too hard for such light objects"}})
             if (count > 0)
                 std::cerr << "warning: " << file.string() << ": " << count
                           << " impulses were left out, because " << why << std::endl;

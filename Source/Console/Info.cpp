@@ -16,7 +16,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-struct Options {
+struct InfoOptions {
     std::filesystem::path file;
     bool json = false;
 };
@@ -125,7 +125,7 @@ void print(const ModalObject& object) {
     printModes(object);
 }
 
-Result<void> info(const Options& options) {
+Result<void> info(const InfoOptions& options) {
     const auto object = readModalObject(options.file);
     if (!object)
         return tl::unexpected(object.error());
@@ -139,11 +139,10 @@ Result<void> info(const Options& options) {
 } // namespace
 
 void addInfo(CLI::App& program, Action& chosen) {
-    auto* command = program.add_subcommand("info", "Says what a modal object holds");
-    auto options = std::make_shared<Options>();
+    const auto [command, options] =
+        addCommand<InfoOptions>(program, chosen, "info", "Describes a modal object", info);
     command->add_option("OBJECT", options->file, "A .modal file")->required();
-    command->add_flag("--json", options->json, "Everything but the shapes, as JSON");
-    command->final_callback([options, &chosen] { chosen = [options] { return info(*options); }; });
+    command->add_flag("--json", options->json, "Writes everything except the shapes as JSON");
 }
 
 } // namespace idiophone

@@ -56,7 +56,7 @@ std::string shortRange(const ParameterInfo& info) {
     if (info.scale == ParameterScale::onOff)
         return "On or Off";
     if (const auto names = choiceNames(info.parameter); !names.empty())
-        return "one of " + std::to_string(names.size()) + ", below";
+        return "one of " + std::to_string(names.size()) + " below";
     const auto most = info.maximumName != nullptr ? info.maximumName : numberText(info.maximum);
     const std::string unit = info.unit;
     return numberText(info.minimum) + " to " + most + (unit.empty() ? "" : " " + unit);
@@ -73,7 +73,7 @@ void printParameters() {
         const auto figures = leftColumn(id, 16) + leftColumn(range, 20) + leftColumn(value, 9);
         std::cout << figures << paragraph(description, 45);
     };
-    print("id", "range", "default", "what it does");
+    print("id", "range", "default", "effect");
     for (const auto& info : parameterTable())
         print(info.id, shortRange(info), shortDefault(info), info.description);
     for (const auto& info : parameterTable()) {
@@ -94,7 +94,7 @@ void addList(CLI::App& program,
              void (*printAll)()) {
     auto* command = program.add_subcommand(name, description);
     auto json = std::make_shared<bool>(false);
-    command->add_flag("--json", *json, "The list as JSON");
+    command->add_flag("--json", *json, "Writes the list as JSON");
     command->final_callback([=, &chosen] {
         chosen = [=]() -> Result<void> {
             if (*json)

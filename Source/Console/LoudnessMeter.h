@@ -8,6 +8,8 @@
 
 namespace idiophone {
 
+inline constexpr int measuredRateHz = 48000; ///< sample rate of the programs that measure loudness
+
 /// Throws std::bad_alloc if memory runs out.
 class LoudnessMeter {
 public:

@@ -35,7 +35,7 @@ int run(int argc, char** argv) {
         return complain(error.what(), badUsage);
     }
     if (!chosen)
-        return complain("Say which command to run; `idiophone --help` lists them.", badUsage);
+        return complain("Give a command; `idiophone --help` lists them.", badUsage);
     for (const auto* command : program.get_subcommands())
         if (const auto apart = checkWrittenFiles(*command); !apart)
             return complain(apart.error().message, failed);
@@ -55,7 +55,7 @@ int main(int argc, char** argv) {
     try {
         return run(argc, argv);
     } catch (const std::bad_alloc&) {
-        return complain("This machine has not enough memory for that.", failed);
+        return complain("There is not enough memory.", failed);
     } catch (const std::exception& exception) {
         return complain(exception.what(), failed);
     }

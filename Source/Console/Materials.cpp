@@ -16,7 +16,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-struct Options {
+struct MaterialsOptions {
     std::string material; ///< empty: all materials
     bool sources = false;
     bool json = false;
@@ -75,7 +75,7 @@ void print(std::span<const Material> materials, bool withSources) {
     }
 }
 
-void listAll(const Options& options) {
+void listAll(const MaterialsOptions& options) {
     const auto library = materialLibrary();
     std::vector<Material> materials(library.begin(), library.end());
     const auto user = readMaterialFolder(userMaterialFolder());
@@ -86,14 +86,14 @@ void listAll(const Options& options) {
         std::cout << jsonText(all);
     } else {
         print(materials, options.sources);
-        std::cout << "\n--sources says where the figures come from.\nMaterials of your own go into "
+        std::cout << "\n--sources shows the sources of the figures.\nPut your own materials into "
                   << userMaterialFolder().string() << '\n';
     }
     for (const auto& fault : user.faults)
         std::cerr << "idiophone: " << fault.message << '\n';
 }
 
-Result<void> listMaterials(const Options& options) {
+Result<void> listMaterials(const MaterialsOptions& options) {
     if (options.material.empty()) {
         listAll(options);
         return {};
@@ -111,15 +111,12 @@ Result<void> listMaterials(const Options& options) {
 } // namespace
 
 void addMaterials(CLI::App& program, Action& chosen) {
-    auto* command = program.add_subcommand("materials", "Lists the materials, or checks one");
-    auto options = std::make_shared<Options>();
-    command->add_option("MATERIAL", options->material, "A material's name or a JSON file");
-    command->add_flag("--sources", options->sources,
-                      "Says of all where their figures come from, as of one");
+    const auto [command, options] = addCommand<MaterialsOptions>(
+        program, chosen, "materials", "Lists the materials, or describes one", listMaterials);
+    command->add_option("MATERIAL", options->material, "Name of a material, or a JSON file");
+    command->add_flag("--sources", options->sources, "Shows the sources of all figures");
     command->add_flag("--json", options->json,
-                      "As JSON: all in a list, or the one, which --material reads");
-    command->final_callback(
-        [options, &chosen] { chosen = [options] { return listMaterials(*options); }; });
+                      "Writes JSON: a list of all, or one material that --material can read");
 }
 
 } // namespace idiophone

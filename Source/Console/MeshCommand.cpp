@@ -3,6 +3,7 @@
 #include "Geometry/MeshWriter.h"
 #include "Geometry/ParametricMesh.h"
 
+#include <algorithm>
 #include <cmath>
 #include <iostream>
 #include <numbers>
@@ -10,7 +11,7 @@
 namespace idiophone {
 namespace {
 
-struct Options {
+struct MeshOptions {
     std::string kind;
     std::filesystem::path output;
     double lengthMetres = 0.4;
@@ -37,11 +38,11 @@ int evenDivisions(double lengthMetres, double edgeMetres) {
     return 2 * divisions(lengthMetres / 2, edgeMetres, 3);
 }
 
-Mesh sheet(const Options& o) {
+Mesh sheet(const MeshOptions& o) {
     return sheetMesh(o.lengthMetres, o.widthMetres, o.vertexCount);
 }
 
-Mesh box(const Options& o) {
+Mesh box(const MeshOptions& o) {
     const Eigen::Vector3d size(o.lengthMetres, o.widthMetres, o.heightMetres);
     const double area = 2 * (size.x() * size.y() + size.y() * size.z() + size.z() * size.x());
     const double edge = std::sqrt(area / o.vertexCount);
@@ -49,24 +50,24 @@ Mesh box(const Options& o) {
                           divisions(size.z(), edge, 1)});
 }
 
-Mesh disc(const Options& o) {
+Mesh disc(const MeshOptions& o) {
     return discMesh(o.radiusMetres,
                     std::max(1, static_cast<int>(std::lround(std::sqrt(o.vertexCount / 3.0)))));
 }
 
-Mesh icosphere(const Options& o) {
+Mesh icosphere(const MeshOptions& o) {
     const double level = std::log2(std::max(1.0, (o.vertexCount - 2) / 10.0)) / 2;
     return icosphereMesh(o.radiusMetres, static_cast<int>(std::lround(level)));
 }
 
-Mesh ring(const Options& o) {
+Mesh ring(const MeshOptions& o) {
     const double around = 2 * pi * o.radiusMetres, section = 2 * pi * o.sectionRadiusMetres;
     const double edge = edgeFor(around * section, o.vertexCount);
     return torusMesh(o.radiusMetres, o.sectionRadiusMetres, evenDivisions(around, edge),
                      divisions(section, edge, 3));
 }
 
-Mesh hoop(const Options& o) {
+Mesh hoop(const MeshOptions& o) {
     const double around = 2 * pi * o.radiusMetres;
     const double edge = edgeFor(around * o.heightMetres, o.vertexCount);
     return hoopMesh(o.radiusMetres, o.heightMetres, evenDivisions(around, edge),
@@ -74,40 +75,39 @@ Mesh hoop(const Options& o) {
 }
 
 struct Kind {
-    const char* name;
-    Mesh (*make)(const Options&);
+    std::string_view name;
+    Mesh (*make)(const MeshOptions&);
 };
 
 constexpr Kind kinds[] = {{"bar", sheet},           {"plate", sheet}, {"box", box},  {"disc", disc},
                           {"icosphere", icosphere}, {"ring", ring},   {"hoop", hoop}};
 
-Result<void> makeMesh(const Options& options) {
-    for (const auto& kind : kinds) {
-        if (options.kind != kind.name)
-            continue;
-        if (options.sectionRadiusMetres >= options.radiusMetres && options.kind == "ring")
-            return failure("--section-radius: it is not smaller than the radius of the ring");
-        const auto mesh = kind.make(options);
-        if (mesh.vertexCount() > 2 * mostVertices)
-            return failure("mesh " + options.kind + ": of such proportions it would have " +
-                           std::to_string(mesh.vertexCount()) + " vertices");
-        if (auto done = writeMesh(mesh, options.output); !done)
-            return done;
-        std::cout << options.output.string() << ": " << mesh.vertexCount() << " vertices, "
-                  << mesh.faceCount() << " faces" << std::endl;
-        return {};
-    }
-    return failure("mesh " + options.kind +
-                   ": it is none of bar, plate, box, disc, icosphere, ring and hoop");
+Result<void> makeMesh(const MeshOptions& options) {
+    const auto* kind = std::ranges::find(kinds, options.kind, &Kind::name);
+    if (options.sectionRadiusMetres >= options.radiusMetres && options.kind == "ring")
+        return failure("--section-radius: it must be smaller than the ring's radius");
+    const auto mesh = kind->make(options);
+    if (mesh.vertexCount() > 2 * mostVertices)
+        return failure("mesh " + options.kind + ": with these proportions it would have " +
+                       std::to_string(mesh.vertexCount()) + " vertices");
+    if (auto done = writeMesh(mesh, options.output); !done)
+        return done;
+    std::cout << options.output.string() << ": " << mesh.vertexCount() << " vertices, "
+              << mesh.faceCount() << " faces" << std::endl;
+    return {};
 }
 
 } // namespace
 
 void addMesh(CLI::App& program, Action& chosen) {
-    auto* command = program.add_subcommand("mesh", "Makes a mesh of a simple form");
-    auto options = std::make_shared<Options>();
-    command->add_option("KIND", options->kind, "bar, plate, box, disc, icosphere, ring or hoop")
-        ->required();
+    const auto [command, options] = addCommand<MeshOptions>(
+        program, chosen, "mesh", "Makes the mesh of a simple shape", makeMesh);
+    std::vector<std::string> names;
+    for (const auto& kind : kinds)
+        names.emplace_back(kind.name);
+    command->add_option("KIND", options->kind, "The shape")
+        ->required()
+        ->check(CLI::IsMember(names));
     command->add_option("-o,--output", options->output, "The .obj or .ply file to write")
         ->type_name(writtenFile)
         ->required();
@@ -116,16 +116,14 @@ void addMesh(CLI::App& program, Action& chosen) {
             ->check(numberBetween(1e-4, 100))
             ->capture_default_str();
     };
-    size("--length", options->lengthMetres, "Of a bar, plate or box, in metres");
-    size("--width", options->widthMetres, "Of a bar, plate or box");
-    size("--height", options->heightMetres, "Of a box or hoop");
-    size("--radius", options->radiusMetres, "Of a disc, icosphere, ring or hoop");
-    size("--section-radius", options->sectionRadiusMetres, "Of a ring's round section");
-    command->add_option("--vertices", options->vertexCount, "About so many")
+    size("--length", options->lengthMetres, "Length of a bar, plate or box, in metres");
+    size("--width", options->widthMetres, "Width of a bar, plate or box");
+    size("--height", options->heightMetres, "Height of a box or hoop");
+    size("--radius", options->radiusMetres, "Radius of a disc, icosphere, ring or hoop");
+    size("--section-radius", options->sectionRadiusMetres, "Radius of a ring's cross-section");
+    command->add_option("--vertices", options->vertexCount, "Approximate number of vertices")
         ->check(numberBetween(12, mostVertices))
         ->capture_default_str();
-    command->final_callback(
-        [options, &chosen] { chosen = [options] { return makeMesh(*options); }; });
 }
 
 } // namespace idiophone

@@ -1,5 +1,7 @@
 #include "Console/OptionChecks.h"
 
+#include "Console/OutputCheck.h"
+
 #include <algorithm>
 #include <filesystem>
 #include <sstream>
@@ -59,19 +61,24 @@ CLI::Validator numberBetween(double lowest, double highest) {
 
 Result<void> checkWrittenFiles(const CLI::App& command) {
     const auto options = givenOptions(command);
-    for (const auto* written : options)
+    for (const auto* written : options) {
+        if (!isWritten(*written))
+            continue;
+        const auto& file = written->results().front();
         for (const auto* other : options) {
-            if (written == other || !isWritten(*written))
+            if (written == other)
                 continue;
-            const auto& file = written->results().front();
             const bool areNew =
                 isWritten(*other) && normal(file) == normal(other->results().front());
             if (areNew || std::ranges::any_of(other->results(), [&](const auto& given) {
                     return names(given, file);
                 }))
-                return failure(file + ": " + written->get_name() + " would write over what " +
+                return failure(file + ": " + written->get_name() + " would replace the file that " +
                                other->get_name() + " names");
         }
+        if (auto writable = checkWritable(file); !writable)
+            return writable;
+    }
     return {};
 }
 

@@ -22,7 +22,7 @@ Result<void> makeDirectory(const std::filesystem::path& directory) {
     std::error_code fault;
     std::filesystem::create_directories(directory, fault);
     if (!std::filesystem::is_directory(directory, fault))
-        return failure(directory.string() + ": the directory cannot be made");
+        return failure(directory.string() + ": the directory cannot be created");
     return {};
 }
 

@@ -31,7 +31,7 @@ bool isBeyondRange(const ParameterInfo& info, std::string_view text) {
 Result<ParameterId> assign(const std::string& assignment, ParameterValues& values) {
     const auto equals = assignment.find('=');
     if (equals == std::string::npos)
-        return failure("--set " + assignment + ": it is not of the form PARAM=VALUE");
+        return failure("--set " + assignment + ": write PARAM=VALUE");
     const auto id = assignment.substr(0, equals);
     const auto text = std::string_view(assignment).substr(equals + 1);
     const auto* info = findParameter(id);
@@ -50,8 +50,7 @@ Result<ParameterId> assign(const std::string& assignment, ParameterValues& value
 void addParameterAssignments(CLI::App& command, std::vector<std::string>& assignments) {
     command
         .add_option("--set", assignments,
-                    "Sets a parameter, such as hardness=200, which makes the mallet custom "
-                    "(many times)")
+                    "Sets a parameter, for example hardness=200; can be repeated")
         ->type_name("PARAM=VALUE")
         ->allow_extra_args(false);
 }

@@ -17,8 +17,9 @@ Result<Preset> findOrReadPreset(const std::string& nameOrFile) {
         return *preset;
     std::error_code ignored;
     if (!std::filesystem::exists(nameOrFile, ignored))
-        return failure(nameOrFile + ": it is neither a factory preset (`idiophone presets` lists "
-                                    "them) nor a file");
+        return failure(nameOrFile +
+                       ": there is no such factory preset (`idiophone presets` lists them) "
+                       "and no such file");
     const auto text = readTextFile(nameOrFile);
     if (!text)
         return tl::unexpected(text.error());

@@ -21,7 +21,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-struct Options {
+struct PresetsOptions {
     std::string preset; ///< empty: lists the factory presets
     bool json = false;
 };
@@ -47,16 +47,14 @@ void printAll() {
     }
 }
 
-constexpr int sampleRateHz = 48000;
-
 /// Renders the loudness phrase through the output stage, interleaved. The limiter is off, so that
 /// loudness follows the level.
 Result<std::vector<float>> heardPhrase(const Preset& preset,
                                        const std::shared_ptr<const Instrument>& instrument) {
-    const auto [left, right] = playLoudnessPhrase(preset, instrument, sampleRateHz);
+    const auto [left, right] = playLoudnessPhrase(preset, instrument, measuredRateHz);
     std::array<std::vector<float>, 2> heard{left, right};
     OutputStage output;
-    output.prepare(sampleRateHz, static_cast<int>(left.size()));
+    output.prepare(measuredRateHz, static_cast<int>(left.size()));
     std::array<float*, 2> channels{heard[0].data(), heard[1].data()};
     auto parameters = preset.parameters;
     parameters.set(ParameterId::limiter, 0);
@@ -71,7 +69,7 @@ Result<std::vector<float>> heardPhrase(const Preset& preset,
 std::optional<double> integratedLufs(std::vector<float> sound, double gainDb) {
     for (float& sample : sound)
         sample *= static_cast<float>(std::pow(10, gainDb / 20));
-    LoudnessMeter meter(2, sampleRateHz);
+    LoudnessMeter meter(2, measuredRateHz);
     meter.add(sound);
     return meter.integratedLufs();
 }
@@ -93,12 +91,13 @@ std::optional<double> matchingGainDb(const std::vector<float>& sound) {
 }
 
 /// Prints the `level` at which the preset is as loud as the factory presets.
-Result<void> measure(const Options& options) {
+Result<void> measure(const PresetsOptions& options) {
     const auto preset = findOrReadPreset(options.preset);
     if (!preset)
         return tl::unexpected(preset.error());
     if (preset->keyMap.kind == KeyMapKind::scene)
-        return failure(options.preset + ": it plays a scene, which is as loud as what falls");
+        return failure(options.preset +
+                       ": it plays a scene, whose loudness depends on the falling bodies");
     const auto instrument = Instrument::build(preset->keyMap, ObjectLibrary::shared());
     if (!instrument)
         return failure(options.preset + ": " + instrument.error().message);
@@ -127,7 +126,7 @@ Result<void> measure(const Options& options) {
     return {};
 }
 
-Result<void> presets(const Options& options) {
+Result<void> presets(const PresetsOptions& options) {
     if (!options.preset.empty())
         return measure(options);
     if (options.json)
@@ -140,15 +139,15 @@ Result<void> presets(const Options& options) {
 } // namespace
 
 void addPresets(CLI::App& program, Action& chosen) {
-    auto* command = program.add_subcommand("presets", "Lists the factory presets, or measures one");
-    auto options = std::make_shared<Options>();
-    command->add_option("PRESET", options->preset,
-                        "A factory preset's name or a preset file: says the level at which it is "
-                        "as loud as the factory's");
-    command->add_flag("--json", options->json,
-                      "As JSON, and of one preset the voicing that makes its keys even");
-    command->final_callback(
-        [options, &chosen] { chosen = [options] { return presets(*options); }; });
+    const auto [command, options] = addCommand<PresetsOptions>(
+        program, chosen, "presets", "Lists the factory presets, or measures one", presets);
+    command->add_option(
+        "PRESET", options->preset,
+        "Name of a factory preset, or a preset file; shows the level at which it is "
+        "as loud as the factory presets");
+    command->add_flag(
+        "--json", options->json,
+        "Writes JSON; for one preset with the voicing that makes its keys equally loud");
 }
 
 } // namespace idiophone

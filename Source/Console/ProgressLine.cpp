@@ -1,5 +1,6 @@
 #include "Console/ProgressLine.h"
 
+#include "Console/Interrupt.h"
 #include "Object/OneLine.h"
 
 #include <cmath>
@@ -44,6 +45,11 @@ void ProgressLine::show(double fraction, std::string_view step) {
     if (line.size() < width)
         line.append(width - line.size(), ' ');
     std::clog << '\r' << line << std::flush; // std::cerr would escape the '\r' (TerminalText)
+}
+
+WorkControl ProgressLine::control() {
+    return {.progress = [this](double fraction, std::string_view step) { show(fraction, step); },
+            .cancelled = &interruptRequested()};
 }
 
 } // namespace idiophone

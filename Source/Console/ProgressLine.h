@@ -2,6 +2,8 @@
 // terminal.
 #pragma once
 
+#include "Object/WorkControl.h"
+
 #include <string>
 #include <string_view>
 
@@ -15,6 +17,9 @@ public:
     ProgressLine& operator=(const ProgressLine&) = delete;
 
     void show(double fraction, std::string_view step);
+
+    /// Shows the progress of an analysis, which an interrupt cancels. Valid as long as this line.
+    WorkControl control();
 
 private:
     std::string task;

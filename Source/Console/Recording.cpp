@@ -25,7 +25,7 @@ void addRecordingOptions(CLI::App& command, RecordingFormat& format) {
     command.add_option("-o,--output", format.file, "The WAV file to write")
         ->type_name(writtenFile)
         ->required();
-    command.add_option("--sample-rate", format.sampleRateHz, "In Hz")
+    command.add_option("--sample-rate", format.sampleRateHz, "Sample rate in Hz")
         ->check(numberBetween(8000, 384000))
         ->capture_default_str();
     command.add_option("--block-size", format.blockSize, "Samples rendered at a time")
@@ -34,7 +34,7 @@ void addRecordingOptions(CLI::App& command, RecordingFormat& format) {
     command.add_option("--bit-depth", format.bitDepth, "16, 24, or 32 (floating point)")
         ->check(CLI::IsMember({16, 24, 32}))
         ->capture_default_str();
-    command.add_option("--seconds", format.seconds, "Length of the file; else until silence")
+    command.add_option("--seconds", format.seconds, "Length of the file (default: until silence)")
         ->check(numberBetween(0.001, 36000));
 }
 
@@ -63,7 +63,7 @@ Result<std::unique_ptr<Recording>> Recording::start(const RecordingFormat& forma
 Result<void> Recording::add(std::span<const float> left, std::span<const float> right) {
     float* channels[] = {writtenLeft.data(), writtenRight.data()};
     if (!output.process(left, right, channels, parameters))
-        return failure(format.file.string() + ": the sound is not finite, and is not written");
+        return failure(format.file.string() + ": the sound is not finite, so it is not written");
     auto sounding = static_cast<int>(left.size());
     while (sounding > 0 && writtenLeft[static_cast<std::size_t>(sounding - 1)] == 0 &&
            writtenRight[static_cast<std::size_t>(sounding - 1)] == 0)
@@ -135,12 +135,12 @@ void Recording::warnOfPeak() const {
     std::ostringstream text;
     text << std::fixed << std::setprecision(1) << format.file.string() << ": its peak of " << peakDb
          << " dBFS is "
-         << (format.bitDepth == 32 ? "beyond full scale and clips where it is played"
-                                   : "clipped, which --bit-depth 32 would hold");
+         << (format.bitDepth == 32 ? "above full scale and clips in playback"
+                                   : "clipped; use --bit-depth 32");
     const auto& level = parameterInfo(ParameterId::level);
     const double lower = std::floor(10 * (parameters[level.parameter] - peakDb)) / 10;
     if (lower >= level.minimum)
-        text << "; --set level=" << lower << " keeps it below";
+        text << "; --set level=" << lower << " avoids this";
     std::cerr << "warning: " << text.str() << std::endl;
 }
 

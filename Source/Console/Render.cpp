@@ -2,7 +2,6 @@
 #include "Console/Command.h"
 #include "Console/ImpulseRender.h"
 #include "Console/OptionChecks.h"
-#include "Console/OutputCheck.h"
 #include "Console/ParameterAssignments.h"
 #include "Console/PresetChoice.h"
 #include "Console/SongRender.h"
@@ -19,7 +18,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-struct Options {
+struct RenderOptions {
     std::string preset;
     std::filesystem::path midi;
     std::filesystem::path impulses;
@@ -41,7 +40,8 @@ ordered_json describe(const RenderTally& tally, const Recording& recording) {
     return report;
 }
 
-Result<void> report(const RenderTally& tally, const Recording& recording, const Options& options) {
+Result<void>
+report(const RenderTally& tally, const Recording& recording, const RenderOptions& options) {
     const auto statistics = describe(tally, recording);
     if (!options.statistics.empty())
         if (auto done = writeTextFile(options.statistics, statistics.dump(4) + "\n"); !done)
@@ -63,7 +63,7 @@ Result<ScalaFile> readScalaFile(const std::filesystem::path& file) {
     });
 }
 
-Result<KeyTuning> readTuning(const Options& options) {
+Result<KeyTuning> readTuning(const RenderOptions& options) {
     const auto scale = readScalaFile(options.scale);
     if (!scale)
         return tl::unexpected(scale.error());
@@ -74,21 +74,22 @@ Result<KeyTuning> readTuning(const Options& options) {
 }
 
 /// Warns of options that the preset's keys cannot follow.
-void warnOfTuning(const Preset& preset, const Instrument& instrument, const Options& options) {
+void warnOfTuning(const Preset& preset,
+                  const Instrument& instrument,
+                  const RenderOptions& options) {
     if (instrument.keysHaveObjects())
         return;
     for (const auto& [option, file] :
          {std::pair{"--scale", options.scale}, std::pair{"--mapping", options.mapping}})
         if (!file.empty())
-            std::cerr << "warning: " << option << " has no effect: the keys of "
-                      << inQuotes(preset.name) << " share objects, which keep their pitch"
-                      << std::endl;
+            std::cerr << "warning: " << option << " has no effect, because the keys of "
+                      << inQuotes(preset.name) << " share objects" << std::endl;
 }
 
 void warnOfNotes(const Preset& preset,
                  const Instrument& instrument,
                  const RenderTally& tally,
-                 const Options& options) {
+                 const RenderOptions& options) {
     if (tally.notesWithoutKey == 0)
         return;
     std::vector<int> keys;
@@ -112,7 +113,7 @@ bool isPressure(const SongEvent& event) {
 Result<RenderTally> playSong(const Preset& preset,
                              const ParameterValues& values,
                              std::span<const ParameterId> assigned,
-                             const Options& options,
+                             const RenderOptions& options,
                              Recording& to) {
     auto instrument = buildInstrument(preset.keyMap, ObjectLibrary::shared());
     if (!instrument)
@@ -141,7 +142,7 @@ Result<RenderTally> playSong(const Preset& preset,
     return tally;
 }
 
-Result<void> render(const Options& options) {
+Result<void> render(const RenderOptions& options) {
     const auto preset = findOrReadPreset(options.preset);
     if (!preset)
         return tl::unexpected(preset.error());
@@ -149,9 +150,6 @@ Result<void> render(const Options& options) {
     const auto assigned = assignParameters(options.assignments, values);
     if (!assigned)
         return tl::unexpected(assigned.error());
-    if (!options.statistics.empty())
-        if (auto writable = checkWritable(options.statistics); !writable)
-            return writable;
     auto recording = Recording::start(options.format, values);
     if (!recording)
         return tl::unexpected(recording.error());
@@ -167,15 +165,15 @@ Result<void> render(const Options& options) {
 } // namespace
 
 void addRender(CLI::App& program, Action& chosen) {
-    auto* command =
-        program.add_subcommand("render", "Plays a MIDI file, or impulses, to a WAV file");
-    auto options = std::make_shared<Options>();
+    const auto [command, options] = addCommand<RenderOptions>(
+        program, chosen, "render", "Renders a MIDI file or a list of impulses to a WAV file",
+        render);
     auto* preset = command->add_option("--preset", options->preset,
-                                       "A factory preset's name or a preset file");
-    auto* source = command->add_option_group("source", "What is played");
+                                       "Name of a factory preset, or a preset file");
+    auto* source = command->add_option_group("source", "Source of the notes or impulses");
     auto* midi = source->add_option("--midi", options->midi, "A Standard MIDI File")->needs(preset);
     source->add_option("--impulses", options->impulses,
-                       "Contacts as a physics engine reports them (docs/impulses.md)");
+                       "Contacts from a physics engine (docs/impulses.md)");
     source->require_option(1);
     command->add_option("--scale", options->scale, "A Scala scale (.scl) for the keys")
         ->needs(midi);
@@ -185,11 +183,9 @@ void addRender(CLI::App& program, Action& chosen) {
         ->needs(midi);
     addRecordingOptions(*command, options->format);
     addParameterAssignments(*command, options->assignments);
-    command->add_option("--stats", options->statistics, "A JSON file for figures of the rendering")
+    command->add_option("--stats", options->statistics, "The JSON file to write statistics to")
         ->type_name(writtenFile);
-    command->add_flag("--json", options->json, "Says the figures as JSON");
-    command->final_callback(
-        [options, &chosen] { chosen = [options] { return render(*options); }; });
+    command->add_flag("--json", options->json, "Writes the statistics as JSON");
 }
 
 } // namespace idiophone

@@ -1,7 +1,6 @@
 #include "Console/AssignedEffect.h"
 #include "Console/Command.h"
 #include "Console/OptionChecks.h"
-#include "Console/OutputCheck.h"
 #include "Console/ParameterAssignments.h"
 #include "Console/SceneRender.h"
 #include "Console/SofaHead.h"
@@ -19,7 +18,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-struct Options {
+struct SceneOptions {
     std::string scene;
     std::filesystem::path midi;
     std::vector<std::string> assignments;
@@ -100,7 +99,8 @@ std::string impulseLines(const SceneAssets& assets,
     return lines;
 }
 
-Result<void> report(const SceneTally& tally, const Recording& recording, const Options& options) {
+Result<void>
+report(const SceneTally& tally, const Recording& recording, const SceneOptions& options) {
     const auto statistics = describe(tally, recording);
     if (!options.statistics.empty())
         if (auto done = writeTextFile(options.statistics, statistics.dump() + "\n"); !done)
@@ -114,10 +114,10 @@ Result<void> report(const SceneTally& tally, const Recording& recording, const O
                   << mostOf(tally, &FrameFigures::modesMixed) << " modes at a time" << std::endl;
     if (tally.notesLeftOut > 0)
         std::cerr << "warning: " << options.midi.string() << ": " << tally.notesLeftOut
-                  << " of its notes hit nothing" << std::endl;
+                  << " of its notes drop nothing" << std::endl;
     if (tally.impactsLeftOut > 0)
         std::cerr << "warning: " << tally.impactsLeftOut
-                  << " impacts were left out, because their figures are not finite" << std::endl;
+                  << " impacts were left out, because they are not finite" << std::endl;
     return {};
 }
 
@@ -137,7 +137,7 @@ std::vector<SynthesiserSlot> heardSlots(const SceneAssets& assets) {
     return slots;
 }
 
-Result<void> perform(const Options& options) {
+Result<void> perform(const SceneOptions& options) {
     auto scene = findOrReadScene(options.scene);
     if (!scene)
         return tl::unexpected(scene.error());
@@ -146,7 +146,7 @@ Result<void> perform(const Options& options) {
     if (!assigned)
         return tl::unexpected(assigned.error());
     if (!options.midi.empty() && !scene->noteDrop)
-        return failure(inQuotes(scene->name) + " has no 'notes': nothing is dropped for a song");
+        return failure(inQuotes(scene->name) + " has no 'notes', so a song drops nothing");
     std::vector<SongEvent> song;
     if (!options.midi.empty()) {
         auto read = readMidiSong(options.midi);
@@ -154,12 +154,6 @@ Result<void> perform(const Options& options) {
             return tl::unexpected(read.error());
         song = std::move(*read);
     }
-    if (!options.statistics.empty())
-        if (auto writable = checkWritable(options.statistics); !writable)
-            return writable;
-    if (!options.impulses.empty())
-        if (auto writable = checkWritable(options.impulses); !writable)
-            return writable;
     const auto assets = SceneAssets::make(std::move(*scene), ObjectLibrary::shared());
     if (!assets)
         return tl::unexpected(assets.error());
@@ -187,35 +181,31 @@ Result<void> perform(const Options& options) {
             return done;
     if (options.midi.empty() && waitsForNotes((*assets)->scene()))
         std::cerr << "warning: the bodies of " << inQuotes((*assets)->scene().name)
-                  << " fall on notes, which --midi gives" << std::endl;
+                  << " fall only on notes; add a song with --midi" << std::endl;
     return report(*tally, **recording, options);
 }
 
 } // namespace
 
 void addScene(CLI::App& program, Action& chosen) {
-    auto* command =
-        program.add_subcommand("scene", "Performs a scene of rigid bodies to a WAV file");
-    auto options = std::make_shared<Options>();
-    command->add_option("scene", options->scene, "A factory scene's name or a scene file")
+    const auto [command, options] = addCommand<SceneOptions>(
+        program, chosen, "scene", "Renders a scene of rigid bodies to a WAV file", perform);
+    command->add_option("scene", options->scene, "Name of a factory scene, or a scene file")
         ->required();
-    command->add_option("--midi", options->midi,
-                        "A Standard MIDI File whose notes drop what the scene drops");
+    command->add_option("--midi", options->midi, "A Standard MIDI File whose notes drop bodies");
     command->add_option("--head", options->head,
-                        "A SOFA file of a measured head to hear it with, instead of a sphere");
+                        "A SOFA file of a measured head (default: a sphere)");
     addRecordingOptions(*command, options->format);
     addParameterAssignments(*command, options->assignments);
     command
         ->add_option("--stats", options->statistics,
-                     "A JSON file for figures of the performance, frame by frame")
+                     "The JSON file to write statistics of each frame to")
         ->type_name(writtenFile);
     command
         ->add_option("--impulses", options->impulses,
-                     "A file for the impacts, which `render --impulses` plays")
+                     "The file to write the impacts to, for `render --impulses`")
         ->type_name(writtenFile);
-    command->add_flag("--json", options->json, "Says the figures as JSON");
-    command->final_callback(
-        [options, &chosen] { chosen = [options] { return perform(*options); }; });
+    command->add_flag("--json", options->json, "Writes the statistics as JSON");
 }
 
 } // namespace idiophone

@@ -30,9 +30,9 @@ struct FreeSofa {
 
 std::string reasonOf(int error) {
     if (error == MYSOFA_NO_MEMORY)
-        return "it needs more memory than there is";
-    return "it is no SOFA file with the responses of two ears in free field (SimpleFreeFieldHRIR), "
-           "or a damaged one";
+        return "there is not enough memory to read it";
+    return "it is damaged, or it is not a SOFA file of two ears in free field "
+           "(SimpleFreeFieldHRIR)";
 }
 
 /// Writes each response after its delay in samples, which a file may store separately.

@@ -23,7 +23,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-struct Options {
+struct StrikeOptions {
     std::string object;
     std::optional<std::int64_t> vertex;
     std::vector<double> pointMetres;
@@ -56,7 +56,7 @@ std::size_t farthestRow(const ModalObject& object) {
     return farthest;
 }
 
-Result<std::size_t> chooseRow(const ModalObject& object, const Options& options) {
+Result<std::size_t> chooseRow(const ModalObject& object, const StrikeOptions& options) {
     if (!options.pointMetres.empty())
         return nearestShapeRow(
             object, {options.pointMetres[0], options.pointMetres[1], options.pointMetres[2]});
@@ -73,7 +73,7 @@ Result<std::size_t> chooseRow(const ModalObject& object, const Options& options)
 }
 
 /// Warns of a point off the surface: a typing error, or millimetres for metres.
-void warnOfPointOff(const ModalObject& object, const Options& options) {
+void warnOfPointOff(const ModalObject& object, const StrikeOptions& options) {
     constexpr double largestShare = 0.05; // of the object's size
     const std::array<double, 3> point{options.pointMetres[0], options.pointMetres[1],
                                       options.pointMetres[2]};
@@ -83,8 +83,8 @@ void warnOfPointOff(const ModalObject& object, const Options& options) {
     const double offMetres = distance(point, nearest);
     if (offMetres > largestShare * sizeMetres)
         std::cerr << "warning: --at: the point lies " << millimetresText(offMetres)
-                  << " off the object, which is " << millimetresText(sizeMetres)
-                  << " from corner to corner" << std::endl;
+                  << " off the object, whose diagonal is " << millimetresText(sizeMetres)
+                  << std::endl;
 }
 
 /// Returns the object in another material. Exact if the Poisson ratios are equal.
@@ -126,7 +126,7 @@ void report(const ModalObject& object,
             std::size_t row,
             const StruckModes& modes,
             const Recording& recording,
-            const Options& options) {
+            const StrikeOptions& options) {
     const auto vertex = vertexOfRow(object, row);
     if (options.json) {
         auto result = recording.statistics();
@@ -150,7 +150,7 @@ void report(const ModalObject& object,
     std::cout << std::endl;
 }
 
-Result<void> strikeObject(const Options& options) {
+Result<void> strikeObject(const StrikeOptions& options) {
     auto object = readModalObject(options.object);
     if (!object)
         return tl::unexpected(object.error());
@@ -204,25 +204,27 @@ Result<void> strikeObject(const Options& options) {
 } // namespace
 
 void addStrike(CLI::App& program, Action& chosen) {
-    auto* command = program.add_subcommand("strike", "Strikes a modal object once, to a WAV file");
-    auto options = std::make_shared<Options>();
+    const auto [command, options] = addCommand<StrikeOptions>(
+        program, chosen, "strike", "Renders one strike of a modal object to a WAV file",
+        strikeObject);
     command->add_option("OBJECT", options->object, "A .modal file")->required();
-    auto* vertex = command->add_option("--vertex", options->vertex, "Which vertex of its mesh");
-    command->add_option("--at", options->pointMetres, "Which point, in metres: the nearest vertex")
+    auto* vertex =
+        command->add_option("--vertex", options->vertex, "Number of the vertex to strike");
+    command
+        ->add_option("--at", options->pointMetres,
+                     "Strikes the vertex nearest to this point, in metres")
         ->type_name("X,Y,Z")
         ->delimiter(',')
         ->expected(3)
         ->check(numberBetween(-1e6, 1e6))
         ->excludes(vertex);
-    command->add_option("--velocity", options->velocity, "As of a MIDI key")
+    command->add_option("--velocity", options->velocity, "MIDI velocity")
         ->check(numberBetween(1, 127))
         ->capture_default_str();
-    command->add_option("--material", options->material, "A material's name or a JSON file");
+    command->add_option("--material", options->material, "Name of a material, or a JSON file");
     addRecordingOptions(*command, options->format);
     addParameterAssignments(*command, options->assignments);
-    command->add_flag("--json", options->json, "Reports as JSON");
-    command->final_callback(
-        [options, &chosen] { chosen = [options] { return strikeObject(*options); }; });
+    command->add_flag("--json", options->json, "Writes the report as JSON");
 }
 
 } // namespace idiophone

@@ -12,7 +12,7 @@
 namespace idiophone {
 namespace {
 
-struct Options {
+struct SurfaceOptions {
     std::filesystem::path recording;
     std::filesystem::path output;
     double speedMetresPerSecond = 1;
@@ -21,7 +21,7 @@ struct Options {
 
 /// Makes a surface. Its reference speed is that of the recording, so that the profile equals the
 /// recorded one at this speed.
-Surface surfaceOf(const SurfaceFit& fit, const Options& options) {
+Surface surfaceOf(const SurfaceFit& fit, const SurfaceOptions& options) {
     const auto& named = options.output.empty() ? options.recording : options.output;
     return Surface{.name = named.stem().string(),
                    .spectrumExponent = fit.spectrumExponent,
@@ -31,7 +31,7 @@ Surface surfaceOf(const SurfaceFit& fit, const Options& options) {
                    .slowestSpeedMetresPerSecond = options.speedMetresPerSecond / 10};
 }
 
-void report(const Surface& surface, const SurfaceFit& fit, const Options& options) {
+void report(const Surface& surface, const SurfaceFit& fit, const SurfaceOptions& options) {
     if (options.json) {
         auto result = nlohmann::ordered_json::parse(encodeSurface(surface));
         result["fractal_dimension"] = surface.fractalDimension();
@@ -47,7 +47,7 @@ void report(const Surface& surface, const SurfaceFit& fit, const Options& option
               << std::flush;
 }
 
-Result<void> fitRecording(const Options& options) {
+Result<void> fitRecording(const SurfaceOptions& options) {
     const auto recording = readWav(options.recording);
     if (!recording)
         return tl::unexpected(recording.error());
@@ -63,8 +63,8 @@ Result<void> fitRecording(const Options& options) {
         return refuse(surface.error());
     if (*surface != fitted)
         std::cerr << "warning: " << options.recording.string()
-                  << ": it is no scrape with a clear resonance: figures beyond what surfaces have "
-                     "are held to their ranges\n";
+                  << ": it is no scrape with a clear resonance, so figures out of range were "
+                     "limited\n";
     if (!options.output.empty())
         if (auto written = writeTextFile(options.output, encodeSurface(*surface)); !written)
             return written;
@@ -75,19 +75,21 @@ Result<void> fitRecording(const Options& options) {
 } // namespace
 
 void addSurface(CLI::App& program, Action& chosen) {
-    auto* command =
-        program.add_subcommand("surface", "Fits a surface to the recording of a steady scrape");
-    auto options = std::make_shared<Options>();
-    command->add_option("RECORDING", options->recording, "A WAV file, a quarter second or longer")
+    const auto [command, options] = addCommand<SurfaceOptions>(
+        program, chosen, "surface", "Fits a surface to the recording of a steady scrape",
+        fitRecording);
+    command
+        ->add_option("RECORDING", options->recording,
+                     "A WAV file of at least a quarter of a second")
         ->required();
     command->add_option("-o,--output", options->output, "The surface file (.json) to write")
         ->type_name(writtenFile);
-    command->add_option("--speed", options->speedMetresPerSecond, "Of the recorded contact, in m/s")
+    command
+        ->add_option("--speed", options->speedMetresPerSecond,
+                     "Speed of the recorded contact, in m/s")
         ->check(numberBetween(0.001, 100))
         ->capture_default_str();
-    command->add_flag("--json", options->json, "Reports as JSON");
-    command->final_callback(
-        [options, &chosen] { chosen = [options] { return fitRecording(*options); }; });
+    command->add_flag("--json", options->json, "Writes the report as JSON");
 }
 
 } // namespace idiophone

@@ -2,7 +2,6 @@
 #include "Console/Command.h"
 #include "Console/JsonText.h"
 #include "Console/OptionChecks.h"
-#include "Console/OutputCheck.h"
 #include "Geometry/ColourMap.h"
 #include "Geometry/MeshWriter.h"
 #include "Geometry/ShapeMesh.h"
@@ -17,7 +16,7 @@
 namespace idiophone {
 namespace {
 
-struct Options {
+struct ToneMapOptions {
     std::filesystem::path object;
     std::filesystem::path output;
     bool json = false;
@@ -29,7 +28,7 @@ struct Range {
 };
 
 /// Returns the range over the vertices that sound, or an error if none does.
-Result<Range> rangeOf(const std::vector<double>& brightness, const Options& options) {
+Result<Range> rangeOf(const std::vector<double>& brightness, const ToneMapOptions& options) {
     Range range;
     double lowest = std::numeric_limits<double>::infinity(), highest = 0;
     for (std::size_t row = 0; row < brightness.size(); ++row) {
@@ -45,7 +44,7 @@ Result<Range> rangeOf(const std::vector<double>& brightness, const Options& opti
         }
     }
     if (highest == 0)
-        return failure(options.object.string() + ": nothing in it can be heard");
+        return failure(options.object.string() + ": none of its modes is audible");
     return range;
 }
 
@@ -63,7 +62,7 @@ void report(const ModalObject& object,
             const Mesh& mesh,
             const std::vector<double>& brightness,
             const Range& range,
-            const Options& options) {
+            const ToneMapOptions& options) {
     const auto point = [&](std::size_t row) {
         const Eigen::RowVector3d place = mesh.vertices.row(static_cast<Eigen::Index>(row));
         return std::array{place.x(), place.y(), place.z()};
@@ -94,14 +93,12 @@ void report(const ModalObject& object,
     std::cout << '\n' << std::flush;
 }
 
-Result<void> mapObject(const Options& options) {
+Result<void> mapObject(const ToneMapOptions& options) {
     const auto object = readModalObject(options.object);
     if (!object)
         return tl::unexpected(object.error());
     if (options.output.extension() != ".ply")
         return failure(options.output.string() + ": its extension is not .ply");
-    if (auto writable = checkWritable(options.output); !writable)
-        return writable;
     const auto brightness = brightnessHz(*object, vertexNormals(*object));
     const auto range = rangeOf(brightness, options);
     if (!range)
@@ -117,16 +114,14 @@ Result<void> mapObject(const Options& options) {
 } // namespace
 
 void addToneMap(CLI::App& program, Action& chosen) {
-    auto* command = program.add_subcommand(
-        "map", "Colours an object's surface by how bright it sounds where it is struck");
-    auto options = std::make_shared<Options>();
+    const auto [command, options] = addCommand<ToneMapOptions>(
+        program, chosen, "map",
+        "Colours the surface of an object by the brightness of a strike there", mapObject);
     command->add_option("OBJECT", options->object, "A .modal file")->required();
     command->add_option("-o,--output", options->output, "The .ply file to write")
         ->type_name(writtenFile)
         ->required();
-    command->add_flag("--json", options->json, "Reports as JSON");
-    command->final_callback(
-        [options, &chosen] { chosen = [options] { return mapObject(*options); }; });
+    command->add_flag("--json", options->json, "Writes the report as JSON");
 }
 
 } // namespace idiophone

@@ -1,6 +1,6 @@
 #include "Analysis/FactoryBars.h"
 #include "Console/Command.h"
-#include "Console/Interrupt.h"
+#include "Console/LoudnessMeter.h"
 #include "Console/MaterialChoice.h"
 #include "Console/OptionChecks.h"
 #include "Console/OutputCheck.h"
@@ -23,7 +23,7 @@
 namespace idiophone {
 namespace {
 
-struct Options {
+struct TuneOptions {
     std::string instrument;
     std::filesystem::path folder;
     std::optional<int> lowestNote, highestNote;
@@ -37,7 +37,7 @@ struct Options {
 
 /// Returns the pitch of a note in equal temperament, or in a scale of twelve cents values from C to
 /// B. A has the requested pitch.
-double pitchHz(const Options& options, int note) {
+double pitchHz(const TuneOptions& options, int note) {
     if (options.scaleCents.empty())
         return options.a4Hz * noteFrequencyHz(note) / 440;
     constexpr int a = 9, a4Octave = 5;
@@ -46,11 +46,11 @@ double pitchHz(const Options& options, int note) {
     return options.a4Hz * std::exp2(cents / 1200);
 }
 
-Result<void> check(const Options& options, const BarInstrument& instrument) {
+Result<void> check(const TuneOptions& options, const BarInstrument& instrument) {
     if (!options.scaleCents.empty() && options.scaleCents.size() != 12)
-        return failure("--scale: it needs twelve figures in cents, C to B");
+        return failure("--scale: it needs twelve figures in cents, from C to B");
     if (options.ratios.size() > 2)
-        return failure("--ratios: it takes at most two, those of the second and the third partial");
+        return failure("--ratios: it takes at most two, for the second and the third partial");
     if (options.lowestNote.value_or(instrument.lowestNote) >
         options.highestNote.value_or(instrument.highestNote))
         return failure("--to: it is lower than --from");
@@ -58,7 +58,7 @@ Result<void> check(const Options& options, const BarInstrument& instrument) {
 }
 
 Result<BarSpecification>
-specification(const Options& options, const BarInstrument& instrument, int note) {
+specification(const TuneOptions& options, const BarInstrument& instrument, int note) {
     auto bar = instrument.barAt(note, pitchHz(options, note));
     if (!options.material.empty()) {
         auto material = findOrReadMaterial(options.material);
@@ -118,7 +118,7 @@ std::string tableRow(const BarSpecification& asked, const TunedBar& bar, int not
     return row.str();
 }
 
-Result<void> writeBar(const TunedBar& bar, const Options& options) {
+Result<void> writeBar(const TunedBar& bar, const TuneOptions& options) {
     const auto stem = options.folder / bar.object.name;
     Mesh inMillimetres = bar.surface;
     inMillimetres.vertices *= 1000;
@@ -129,14 +129,12 @@ Result<void> writeBar(const TunedBar& bar, const Options& options) {
     return writeModalObject(bar.object, stem.string() + ".modal", ShapePrecision::half);
 }
 
-constexpr double sampleRateHz = 48000;
-
-std::filesystem::path inFolder(const Options& options, const std::string& ending) {
+std::filesystem::path inFolder(const TuneOptions& options, const std::string& ending) {
     return options.folder / (options.instrument + ending);
 }
 
 /// Fails if a file exists: the user did not name the files, so none is replaced.
-Result<void> checkAbsent(const Options& options, int from, int to) {
+Result<void> checkAbsent(const TuneOptions& options, int from, int to) {
     std::vector<std::string> endings{".csv"};
     for (int note = from; note <= to; ++note)
         endings.push_back("-" + std::to_string(note) + ".obj");
@@ -148,14 +146,14 @@ Result<void> checkAbsent(const Options& options, int from, int to) {
     std::error_code ignored;
     for (const auto& ending : endings)
         if (const auto file = inFolder(options, ending); std::filesystem::exists(file, ignored))
-            return failure(nameOf(file) + ": it is there already; --replace makes it anew");
+            return failure(nameOf(file) + ": it exists already; --replace replaces it");
     return {};
 }
 
 /// Writes a preset as loud as the factory's. It names objects relative to itself, so that the
 /// folder can be moved.
 Result<void>
-writePreset(const Options& options, const BarInstrument& instrument, int from, int to) {
+writePreset(const TuneOptions& options, const BarInstrument& instrument, int from, int to) {
     Preset preset;
     preset.name = "Tuned " + std::string(instrument.name);
     preset.description = "Made by idiophone tune.";
@@ -169,12 +167,12 @@ writePreset(const Options& options, const BarInstrument& instrument, int from, i
         .and_then([&](const std::shared_ptr<const Instrument>& built) {
             preset.parameters.set(
                 ParameterId::level,
-                startingLevel(built, preset.surface, sampleRateHz, preset.parameters));
+                startingLevel(built, preset.surface, measuredRateHz, preset.parameters));
             return writeTextFile(inFolder(options, ".json"), encodePreset(preset) + "\n");
         });
 }
 
-Result<void> tuneKeyboard(const Options& options) {
+Result<void> tuneKeyboard(const TuneOptions& options) {
     const BarInstrument* instrument = findBarInstrument(options.instrument);
     if (auto fine = check(options, *instrument); !fine)
         return fine;
@@ -194,10 +192,7 @@ Result<void> tuneKeyboard(const Options& options) {
             return tl::unexpected(asked.error());
         const auto bar = [&] {
             ProgressLine progress(asked->name);
-            return tuneBar(
-                *asked, {.progress = [&](double fraction,
-                                         std::string_view step) { progress.show(fraction, step); },
-                         .cancelled = &interruptRequested()});
+            return tuneBar(*asked, progress.control());
         }();
         if (!bar)
             return tl::unexpected(bar.error());
@@ -217,41 +212,41 @@ Result<void> tuneKeyboard(const Options& options) {
 } // namespace
 
 void addTune(CLI::App& program, Action& chosen) {
-    auto* command = program.add_subcommand(
-        "tune",
-        "Makes the bars of a keyboard: objects to play, meshes to cut, a table of measures");
-    auto options = std::make_shared<Options>();
+    const auto [command, options] = addCommand<TuneOptions>(
+        program, chosen, "tune",
+        "Makes the bars of a keyboard: objects to play, meshes to cut, a table of measures",
+        tuneKeyboard);
     std::vector<std::string> names;
     for (const auto& instrument : barInstruments())
         names.emplace_back(instrument.name);
-    command->add_option("INSTRUMENT", options->instrument, "The kind of bar to start from")
+    command->add_option("INSTRUMENT", options->instrument, "The kind of bar")
         ->required()
         ->check(CLI::IsMember(names));
     command->add_option("-o,--output", options->folder, "The directory to write to")->required();
     command->add_option("--from", options->lowestNote, "The lowest MIDI note")
         ->check(CLI::Range(0, 127));
-    command->add_option("--to", options->highestNote, "The highest")->check(CLI::Range(0, 127));
+    command->add_option("--to", options->highestNote, "The highest MIDI note")
+        ->check(CLI::Range(0, 127));
     command->add_option("--a4", options->a4Hz, "The pitch of A4, in Hz")
         ->check(numberBetween(200, 900))
         ->capture_default_str();
     command
         ->add_option("--scale", options->scaleCents,
-                     "Twelve pitches in cents, C to B; else equal temperament")
+                     "Twelve pitches in cents, from C to B (default: equal temperament)")
         ->delimiter(',');
-    command->add_option("--material", options->material, "A material's name or a JSON file");
-    command->add_option("--width", options->widthMetres, "Of all bars, in metres")
+    command->add_option("--material", options->material, "Name of a material, or a JSON file");
+    command->add_option("--width", options->widthMetres, "Width of all bars, in metres")
         ->check(numberBetween(1e-3, 10));
-    command->add_option("--height", options->heightMetres, "Of all bars, in metres")
+    command->add_option("--height", options->heightMetres, "Height of all bars, in metres")
         ->check(numberBetween(1e-3, 1));
     command
-        ->add_option("--ratios", options->ratios,
-                     "Of the second and third partial, such as 4,10; 0: wherever it falls")
+        ->add_option(
+            "--ratios", options->ratios,
+            "Ratios of the second and third partial, for example 4,10; 0 leaves one untuned")
         ->delimiter(',')
         ->check(numberBetween(0, 100));
-    command->add_flag("--meshes-only", options->meshesOnly, "Neither objects nor a preset");
-    command->add_flag("--replace", options->replaces, "Also files that are there already");
-    command->final_callback(
-        [options, &chosen] { chosen = [options] { return tuneKeyboard(*options); }; });
+    command->add_flag("--meshes-only", options->meshesOnly, "Writes only meshes and the table");
+    command->add_flag("--replace", options->replaces, "Replaces files that exist already");
 }
 
 } // namespace idiophone

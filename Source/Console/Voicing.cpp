@@ -13,8 +13,7 @@ namespace {
 
 constexpr double mostGainDb = 40;
 
-constexpr int sampleRateHz = 48000;
-constexpr std::size_t noteSamples = sampleRateHz;
+constexpr std::size_t noteSamples = measuredRateHz;
 constexpr std::array velocities{40, 100};
 
 /// Plays a key for a second and measures its loudest 400 ms. A silent key has -infinity.
@@ -22,7 +21,7 @@ double loudestLufs(const Preset& preset,
                    const std::shared_ptr<const Instrument>& instrument,
                    int note,
                    int velocity) {
-    Player player(instrument, sampleRateHz, preset.surface, preset.seed, preset.matched());
+    Player player(instrument, measuredRateHz, preset.surface, preset.seed, preset.matched());
     std::vector<float> left(noteSamples), right(noteSamples);
     const MidiEvent struck{
         .sampleOffset = 0,
@@ -31,7 +30,7 @@ double loudestLufs(const Preset& preset,
     std::vector<float> interleaved;
     for (std::size_t i = 0; i < noteSamples; ++i)
         interleaved.insert(interleaved.end(), {left[i], right[i]});
-    return loudestMomentLufs(interleaved, 2, sampleRateHz);
+    return loudestMomentLufs(interleaved, 2, measuredRateHz);
 }
 
 /// The mean of the keys that are heard.

@@ -89,8 +89,7 @@ Result<MonoRecording> readWav(const std::filesystem::path& file) {
         new juce::MemoryInputStream(bytes->data(), bytes->size(), false), true));
     if (reader == nullptr)
         return refuse(isWav({bytes->data(), bytes->size()})
-                          ? "its samples are neither whole numbers of 8 to 32 bits nor "
-                            "floating-point numbers of 32"
+                          ? "its samples are neither integers of 8 to 32 bits nor 32-bit floats"
                           : "it is not a WAV file");
     if (const auto sentence = faultOf(*reader, bytes->size()); !sentence.empty())
         return refuse(sentence);

@@ -1,4 +1,4 @@
-// Reads files that juce_add_binary_data embeds in the program.
+// Reads files that the build embeds in the program (cmake/EmbeddedFiles.cmake).
 #pragma once
 
 #include "Object/SameName.h"
@@ -17,26 +17,6 @@ struct EmbeddedFile {
     std::string_view name; ///< without its folder
     std::string_view bytes;
 };
-
-/// The arrays and the function of the generated header; each array has `count` entries.
-struct EmbeddedSource {
-    int count;
-    const char* const* resources;
-    const char* const* fileNames;
-    const char* (*bytesOf)(const char* resource, int& size);
-};
-
-/// Returns all files in the order of their names.
-inline std::vector<EmbeddedFile> embeddedFiles(const EmbeddedSource& source) {
-    std::vector<EmbeddedFile> files;
-    for (int i = 0; i < source.count; ++i) {
-        int size = 0;
-        const char* bytes = source.bytesOf(source.resources[i], size);
-        files.push_back({source.fileNames[i], {bytes, static_cast<std::size_t>(size)}});
-    }
-    std::ranges::sort(files, {}, &EmbeddedFile::name);
-    return files;
-}
 
 /// Returns `parse(text, fileName)` of each JSON file. Ends the program if one fails: tests must
 /// make sure that none does.

@@ -2,17 +2,13 @@
 
 #include "Instrument/EmbeddedFiles.h"
 #include "Scene/SceneText.h"
-#include "SceneFiles.h"
 
 namespace idiophone {
 
+std::span<const EmbeddedFile> sceneFiles(); // generated
+
 std::span<const Scene> factoryScenes() {
-    static const auto scenes =
-        parseEmbedded<Scene>(embeddedFiles({.count = SceneFiles::namedResourceListSize,
-                                            .resources = SceneFiles::namedResourceList,
-                                            .fileNames = SceneFiles::originalFilenames,
-                                            .bytesOf = SceneFiles::getNamedResource}),
-                             parseScene);
+    static const auto scenes = parseEmbedded<Scene>(sceneFiles(), parseScene);
     return scenes;
 }
 

@@ -34,9 +34,6 @@ MODULES = {
                 "juce_ CLI/ nlohmann/ ebur128.h mysofa.h"),
 }
 
-# Headers that the build generates, and the one module that may include each.
-GENERATED = {"FactoryFiles.h": "Instrument", "SceneFiles.h": "Scene"}
-
 HEADER_ENDINGS = {".h", ".hpp"}
 SOURCE_ENDINGS = HEADER_ENDINGS | {".cpp", ".cc", ".mm"}
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*(?:<([^>]+)>|"([^"]+)"|(\S+))', re.MULTILINE)
@@ -69,9 +66,6 @@ def fault_of_include(module, header, is_angled, source):
         if not (source / header).is_file():
             return "no such header"
         return None
-    if header in GENERATED:
-        owner = GENERATED[header]
-        return None if owner == module else f"only module {owner} may include it"
     if is_angled and (STANDARD.match(header) or may_include_library(module, header)):
         return None
     if is_angled:
@@ -177,8 +171,6 @@ PLANTED = {
     "another JUCE module than Output's": ("Output/J.cpp", "#include <juce_core/juce_core.h>\n",
                                           "this library"),
     "a path round the modules": ("Synth/Dots.cpp", '#include "../Object/Thing.h"\n', "Module/Name.h"),
-    "a generated file in the wrong module": ("Synth/F.cpp", '#include "FactoryFiles.h"\n',
-                                             "only module"),
     "a header that is not there": ("Synth/No.cpp", '#include "Object/Nothing.h"\n',
                                    "no such header"),
     "an include hidden in a macro": ("Synth/Macro.cpp", "#include HEADER\n", "macro"),

@@ -409,7 +409,7 @@ class WrittenFiles(ConsoleTest):
     def refuse_to_write_over(self, file, *command, option="-o"):
         before = file.read_bytes()
         for spelled in (file, f"{file.parent}/./{file.name}"):
-            self.refuse(*command, option, spelled, naming=spelled, saying="would write over what")
+            self.refuse(*command, option, spelled, naming=spelled, saying="would replace the file")
             self.assertEqual(file.read_bytes(), before)
 
     def test_inputs_are_not_overwritten(self):
@@ -437,7 +437,7 @@ class WrittenFiles(ConsoleTest):
         elsewhere.mkdir()
         for same in (new, elsewhere / ".." / "new", os.path.relpath(new)):
             self.refuse("render", "--preset", "Marimba", "--midi", song, "-o", new, "--stats", same,
-                        naming=new, saying="would write over what")
+                        naming=new, saying="would replace the file")
 
     @unittest.skipUnless(hasattr(os, "mkfifo"), "files of POSIX")
     def test_a_wav_file_is_written_through_a_link_but_not_to_a_device(self):

@@ -33,7 +33,7 @@ class Factory(ConsoleTest):
     def test_existing_files_are_not_replaced_by_default(self):
         mine = self.write("xylophone-108.modal", "mine")
         options = "factory", "-o", self.folder, "--only", "xylophone-108"
-        self.refuse(*options, naming=mine, saying="there already")
+        self.refuse(*options, naming=mine, saying="exists already")
         self.assertEqual(mine.read_text(), "mine")
         self.succeed(*options, "--replace")
         self.assertNotEqual(mine.read_bytes(), b"mine")

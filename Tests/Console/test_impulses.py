@@ -133,7 +133,7 @@ class Impulses(ConsoleTest):
         object = self.write("plate.modal", content)
         list_ = self.lines(self.hit(object="./plate.modal"), self.hit(0.1))
         self.refuse("render", "--impulses", list_, "-o", object, naming=list_,
-                    saying="line 1: './plate.modal' is what would be written over")
+                    saying="line 1: './plate.modal' is the output file")
         self.assertEqual(object.read_bytes(), content)
 
     def test_comments_and_blank_lines_are_skipped(self):
@@ -166,7 +166,7 @@ class Impulses(ConsoleTest):
             said.append(self.succeed("render", "--impulses", file, "-o", output, "--seconds", 0.2,
                                      *settings).stderr)
             sounds.append(output.read_bytes())
-        self.assertIn("warning: --set gamma has no effect: the objects are of several materials; "
+        self.assertIn("warning: --set gamma has no effect: the objects have several materials; "
                       "choose one with --set material=...\n", said[1])
         self.assertEqual([text.count("\n") for text in said], [0, 1, 0, 0])
         self.assertEqual(sounds[0], sounds[1])

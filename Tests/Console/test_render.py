@@ -351,7 +351,7 @@ class Render(ConsoleTest):
         scale = self.write("half.scl", b"Half\n2\n600.\n2/1\n")
         said, heard = self.warnings(song, "--scale", scale, preset="Steel Plate")
         self.assertEqual(said.count("\n"), 1)
-        self.assertIn("--scale has no effect: the keys of 'Steel Plate'", said)
+        self.assertIn("--scale has no effect, because the keys of 'Steel Plate'", said)
         self.assertEqual(heard, self.warnings(song, preset="Steel Plate")[1])
         self.assertEqual(self.warnings(song, "--scale", scale)[0], "")
 

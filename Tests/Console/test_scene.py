@@ -60,7 +60,7 @@ class Scenes(ConsoleTest):
             out = self.folder / f"{len(sounds)}.wav"
             said = self.succeed("scene", "Cylinder off a table", "-o", out, "--seconds", 1,
                                 *(part for s in settings for part in ("--set", s))).stderr
-            self.assertEqual(said.count("the objects are of several materials"), warned)
+            self.assertEqual(said.count("the objects have several materials"), warned)
             sounds.append(out.read_bytes())
         self.assertEqual(sounds[0], sounds[1])
         self.assertNotEqual(sounds[2], sounds[3])
@@ -185,7 +185,7 @@ class Scenes(ConsoleTest):
     def test_a_song_needs_a_scene_that_drops_bodies(self):
         song = self.write("song.mid", "")
         self.refuse("scene", self.scene(), "--midi", song, "-o", self.folder / "x.wav",
-                    naming="Ball on a plate", saying="nothing is dropped")
+                    naming="Ball on a plate", saying="drops nothing")
 
     def test_a_scene_moved_only_by_notes_asks_for_a_song(self):
         notes = {"notes": {"kind": "ball"}}
@@ -194,7 +194,7 @@ class Scenes(ConsoleTest):
         for changes, asks in ((waits, True), (taps, False), (notes, False)):
             said = self.succeed("scene", self.scene(**changes), "-o", self.folder / "x.wav",
                                 "--seconds", 0.1).stderr
-            self.assertEqual("--midi gives" in said, asks)
+            self.assertEqual("add a song with --midi" in said, asks)
 
     def test_too_many_bodies_in_one_place_are_refused(self):
         crowd = [{"kind": "ball", "count": 10000}]

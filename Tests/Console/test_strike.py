@@ -152,7 +152,7 @@ class Strike(ConsoleTest):
             return self.succeed("strike", PLATE, "-o", self.folder / "a.wav", "--seconds", 0.05,
                                 "--at", point).stderr
         # The plate is 300 mm by 200 mm.
-        self.assertIn("lies 1000 mm off the object, which is 361 mm", said("0.05,0.02,1"))
+        self.assertIn("lies 1000 mm off the object, whose diagonal is 361 mm", said("0.05,0.02,1"))
         self.assertIn("lies 53675 mm off", said("50,20,0"))
         for near in ("0.05,0.02,0", "0.05,0.02,0.003", "0.151,0.1,0"):
             self.assertNotIn("--at", said(near))

@@ -55,7 +55,7 @@ class Tune(ConsoleTest):
             with self.subTest(name=name):
                 mine = self.write(f"bars/{name}", "mine")
                 self.refuse("tune", "marimba", "-o", folder, *options, naming=mine,
-                            saying="there already")
+                            saying="exists already")
                 self.assertEqual(mine.read_text(), "mine")
                 mine.unlink()
         object = self.write("bars/marimba-84.modal", "mine")

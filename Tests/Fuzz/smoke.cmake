@@ -82,7 +82,6 @@ add_custom_target(fuzz_targets_without_juce ALL
             -S "${PROJECT_SOURCE_DIR}" -B "${fuzz_build}"
             "-DIDIOPHONE_DEPENDENCIES=${IDIOPHONE_DEPENDENCIES}"
             "-DIDIOPHONE_DEBIAN_SOURCES=${IDIOPHONE_DEBIAN_SOURCES}"
-            "-DIDIOPHONE_JUCEAIDE=$<TARGET_FILE:juce::juceaide>"
             ${fetched}
     COMMAND ${CMAKE_COMMAND} --build "${fuzz_build}" --target fuzz_targets_without_juce
             --parallel 2 -- --quiet

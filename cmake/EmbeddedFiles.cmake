@@ -1,0 +1,16 @@
+# idiophone_embed_files(<variable> <function> <file>...): sets the variable to the source file that
+# defines `std::span<const EmbeddedFile> idiophone::<function>()`, which returns the files.
+add_executable(idiophone_embed_files "${CMAKE_CURRENT_LIST_DIR}/embed_files.cpp")
+
+function(idiophone_embed_files variable function)
+    set(source "${CMAKE_CURRENT_BINARY_DIR}/${function}.cpp")
+    list(JOIN ARGN "\n" lines)
+    file(CONFIGURE OUTPUT "${source}.list" CONTENT "${lines}\n" @ONLY)
+    add_custom_command(OUTPUT "${source}"
+        COMMAND idiophone_embed_files ${function} "${source}.list" "${source}"
+        DEPENDS idiophone_embed_files "${source}.list" ${ARGN}
+        VERBATIM)
+    # One literal gains nothing from them.
+    set_source_files_properties("${source}" PROPERTIES SKIP_PRECOMPILE_HEADERS ON SKIP_UNITY_BUILD_INCLUSION ON)
+    set(${variable} "${source}" PARENT_SCOPE)
+endfunction()
