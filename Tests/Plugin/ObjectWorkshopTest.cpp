@@ -65,16 +65,18 @@ TEST_CASE("A mesh becomes a preview and then the object, with its guessed unit a
 
 TEST_CASE("The preview comes first and is close in pitch") {
     ObjectWorkshop workshop;
-    workshop.open(smallPlateFile("plate.ply", 1), {});
     std::vector<double> lowest;
     std::vector<bool> previews;
-    while (lowest.size() < 2 && workshop.status().stage != ImportStage::failed)
-        if (const auto product = workshop.takeProduct()) {
-            lowest.push_back(std::sqrt(product->object->eigenvalues.front()));
-            previews.push_back(product->isPreview);
-        } else if (workshop.status().stage == ImportStage::done) {
-            SKIP("the whole analysis was ready before anybody looked");
+    // If the system suspends this thread, the whole object may replace the preview.
+    for (int attempt = 0; attempt < 20 && previews.size() < 2; ++attempt) {
+        lowest.clear();
+        previews.clear();
+        workshop.open(smallPlateFile("plate.ply", 1), {});
+        for (const auto& product : productsOf(workshop)) {
+            lowest.push_back(std::sqrt(product.object->eigenvalues.front()));
+            previews.push_back(product.isPreview);
         }
+    }
     REQUIRE(previews == std::vector{true, false});
     CHECK(std::abs(lowest[0] / lowest[1] - 1) < 0.05);
 }
@@ -173,7 +175,7 @@ TEST_CASE("A job cancelled at once makes nothing, and the next job works") {
 TEST_CASE("A finished product that was not fetched is discarded by a cancel") {
     ObjectWorkshop workshop;
     workshop.open(smallPlateFile("plate.obj", 1), {});
-    waitForProgress(workshop, 1);
+    waitUntil([&] { return !workshop.status().isWorking(); });
     REQUIRE(workshop.status().stage == ImportStage::done);
     workshop.cancel();
     CHECK(workshop.status().stage == ImportStage::done);

@@ -35,6 +35,8 @@ juce::MidiBuffer struck(int note) {
 
 void pollForProgram(Processor& processor, int program) {
     processor.poll();
+    if (processor.getCurrentProgram() != program)
+        processor.poll(); // another program was requested during the first poll
     REQUIRE(processor.getCurrentProgram() == program);
 }
 
