@@ -11,18 +11,19 @@ ObjectPane::ObjectPane(ProcessorView& processor)
       midi(processor,
            ProcessorView::CaptureKind::midi,
            "MIDI",
-           "What the bodies struck, as notes: drag it into the host, or click to save",
+           "The impacts of the bodies as notes. Drag into the host, or click to save.",
            "*.mid"),
-      impulses(processor,
-               ProcessorView::CaptureKind::impulses,
-               "Impulses",
-               "What the bodies struck, as a list for `idiophone render --impulses`: drag or click",
-               "*.jsonl") {
+      impulses(
+          processor,
+          ProcessorView::CaptureKind::impulses,
+          "Impulses",
+          "The impacts of the bodies as a list for `idiophone render --impulses`. Drag or click.",
+          "*.jsonl") {
     addAndMakeVisible(object);
-    add(vibration, "Show how what sounds vibrates, slowed down and exaggerated", true);
-    add(nodes, "Show where the strongest mode of what sounds stands still", true);
+    add(vibration, "Show the vibration of sounding objects, slowed down and exaggerated", true);
+    add(nodes, "Show where the strongest sounding mode does not move", true);
     add(path, "Show where the keys strike", true);
-    add(draw, "Draw over an object to say where the keys strike it", true);
+    add(draw, "Draw on an object to set where the keys strike it", true);
     vibration.setToggleState(true, juce::dontSendNotification);
     for (auto* button : {&vibration, &nodes, &path, &draw})
         button->onClick = [this] { setLayers(); };
@@ -39,9 +40,9 @@ ObjectPane::ObjectPane(ProcessorView& processor)
         view.playNote(note, velocity);
         view.playNote(note, 0);
     };
-    add(pause, "Hold the bodies where they are", true);
+    add(pause, "Stop the bodies where they are", true);
     pause.onClick = [this] { view.pauseStage(pause.getToggleState()); };
-    add(reset, "Take away what moves, and what was captured of it", false);
+    add(reset, "Remove the bodies and their captured impacts", false);
     reset.onClick = [this] { view.resetStage(); };
     addAndMakeVisible(midi);
     addAndMakeVisible(impulses);

@@ -1,9 +1,9 @@
 #include "Editor/PathOverlay.h"
 
 #include "Editor/Look.h"
+#include "Editor/ModeText.h"
 
 #include <cmath>
-#include <juce_audio_basics/juce_audio_basics.h>
 #include <utility>
 
 namespace idiophone {
@@ -47,16 +47,13 @@ void PathOverlay::showStruckPlaces(const ProcessorView& view,
                                    const std::vector<ProcessorView::PlayedObject>& played,
                                    const ObjectScene& scene) {
     const bool keysLieAlongPath = view.keyLayout() == KeyLayout::zones;
-    const auto nameOf = [](int note) {
-        return juce::MidiMessage::getMidiNoteName(note, true, true, 4);
-    };
     for (std::size_t i = 0; i < played.size(); ++i) {
         Path path;
         for (const auto& place : view.struckPlaces(i))
             path.places.push_back(scene.placeOf(i, place));
         if (keysLieAlongPath && played[i].highestNote > played[i].lowestNote) {
-            path.lowestKey = nameOf(played[i].lowestNote);
-            path.highestKey = nameOf(played[i].highestNote);
+            path.lowestKey = noteName(played[i].lowestNote);
+            path.highestKey = noteName(played[i].highestNote);
         }
         paths.push_back(std::move(path));
     }
