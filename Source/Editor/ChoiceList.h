@@ -1,25 +1,91 @@
 // A list of a parameter's choices. The material's list also offers the user's materials.
 #pragma once
 
+#include "Editor/ParameterChange.h"
 #include "Editor/ProcessorView.h"
+#include "Editor/Utf8.h"
 
 #include <juce_gui_basics/juce_gui_basics.h>
+#include <set>
 
 namespace idiophone {
 
 class ChoiceList final : public juce::ComboBox {
 public:
-    ChoiceList(const ParameterInfo& info, ProcessorView& view);
+    ChoiceList(const ParameterInfo& row, ProcessorView& processor) : info(row), view(processor) {
+        setTitle(fromUtf8(info.name));
+        setTooltip(fromUtf8(info.description));
+        if (info.parameter == ParameterId::material)
+            view.readUserMaterials();
+        fill();
+        onChange = [this] { choose(); };
+        refresh();
+    }
 
-    void refresh();
+    void refresh() {
+        if (info.parameter == ParameterId::material && ownMaterials != view.userMaterialNames())
+            fill(); // another list has read the user's materials again
+        nameOwnMaterial();
+        const int own = info.parameter == ParameterId::material ? view.userMaterialIndex() : -1;
+        const int item =
+            own >= 0 ? firstUserItem + own
+                     : firstChoiceItem + static_cast<int>(view.parameterValue(info.parameter));
+        if (item != getSelectedId())
+            setSelectedId(item, juce::dontSendNotification);
+    }
 
     /// Reads the user's materials again before the list opens.
-    void showPopup() override;
+    void showPopup() override {
+        if (info.parameter == ParameterId::material) {
+            view.readUserMaterials();
+            refresh();
+        }
+        ComboBox::showPopup();
+    }
 
 private:
-    void fill();
-    void nameOwnMaterial();
-    void choose();
+    // JUCE's item numbers start at 1.
+    static constexpr int firstChoiceItem = 1, firstUserItem = 1000;
+
+    /// "Own (Rosewood)", or "Own" if the objects have no common named material.
+    static juce::String ownMaterialText(const ProcessorView& view) {
+        std::set<std::string> names;
+        for (const auto& played : view.playedObjects())
+            names.insert(played.object->material.name);
+        const juce::String own("Own");
+        return names.size() != 1 || names.begin()->empty()
+                   ? own
+                   : own + " (" + fromUtf8(*names.begin()) + ")";
+    }
+
+    void fill() {
+        clear(juce::dontSendNotification);
+        int item = firstChoiceItem;
+        for (const auto name : choiceNames(info.parameter))
+            addItem(fromUtf8(name), item++);
+        if (info.parameter != ParameterId::material)
+            return;
+        instrument = -1;
+        ownMaterials = view.userMaterialNames();
+        if (!ownMaterials.empty())
+            addSeparator();
+        item = firstUserItem;
+        for (const auto& name : ownMaterials)
+            addItem(fromUtf8(name), item++);
+    }
+    void nameOwnMaterial() {
+        if (info.parameter != ParameterId::material || view.instrumentNumber() == instrument)
+            return;
+        instrument = view.instrumentNumber();
+        changeItemText(firstChoiceItem, ownMaterialText(view));
+        setSelectedId(0, juce::dontSendNotification); // else a selected item keeps its old text
+    }
+    void choose() {
+        const int item = getSelectedId();
+        if (item >= firstUserItem)
+            return view.chooseUserMaterial(item - firstUserItem);
+        changeOnce(view, info.parameter, item - firstChoiceItem);
+    }
 
     const ParameterInfo& info;
     ProcessorView& view;

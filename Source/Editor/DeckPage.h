@@ -13,9 +13,9 @@ struct SoundFrame;
 class DeckPage : public juce::Component {
 public:
     /// The smallest size that every page must support.
-    static constexpr int leastWidth = 380, leastHeight = 290;
+    static constexpr int minimumWidth = 380, minimumHeight = 290;
     /// The largest size of a page.
-    static constexpr int mostWidth = 640, mostHeight = 460;
+    static constexpr int maximumWidth = 640, maximumHeight = 460;
     static constexpr int padding = 10;
 
     explicit DeckPage(const juce::String& name) : Component(name) {}

@@ -1,7 +1,7 @@
 // The outline around the window while the user drags a file over it that it can open.
 #pragma once
 
-#include <juce_gui_basics/juce_gui_basics.h>
+#include "Editor/Look.h"
 
 namespace idiophone {
 
@@ -15,9 +15,23 @@ public:
     }
 
     /// Shows the file's name, without its folder. An empty name hides the frame.
-    void show(const juce::String& fileName);
+    void show(const juce::String& fileName) {
+        name = fileName;
+        setVisible(name.isNotEmpty());
+        toFront(false);
+        repaint();
+    }
 
-    void paint(juce::Graphics& g) override;
+    void paint(juce::Graphics& g) override {
+        const auto band = getLocalBounds().removeFromTop(40);
+        g.setColour(colourOf(*this, LookColour::accent));
+        g.drawRect(getLocalBounds(), 4);
+        g.fillRect(band);
+        g.setColour(colourOf(*this, LookColour::onAccent));
+        g.setFont(Look::headingFont(16));
+        g.drawFittedText("Drop to play " + name, band.reduced(12, 0), juce::Justification::centred,
+                         1, 0.7f);
+    }
 
 private:
     juce::String name;

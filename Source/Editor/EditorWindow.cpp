@@ -18,7 +18,7 @@ namespace {
 constexpr int firstWidth = 1180, firstHeight = 860;
 constexpr int margin = 12, barHeight = 44, statusHeight = 32;
 /// If the height for both is smaller, the picture stands beside the deck instead of above it.
-constexpr int leastHeightForBoth = PageDeck::leastHeight + 200;
+constexpr int minimumHeightForBoth = PageDeck::minimumHeight + 200;
 constexpr double deckShare = 0.44;
 /// Update rates in Hz: while something sounds or the mouse is over the window, and at rest. Rest
 /// starts after `ticksToRest` quiet ticks.
@@ -27,14 +27,14 @@ constexpr int tooltipMilliseconds = 600;
 
 /// The last size of the window, limited to the current screen.
 juce::Point<int> sizeOnScreen(juce::Point<int> last) {
-    auto most = juce::Rectangle<int>(EditorWindow::mostWidth, EditorWindow::mostHeight);
+    auto most = juce::Rectangle<int>(EditorWindow::maximumWidth, EditorWindow::maximumHeight);
     if (const auto* screen = juce::Desktop::getInstance().getDisplays().getPrimaryDisplay())
         most = screen->userArea;
     const auto fitting = [](int stored, int first, int least, int screen) {
         return juce::jlimit(least, std::max(least, screen), stored > 0 ? stored : first);
     };
-    return {fitting(last.x, firstWidth, EditorWindow::leastWidth, most.getWidth()),
-            fitting(last.y, firstHeight, EditorWindow::leastHeight, most.getHeight())};
+    return {fitting(last.x, firstWidth, EditorWindow::minimumWidth, most.getWidth()),
+            fitting(last.y, firstHeight, EditorWindow::minimumHeight, most.getHeight())};
 }
 
 /// JUCE keeps the old colour in text that was already typed, so colour it again.
@@ -86,7 +86,7 @@ EditorWindow::EditorWindow(juce::AudioProcessor& audioProcessor, ProcessorView& 
     addChildComponent(focusRing);
     setLook(look.scheme());
     setResizable(true, true);
-    setResizeLimits(leastWidth, leastHeight, mostWidth, mostHeight);
+    setResizeLimits(minimumWidth, minimumHeight, maximumWidth, maximumHeight);
     const auto size = sizeOnScreen(preferences.windowSize());
     setSize(size.x, size.y);
     startTimer(1000 / busyHz);
@@ -246,8 +246,8 @@ void EditorWindow::placeParts() {
     keyboard.setBounds(area.removeFromBottom(std::clamp(getHeight() / 8, 60, 140)));
     status.setBounds(area.removeFromBottom(statusHeight));
     browser.setBounds(area);
-    if (area.getHeight() < leastHeightForBoth) {
-        const int fitting = (area.getWidth() * 3 / 5) / DeckPage::leastWidth;
+    if (area.getHeight() < minimumHeightForBoth) {
+        const int fitting = (area.getWidth() * 3 / 5) / DeckPage::minimumWidth;
         const int pages = std::clamp(fitting, 1, deck.pageCount());
         deck.setBounds(area.removeFromRight(PageDeck::widthFor(pages)));
         object.setBounds(area.withTrimmedRight(PageDeck::gap));
@@ -255,7 +255,7 @@ void EditorWindow::placeParts() {
     }
     const auto share = static_cast<int>(deckShare * area.getHeight());
     deck.setBounds(area.removeFromBottom(
-        std::clamp(share, PageDeck::leastHeight, PageDeck::tabHeight + DeckPage::mostHeight)));
+        std::clamp(share, PageDeck::minimumHeight, PageDeck::tabHeight + DeckPage::maximumHeight)));
     object.setBounds(area.withTrimmedBottom(4));
 }
 

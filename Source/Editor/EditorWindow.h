@@ -23,8 +23,8 @@ class EditorWindow final : public juce::AudioProcessorEditor,
                            public juce::FileDragAndDropTarget,
                            private juce::Timer {
 public:
-    static constexpr int leastWidth = 800, leastHeight = 500;
-    static constexpr int mostWidth = 3840, mostHeight = 2160;
+    static constexpr int minimumWidth = 800, minimumHeight = 500;
+    static constexpr int maximumWidth = 3840, maximumHeight = 2160;
 
     EditorWindow(juce::AudioProcessor& processor, ProcessorView& view);
     ~EditorWindow() override;

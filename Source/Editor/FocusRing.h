@@ -1,7 +1,9 @@
 // The outline around the component that the Tab key focused.
 #pragma once
 
-#include <juce_gui_basics/juce_gui_basics.h>
+#include "Editor/Look.h"
+
+#include <utility>
 
 namespace idiophone {
 
@@ -9,19 +11,44 @@ namespace idiophone {
 /// after a click the user knows the place.
 class FocusRing final : public juce::Component, private juce::FocusChangeListener {
 public:
-    FocusRing();
-    ~FocusRing() override;
+    FocusRing() {
+        setInterceptsMouseClicks(false, false);
+        setAccessible(false);
+        juce::Desktop::getInstance().addFocusChangeListener(this);
+    }
+    ~FocusRing() override { juce::Desktop::getInstance().removeFocusChangeListener(this); }
 
     /// Call before a key moves the focus.
     void tabPressed() { isByKey = true; }
 
     /// Call after the window's components have moved.
-    void follow();
+    void follow() {
+        setVisible(focused != nullptr);
+        if (focused == nullptr)
+            return;
+        const auto* window = getParentComponent();
+        setBounds(window->getLocalArea(focused, focused->getLocalBounds())
+                      .expanded(2)
+                      .getIntersection(window->getLocalBounds()));
+        toFront(false);
+        repaint();
+    }
 
-    void paint(juce::Graphics& g) override;
+    void paint(juce::Graphics& g) override {
+        g.setColour(colourOf(*this, LookColour::text));
+        g.drawRoundedRectangle(getLocalBounds().toFloat().reduced(0.75f), 5, 1.5f);
+    }
 
 private:
-    void globalFocusChanged(juce::Component* now) override;
+    void globalFocusChanged(juce::Component* now) override {
+        const auto* window = getParentComponent();
+        const bool isHere = now != nullptr && window != nullptr && window->isParentOf(now);
+        focused = std::exchange(isByKey, false) && isHere &&
+                          !juce::ModifierKeys::currentModifiers.isAnyMouseButtonDown()
+                      ? now
+                      : nullptr;
+        follow();
+    }
 
     juce::Component::SafePointer<juce::Component> focused;
     bool isByKey = false;

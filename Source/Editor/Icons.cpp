@@ -1,16 +1,22 @@
 #include "Editor/Icons.h"
 
+#include <juce_gui_basics/juce_gui_basics.h>
+
 namespace idiophone::icons {
 namespace {
 
-constexpr float lineWidth = 0.1f;
-
 /// Returns the outline of lines, for filling.
 juce::Path drawn(const juce::Path& lines) {
+    constexpr float lineWidth = 0.1f;
     juce::Path outline;
     juce::PathStrokeType(lineWidth, juce::PathStrokeType::curved, juce::PathStrokeType::rounded)
         .createStrokedPath(outline, lines);
     return outline;
+}
+
+/// The lines are in SVG's notation.
+juce::Path drawn(const char* lines) {
+    return drawn(juce::Drawable::parseSVGPath(lines));
 }
 
 juce::Path mirrored(juce::Path path) {
@@ -21,11 +27,7 @@ juce::Path mirrored(juce::Path path) {
 } // namespace
 
 juce::Path previous() {
-    juce::Path lines;
-    lines.startNewSubPath(0.62f, 0.2f);
-    lines.lineTo(0.34f, 0.5f);
-    lines.lineTo(0.62f, 0.8f);
-    return drawn(lines);
+    return drawn("M.62 .2 L.34 .5 L.62 .8");
 }
 
 juce::Path next() {
@@ -45,17 +47,8 @@ juce::Path starOutline() {
 }
 
 juce::Path save() { // an arrow into a tray
-    juce::Path lines;
-    lines.startNewSubPath(0.5f, 0.1f);
-    lines.lineTo(0.5f, 0.62f);
-    lines.startNewSubPath(0.28f, 0.42f);
-    lines.lineTo(0.5f, 0.64f);
-    lines.lineTo(0.72f, 0.42f);
-    lines.startNewSubPath(0.12f, 0.66f);
-    lines.lineTo(0.12f, 0.88f);
-    lines.lineTo(0.88f, 0.88f);
-    lines.lineTo(0.88f, 0.66f);
-    return drawn(lines);
+    return drawn("M.5 .1 L.5 .62 M.28 .42 L.5 .64 L.72 .42 "
+                 "M.12 .66 L.12 .88 L.88 .88 L.88 .66");
 }
 
 juce::Path dice() {
@@ -69,15 +62,7 @@ juce::Path dice() {
 }
 
 juce::Path undo() {
-    juce::Path lines;
-    lines.startNewSubPath(0.34f, 0.16f);
-    lines.lineTo(0.12f, 0.36f);
-    lines.lineTo(0.34f, 0.56f);
-    lines.startNewSubPath(0.14f, 0.36f);
-    lines.lineTo(0.6f, 0.36f);
-    lines.cubicTo(0.95f, 0.36f, 0.95f, 0.84f, 0.6f, 0.84f);
-    lines.lineTo(0.34f, 0.84f);
-    return drawn(lines);
+    return drawn("M.34 .16 L.12 .36 L.34 .56 M.14 .36 L.6 .36 C.95 .36 .95 .84 .6 .84 L.34 .84");
 }
 
 juce::Path redo() {
@@ -85,13 +70,8 @@ juce::Path redo() {
 }
 
 juce::Path copy() { // a sheet before another
-    juce::Path lines;
+    auto lines = juce::Drawable::parseSVGPath("M.22 .66 L.12 .66 L.12 .12 L.66 .12 L.66 .22");
     lines.addRoundedRectangle(0.34f, 0.34f, 0.54f, 0.54f, 0.08f);
-    lines.startNewSubPath(0.22f, 0.66f);
-    lines.lineTo(0.12f, 0.66f);
-    lines.lineTo(0.12f, 0.12f);
-    lines.lineTo(0.66f, 0.12f);
-    lines.lineTo(0.66f, 0.22f);
     return drawn(lines);
 }
 

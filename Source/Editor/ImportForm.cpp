@@ -45,9 +45,9 @@ void select(juce::ComboBox& list,
             std::span<const Choice> choices,
             const std::string& id,
             const std::string& taken) {
-    const auto* came = taken.empty() ? nullptr : find(choices, taken);
-    const juce::String automatic(choices[0].name);
-    const auto text = came == nullptr ? automatic : automatic + ": " + came->name;
+    juce::String text(choices[0].name);
+    if (const auto* automatic = find(choices, taken); automatic != nullptr && !taken.empty())
+        text << ": " << automatic->name;
     if (list.getItemText(0) != text) {
         list.changeItemText(1, text);
         if (list.getSelectedId() == 1)
@@ -85,29 +85,21 @@ std::optional<double> parseThicknessMetres(const juce::String& text) {
 }
 
 ImportForm::ImportForm(ProcessorView& processor) : view(processor) {
-    describe(unit, names[0], "Unit", "The unit of length that the mesh file is in");
-    describe(material, names[1], "Material", "What the object is made of");
+    describe(unit, names[0], "Unit", "The unit of length of the mesh file");
+    describe(material, names[1], "Material", "The material of the object");
     describe(thickness, names[2], "Thickness of shells",
-             "How thick the walls are where the mesh is taken for a shell; in mm, or with a unit");
+             "Wall thickness if the mesh is a shell, in mm or with a unit");
     describe(method, names[3], "Method",
-             "How the mesh is analysed: solids by finite elements, thin or open things as shells");
+             "How the mesh is analysed: solids by finite elements, thin or open meshes as shells");
     fill(unit, units);
     fill(method, methods);
     fillMaterials();
     material.beforeOpening = [this] { fillMaterials(); };
     thickness.setEditable(true);
-    unit.onChange = [this] {
+    unit.onChange = method.onChange = material.onChange = [this] {
         auto wanted = settings;
         wanted.unit = chosen(unit, units);
-        changeTo(wanted);
-    };
-    method.onChange = [this] {
-        auto wanted = settings;
         wanted.method = chosen(method, methods);
-        changeTo(wanted);
-    };
-    material.onChange = [this] {
-        auto wanted = settings;
         wanted.material = material.getText().toStdString();
         changeTo(wanted);
     };

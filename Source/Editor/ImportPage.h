@@ -5,24 +5,179 @@
 #include "Editor/DeckPage.h"
 #include "Editor/FileButton.h"
 #include "Editor/ImportForm.h"
+#include "Editor/Look.h"
 #include "Editor/ProcessorView.h"
+#include "Editor/Utf8.h"
+
+#include <utility>
 
 namespace idiophone {
 
 class ImportPage final : public DeckPage {
 public:
-    explicit ImportPage(ProcessorView& view);
+    explicit ImportPage(ProcessorView& processor)
+        : DeckPage("Object"), view(processor),
+          open("Open...",
+               "Open a mesh or a modal object",
+               "Open a mesh (OBJ, PLY, STL, OFF) or a modal object. Dropping it on the window does "
+               "the same.",
+               fromUtf8(processor.openPatterns()),
+               [this](const std::filesystem::path& chosen) {
+                   view.openFile(chosen);
+                   refresh();
+               }),
+          form(processor) {
+        addAndMakeVisible(open);
+        addButton(cancel, "Cancel the analysis", "Stop the analysis. The current sound stays.",
+                  [this] { view.cancelImport(); });
+        addButton(again, "Analyse anew", "Analyse the current object again with these settings",
+                  [this] { view.analyseAgain(); });
+        addButton(scaled, "Keys scaled to their pitches",
+                  "Every key plays the object at the size that has the key's pitch",
+                  [this] { view.setKeyLayout(KeyLayout::scaled); });
+        addButton(zones, "Keys along a strike path",
+                  "The object at its own size, struck along the path as the keys go up",
+                  [this] { view.setKeyLayout(KeyLayout::zones); });
+        for (auto* label : {&file, &step, &keys}) {
+            label->setFont(Look::textFont());
+            label->setBorderSize({0, 0, 0, 0});
+            label->setMinimumHorizontalScale(0.8f);
+            addAndMakeVisible(*label);
+        }
+        setTextOf(keys, "Keys play it");
+        file.setTitle("File");
+        step.setTitle("Progress");
+        report.setMultiLine(true);
+        report.setReadOnly(true);
+        report.setCaretVisible(false);
+        report.setFont(Look::textFont());
+        report.setIndents(0, 2);
+        report.setTitle("What was made of the file");
+        addAndMakeVisible(form);
+        addAndMakeVisible(report);
+        shown = view.importStatus();
+        lookAndFeelChanged();
+        showKeys();
+        showStatus();
+    }
 
-    void refresh() override;
+    void refresh() override {
+        showKeys();
+        auto status = view.importStatus();
+        const bool canBeAnalysed = !status.isWorking() && view.canAnalyseAgain();
+        if (again.isEnabled() != canBeAnalysed)
+            again.setEnabled(canBeAnalysed);
+        if (status == shown)
+            return;
+        shown = std::move(status);
+        showStatus();
+    }
 
-    void paint(juce::Graphics& g) override;
-    void resized() override;
-    void lookAndFeelChanged() override;
+    void paint(juce::Graphics& g) override {
+        if (!shown.isWorking())
+            return;
+        const auto track = bar.toFloat();
+        g.setColour(colourOf(*this, LookColour::outline));
+        g.fillRoundedRectangle(track, track.getHeight() / 2);
+        g.setColour(colourOf(*this, LookColour::accent));
+        g.fillRoundedRectangle(
+            track.withWidth(
+                std::max(track.getHeight(), track.getWidth() * static_cast<float>(shown.progress))),
+            track.getHeight() / 2);
+    }
+    void resized() override {
+        constexpr int line = 26, gap = 6;
+        auto area = getLocalBounds().reduced(padding);
+        auto top = area.removeFromTop(line);
+        const auto last = top.removeFromRight(104);
+        cancel.setBounds(last);
+        again.setBounds(last);
+        top.removeFromRight(gap);
+        open.setBounds(top.removeFromRight(72));
+        file.setBounds(top.withTrimmedRight(gap));
+        area.removeFromTop(4);
+        step.setBounds(area.removeFromTop(18));
+        bar = area.removeFromTop(6).withTrimmedBottom(2);
+        form.setBounds(area.removeFromTop(ImportForm::height));
+        area.removeFromTop(8);
+        auto row = area.removeFromTop(line);
+        keys.setBounds(row.removeFromLeft(88));
+        const int width = (row.getWidth() - gap) / 2;
+        scaled.setBounds(row.removeFromLeft(width));
+        zones.setBounds(row.withTrimmedLeft(gap));
+        area.removeFromTop(gap);
+        report.setBounds(area);
+    }
+    void lookAndFeelChanged() override {
+        using Editor = juce::TextEditor;
+        report.setColour(Editor::backgroundColourId, juce::Colours::transparentBlack);
+        report.setColour(Editor::outlineColourId, juce::Colours::transparentBlack);
+        report.setColour(Editor::focusedOutlineColourId, colourOf(*this, LookColour::outline));
+        step.setColour(juce::Label::textColourId, colourOf(*this, LookColour::dimText));
+        keys.setColour(juce::Label::textColourId, colourOf(*this, LookColour::text));
+        showStatus();
+    }
 
 private:
-    void showKeys();
-    void showStatus();
-    juce::String words() const;
+    using Stage = ImportStatus::Stage;
+
+    static juce::String stepText(const ImportStatus& status) {
+        switch (status.stage) {
+        case Stage::working:
+            return fromUtf8(status.step) + "...";
+        case Stage::previewed:
+            return "A preview plays. " + fromUtf8(status.step) + "...";
+        case Stage::cancelled:
+            return "Cancelled.";
+        default:
+            return {};
+        }
+    }
+
+    static void setTextOf(juce::Label& label, const juce::String& text) {
+        label.setText(text, juce::dontSendNotification);
+    }
+
+    void showKeys() {
+        const auto layout = view.keyLayout();
+        for (const auto& [button, own] :
+             {std::pair{&scaled, KeyLayout::scaled}, std::pair{&zones, KeyLayout::zones}}) {
+            button->setEnabled(layout.has_value());
+            button->setToggleState(layout == own, juce::dontSendNotification);
+        }
+    }
+    void showStatus() {
+        const bool isWorking = shown.isWorking();
+        setTextOf(file, shown.stage == Stage::none ? juce::String("Drop a mesh here, or")
+                                                   : fromUtf8(shown.fileName));
+        setTextOf(step, stepText(shown));
+        cancel.setVisible(isWorking);
+        again.setVisible(!isWorking);
+        form.show(shown);
+        report.setColour(juce::TextEditor::textColourId,
+                         colourOf(*this, shown.stage == Stage::failed ? LookColour::error
+                                                                      : LookColour::dimText));
+        if (const auto text = words(); report.getText() != text) {
+            report.setText(text, false);
+            report.moveCaretToTop(false);
+        }
+        report.applyColourToAllText(report.findColour(juce::TextEditor::textColourId));
+        repaint(bar);
+    }
+    juce::String words() const {
+        if (shown.stage == Stage::none)
+            return "A mesh in OBJ, PLY, STL or OFF becomes an object that can be played: within a "
+                   "moment as a preview, then as it is. The settings above may be changed at any "
+                   "time.";
+        juce::StringArray lines;
+        if (shown.stage == Stage::failed)
+            lines.add(fromUtf8(shown.error));
+        if (!shown.summary.empty())
+            lines.add(fromUtf8(shown.summary) + ".");
+        if (!shown.notes.empty())
+            lines.add(fromUtf8(shown.notes));
+        return lines.joinIntoString("\n");
+    }
 
     ProcessorView& view;
     ImportStatus shown;

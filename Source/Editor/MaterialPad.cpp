@@ -1,6 +1,5 @@
 #include "Editor/MaterialPad.h"
 
-#include "Editor/DescribedValue.h"
 #include "Editor/Look.h"
 #include "Editor/MaterialColour.h"
 #include "Editor/ParameterChange.h"
@@ -34,7 +33,8 @@ Material materialOf(const ProcessorView& view) {
 } // namespace
 
 MaterialPad::MaterialPad(ProcessorView& processor)
-    : view(processor), burst([this] { beginMix(); }, [this] { endMix(); }) {
+    : DescribedComponent(juce::AccessibilityRole::slider), view(processor),
+      burst([this] { beginMix(); }, [this] { endMix(); }) {
     setTitle("Material pad");
     setDescription("From slow to fast sound, from dull to ringing; arrows move between materials");
     setTooltip("Click a dot to take that material, drag between them to mix");
@@ -47,8 +47,7 @@ void MaterialPad::refresh() {
     if (now.fast == shown.fast && now.ringing == shown.ringing)
         return;
     shown = now;
-    if (auto* handler = getAccessibilityHandler())
-        handler->notifyAccessibilityEvent(juce::AccessibilityEvent::valueChanged);
+    notifyDescriptionChanged();
     repaint();
 }
 
@@ -135,14 +134,6 @@ void MaterialPad::mouseUp(const juce::MouseEvent&) {
         endMix();
 }
 
-void MaterialPad::mouseMove(const juce::MouseEvent& event) {
-    hover(namedAt(event.position));
-}
-
-void MaterialPad::mouseExit(const juce::MouseEvent&) {
-    hover(std::nullopt);
-}
-
 void MaterialPad::hover(std::optional<std::size_t> named) {
     if (named == hovered)
         return;
@@ -179,10 +170,6 @@ juce::String MaterialPad::description() const {
     const double seconds = decaySecondsAt(shown);
     return juce::String(juce::roundToInt(soundMetresPerSecond(shown))) + " m/s, rings " +
            juce::String(seconds, seconds < 1 ? 2 : 1) + " s at 1 kHz";
-}
-
-std::unique_ptr<juce::AccessibilityHandler> MaterialPad::createAccessibilityHandler() {
-    return describedValue(*this, juce::AccessibilityRole::slider, [this] { return description(); });
 }
 
 void MaterialPad::paintNamed(juce::Graphics& g) const {

@@ -2,16 +2,16 @@
 // selects that material; dragging elsewhere mixes live.
 #pragma once
 
+#include "Editor/DescribedComponent.h"
 #include "Editor/GestureBurst.h"
 #include "Editor/MaterialPlane.h"
 #include "Editor/ProcessorView.h"
 
-#include <juce_gui_basics/juce_gui_basics.h>
 #include <optional>
 
 namespace idiophone {
 
-class MaterialPad final : public juce::Component, public juce::SettableTooltipClient {
+class MaterialPad final : public DescribedComponent {
 public:
     explicit MaterialPad(ProcessorView& view);
 
@@ -22,12 +22,12 @@ public:
     void mouseDown(const juce::MouseEvent& event) override;
     void mouseDrag(const juce::MouseEvent& event) override;
     void mouseUp(const juce::MouseEvent& event) override;
-    void mouseMove(const juce::MouseEvent& event) override;
-    void mouseExit(const juce::MouseEvent& event) override;
+    void mouseMove(const juce::MouseEvent& event) override { hover(namedAt(event.position)); }
+    void mouseExit(const juce::MouseEvent&) override { hover(std::nullopt); }
     bool keyPressed(const juce::KeyPress& key) override;
     void focusGained(FocusChangeType) override { repaint(); }
     void focusLost(FocusChangeType) override;
-    std::unique_ptr<juce::AccessibilityHandler> createAccessibilityHandler() override;
+    juce::String description() const override;
 
 private:
     juce::Rectangle<float> map() const;
@@ -40,7 +40,6 @@ private:
     void endMix();
     void paintNamed(juce::Graphics& g) const;
     void hover(std::optional<std::size_t> named);
-    juce::String description() const;
 
     ProcessorView& view;
     PlanePlace shown{-1, -1};

@@ -8,6 +8,7 @@
 #include "Editor/ParameterColumns.h"
 #include "Editor/ParameterControl.h"
 
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <vector>
@@ -16,22 +17,102 @@ namespace idiophone {
 
 class MaterialPage final : public DeckPage {
 public:
-    explicit MaterialPage(ProcessorView& view);
+    explicit MaterialPage(ProcessorView& processor)
+        : DeckPage("Material"), view(processor), pad(processor),
+          list(parameterInfo(ParameterId::material), processor),
+          match(parameterInfo(ParameterId::matchLoudness), processor),
+          keep(parameterInfo(ParameterId::keepPitch), processor) {
+        for (const std::string_view group : {"Material figures", "Extent"})
+            for (const auto& info : parameterTable())
+                if (info.group == group)
+                    figures.push_back(std::make_unique<ParameterControl>(info, processor));
+        former.setTitle("Material before");
+        former.setTooltip("Swap with the material before the last change");
+        former.onClick = [this] { swapMaterials(); };
+        addAndMakeVisible(list);
+        addAndMakeVisible(pad);
+        addAndMakeVisible(former);
+        addAndMakeVisible(match);
+        addAndMakeVisible(keep);
+        for (auto& figure : figures)
+            addAndMakeVisible(*figure);
+        now = before = figuresNow();
+    }
 
-    void refresh() override;
-    void resized() override;
+    void refresh() override {
+        watch();
+        pad.refresh();
+        list.refresh();
+        match.refresh();
+        keep.refresh();
+        for (auto& figure : figures)
+            figure->refresh();
+    }
+    void resized() override {
+        auto area = getLocalBounds().reduced(padding);
+        auto left = area.removeFromLeft((area.getWidth() - gap) / 2);
+        area.removeFromLeft(gap);
+        auto top = left.removeFromTop(lineHeight);
+        former.setBounds(top.removeFromRight(46).reduced(0, 1));
+        list.setBounds(top.withTrimmedRight(6));
+        match.setBounds(left.removeFromBottom(lineHeight));
+        keep.setBounds(left.removeFromBottom(lineHeight));
+        left.removeFromTop(6);
+        pad.setBounds(left.withTrimmedBottom(4));
+        const int row =
+            std::clamp(area.getHeight() / static_cast<int>(figures.size()), lowestRow, highestRow);
+        for (auto& figure : figures)
+            figure->setBounds(area.removeFromTop(row));
+    }
 
     /// Swaps the current material with the one before the last change.
-    void swapMaterials();
+    void swapMaterials() {
+        watch();
+        const auto wanted = before;
+        before = now;
+        now = wanted;
+        for (const auto parameter : parameters)
+            view.beginParameterChange(parameter);
+        // Set the choice last, after its figures.
+        for (std::size_t i = 0; i < parameters.size(); ++i)
+            view.changeParameter(parameters[i], wanted[i]);
+        for (const auto parameter : parameters)
+            view.endParameterChange(parameter);
+        ticksUnchanged = settledTicks;
+        refresh();
+    }
 
 private:
+    /// Changes less than this many timer ticks apart count as one change.
+    static constexpr int settledTicks = 12;
+    static constexpr int gap = 16, lowestRow = 34, highestRow = 50, lineHeight = 26;
+
     static constexpr std::array parameters{
         ParameterId::youngsModulus,       ParameterId::density,    ParameterId::fluidDamping,
         ParameterId::viscoelasticDamping, ParameterId::lossFactor, ParameterId::material};
     using Figures = std::array<double, parameters.size()>;
 
-    Figures figuresNow() const;
-    void watch();
+    Figures figuresNow() const {
+        Figures result{};
+        std::ranges::transform(parameters, result.begin(),
+                               [&](ParameterId id) { return view.parameterValue(id); });
+        return result;
+    }
+    void watch() {
+        const auto fresh = figuresNow();
+        if (view.instrumentNumber() != instrument) {
+            instrument = view.instrumentNumber();
+            now = before = fresh;
+        } else if (fresh != now) {
+            if (ticksUnchanged >= settledTicks)
+                before = now;
+            now = fresh;
+            ticksUnchanged = 0;
+        } else {
+            ticksUnchanged = std::min(ticksUnchanged + 1, settledTicks);
+        }
+        former.setEnabled(before != now);
+    }
 
     ProcessorView& view;
     MaterialPad pad;

@@ -32,14 +32,17 @@ juce::String secondsText(double seconds) {
                             : threeFigures(seconds) + " s";
 }
 
+juce::String noteName(int midiNote) {
+    return juce::MidiMessage::getMidiNoteName(midiNote, true, true, 4);
+}
+
 juce::String noteText(double frequencyHz) {
     const double note = 69 + 12 * std::log2(frequencyHz / 440);
     if (!(note > -0.5 && note < 127.5))
         return {};
     const int nearest = juce::roundToInt(note);
     const int cents = juce::roundToInt(100 * (note - nearest));
-    return juce::MidiMessage::getMidiNoteName(nearest, true, true, 4) + (cents < 0 ? " " : " +") +
-           juce::String(cents) + " ct";
+    return noteName(nearest) + (cents < 0 ? " " : " +") + juce::String(cents) + " ct";
 }
 
 juce::String standingText(const ModeNow& mode) {
@@ -47,11 +50,11 @@ juce::String standingText(const ModeNow& mode) {
     case ModeStanding::sounding:
         return "sounding";
     case ModeStanding::beyondBudget:
-        return "left out by the budget";
+        return "excluded by the budget";
     case ModeStanding::outOfBand:
         return "outside the audible band";
     case ModeStanding::silenced:
-        return mode.isMuted ? "muted" : "silent beside the solo";
+        return mode.isMuted ? "muted" : "silenced by a solo";
     case ModeStanding::belowTau:
         break;
     }

@@ -17,6 +17,8 @@ double decibelsOf(double metresPerSecond);
 juce::String frequencyText(double frequencyHz);
 /// "85 ms", "2.31 s".
 juce::String secondsText(double seconds);
+/// "A4" for MIDI note 69.
+juce::String noteName(int midiNote);
 /// The nearest note and the deviation in cents: "A4 +3 ct", with A4 = 440 Hz. Empty outside the
 /// MIDI range.
 juce::String noteText(double frequencyHz);

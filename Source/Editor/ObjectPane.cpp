@@ -2,63 +2,65 @@
 
 #include "Editor/Look.h"
 
-#include <utility>
-#include <vector>
+#include <numeric>
 
 namespace idiophone {
-
-namespace {
-
-constexpr int playVelocity = 100;
-
-} // namespace
 
 ObjectPane::ObjectPane(ProcessorView& processor)
     : view(processor), object(processor),
       midi(processor,
            ProcessorView::CaptureKind::midi,
            "MIDI",
-           "What the bodies struck, as notes: drag it into the host, or click to save",
+           "The impacts of the bodies as notes. Drag into the host, or click to save.",
            "*.mid"),
-      impulses(processor,
-               ProcessorView::CaptureKind::impulses,
-               "Impulses",
-               "What the bodies struck, as a list for `idiophone render --impulses`: drag or click",
-               "*.jsonl") {
+      impulses(
+          processor,
+          ProcessorView::CaptureKind::impulses,
+          "Impulses",
+          "The impacts of the bodies as a list for `idiophone render --impulses`. Drag or click.",
+          "*.jsonl") {
     addAndMakeVisible(object);
-    addSwitch(vibration, "Show how what sounds vibrates, slowed down and exaggerated",
-              &ObjectView::setShowsVibration, true);
-    addSwitch(nodes, "Show where the strongest mode of what sounds stands still",
-              &ObjectView::setShowsNodes, false);
-    addSwitch(path, "Show where the keys strike", &ObjectView::setShowsPath, false);
-    addSwitch(draw, "Draw over an object to say where the keys strike it",
-              &ObjectView::setDrawsPath, false);
-    draw.onClick = [this, drawn = draw.onClick] {
-        drawn();
-        if (draw.getToggleState() && !path.getToggleState())
-            path.setToggleState(true, juce::sendNotification);
+    add(vibration, "Show the vibration of sounding objects, slowed down and exaggerated", true);
+    add(nodes, "Show where the strongest sounding mode does not move", true);
+    add(path, "Show where the keys strike", true);
+    add(draw, "Draw on an object to set where the keys strike it", true);
+    vibration.setToggleState(true, juce::dontSendNotification);
+    for (auto* button : {&vibration, &nodes, &path, &draw})
+        button->onClick = [this] { setLayers(); };
+    draw.onClick = [this] {
+        if (draw.getToggleState())
+            path.setToggleState(true, juce::dontSendNotification);
+        setLayers();
     };
-    addStageButton(play, "Set the bodies in motion, as a key in the middle does");
+    add(play, "Set the bodies in motion, as a key in the middle does", false);
     play.onClick = [this] {
+        constexpr int velocity = 100;
         const auto range = view.keyRange();
         const int note = (range.lowest + range.highest) / 2;
-        view.playNote(note, playVelocity);
+        view.playNote(note, velocity);
         view.playNote(note, 0);
     };
-    addStageButton(pause, "Hold the bodies where they are");
-    pause.setClickingTogglesState(true);
+    add(pause, "Stop the bodies where they are", true);
     pause.onClick = [this] { view.pauseStage(pause.getToggleState()); };
-    addStageButton(reset, "Take away what moves, and what was captured of it");
+    add(reset, "Remove the bodies and their captured impacts", false);
     reset.onClick = [this] { view.resetStage(); };
-    addChildComponent(midi);
-    addChildComponent(impulses);
+    addAndMakeVisible(midi);
+    addAndMakeVisible(impulses);
     showStageButtons();
 }
 
-void ObjectPane::addStageButton(juce::TextButton& button, const juce::String& tooltip) {
+void ObjectPane::add(juce::TextButton& button, const juce::String& tooltip, bool isSwitch) {
     button.setTitle(button.getButtonText());
     button.setTooltip(tooltip);
-    addChildComponent(button);
+    button.setClickingTogglesState(isSwitch);
+    addAndMakeVisible(button);
+}
+
+void ObjectPane::setLayers() {
+    object.setLayers({.vibration = vibration.getToggleState(),
+                      .nodes = nodes.getToggleState(),
+                      .path = path.getToggleState(),
+                      .drawsPath = draw.getToggleState()});
 }
 
 void ObjectPane::refresh() {
@@ -70,44 +72,28 @@ void ObjectPane::refresh() {
 
 /// On a stage, shows the stage's buttons instead of those of the strike path.
 void ObjectPane::showStageButtons() {
-    for (juce::Button* button :
-         std::initializer_list<juce::Button*>{&play, &pause, &reset, &midi, &impulses})
-        button->setVisible(object.isOnStage());
-    for (auto* button : {&path, &draw})
-        button->setVisible(!object.isOnStage());
+    for (auto* button : strip)
+        button->setVisible(button == &vibration || button == &nodes ||
+                           (button == &path || button == &draw) != object.isOnStage());
     resized();
 }
 
-void ObjectPane::addSwitch(juce::TextButton& button,
-                           const juce::String& tooltip,
-                           void (ObjectView::*change)(bool),
-                           bool on) {
-    button.setTitle(button.getButtonText());
-    button.setTooltip(tooltip);
-    button.setClickingTogglesState(true);
-    button.setToggleState(on, juce::dontSendNotification);
-    button.onClick = [this, &button, change] { (object.*change)(button.getToggleState()); };
-    addAndMakeVisible(button);
-}
-
 void ObjectPane::resized() {
-    constexpr int widestPadding = 18, leastPadding = 6, gap = 4;
+    constexpr int stripHeight = 28, maximumPadding = 18, minimumPadding = 6, gap = 4;
     auto area = getLocalBounds();
-    auto strip = area.removeFromTop(stripHeight).withTrimmedBottom(gap);
-    const juce::Font font = Look::textFont();
+    auto row = area.removeFromTop(stripHeight).withTrimmedBottom(gap);
     std::vector<std::pair<juce::Button*, int>> shown; // with the width of its text in pixels
-    int textWidth = 0;
-    for (juce::Button* button : std::initializer_list<juce::Button*>{
-             &vibration, &nodes, &path, &draw, &play, &pause, &reset, &midi, &impulses})
-        if (button->isVisible()) {
+    for (auto* button : strip)
+        if (button->isVisible())
             shown.emplace_back(button, juce::roundToInt(juce::GlyphArrangement::getStringWidth(
-                                           font, button->getButtonText())));
-            textWidth += shown.back().second + gap;
-        }
-    const int padding = juce::jlimit(leastPadding, widestPadding,
+                                           Look::textFont(), button->getButtonText())));
+    const int textWidth =
+        std::accumulate(shown.begin(), shown.end(), 0,
+                        [](int sum, const auto& each) { return sum + each.second + gap; });
+    const int padding = juce::jlimit(minimumPadding, maximumPadding,
                                      (getWidth() - textWidth) / static_cast<int>(shown.size()));
     for (const auto& [button, width] : shown)
-        button->setBounds(strip.removeFromLeft(width + padding + gap).withTrimmedRight(gap));
+        button->setBounds(row.removeFromLeft(width + padding + gap).withTrimmedRight(gap));
     object.setBounds(area);
 }
 

@@ -4,12 +4,12 @@
 #include "Editor/CaptureButton.h"
 #include "Editor/ObjectView.h"
 
+#include <vector>
+
 namespace idiophone {
 
 class ObjectPane final : public juce::Component {
 public:
-    static constexpr int stripHeight = 28;
-
     explicit ObjectPane(ProcessorView& processor);
 
     ObjectView& picture() { return object; }
@@ -19,12 +19,8 @@ public:
     void resized() override;
 
 private:
-    void addSwitch(juce::TextButton& button,
-                   const juce::String& tooltip,
-                   void (ObjectView::*change)(bool),
-                   bool on);
-
-    void addStageButton(juce::TextButton& button, const juce::String& tooltip);
+    void add(juce::TextButton& button, const juce::String& tooltip, bool isSwitch);
+    void setLayers();
     void showStageButtons();
 
     ProcessorView& view;
@@ -34,6 +30,8 @@ private:
     // Only on a stage.
     juce::TextButton play{"Play"}, pause{"Pause"}, reset{"Reset"};
     CaptureButton midi, impulses;
+    const std::vector<juce::TextButton*> strip{&vibration, &nodes, &path, &draw,    &play,
+                                               &pause,     &reset, &midi, &impulses};
 };
 
 } // namespace idiophone

@@ -1,6 +1,5 @@
 #include "Editor/ObjectScene.h"
 
-#include "Editor/BodyPlacement.h"
 #include "Editor/MaterialColour.h"
 #include "Geometry/ObjectMesh.h"
 
@@ -24,15 +23,6 @@ Eigen::AlignedBox3d boxOf(const ModalObject& object) {
     for (std::size_t i = 0; i + 2 < object.vertices.size(); i += 3)
         box.extend(Eigen::Vector3f(&object.vertices[i]).cast<double>());
     return box;
-}
-
-ScenePlace scenePlace(const Vector3d& vector) {
-    return {static_cast<float>(vector.x()), static_cast<float>(vector.y()),
-            static_cast<float>(vector.z())};
-}
-
-Vector3d vectorOf(const ScenePlace& place) {
-    return Eigen::Vector3f(place.data()).cast<double>();
 }
 
 /// The sides of the box, oriented outward.
@@ -113,7 +103,7 @@ ObjectScene::ObjectScene(const std::vector<ProcessorView::PlayedObject>& played,
                        .nearest = -depth / 2,
                        .farthest = depth / 2}};
     }
-    Eigen::Index facesLeft = mostFaces;
+    Eigen::Index facesLeft = maximumFaces;
     for (std::size_t i = 0; i < played.size(); ++i) {
         const auto& object = *played[i].object;
         const auto faces = static_cast<Eigen::Index>(object.faceCount());
@@ -131,7 +121,7 @@ ObjectScene::ObjectScene(const std::vector<ProcessorView::PlayedObject>& played,
 
     Eigen::AlignedBox3f box;
     for (const auto& corner : corners)
-        box.extend(Eigen::Vector3f(corner.place.data()));
+        box.extend(vectorOf(corner.place));
     reach = box.diagonal().norm() / 2;
     if (layout == Layout::stage)
         for (const auto& run : runs)
@@ -161,7 +151,8 @@ SurfaceQuery ObjectScene::surfaceOf(std::size_t firstVertex, std::size_t vertexC
     Mesh mesh{Eigen::MatrixXd(vertexCount, 3), Eigen::MatrixXi(vertexCount / 3, 3)};
     for (std::size_t i = 0; i < vertexCount; ++i) {
         const auto row = static_cast<Eigen::Index>(i);
-        mesh.vertices.row(row) = vectorOf(corners[firstVertex + i].place).transpose();
+        mesh.vertices.row(row) =
+            vectorOf(corners[firstVertex + i].place).cast<double>().transpose();
         mesh.faces(row / 3, row % 3) = static_cast<int>(i);
     }
     return SurfaceQuery(std::move(mesh));
@@ -173,12 +164,11 @@ void ObjectScene::addBox(SceneObject& run) {
         return;
     Eigen::AlignedBox3f box;
     for (const auto& corner : std::span(corners).subspan(run.firstVertex, run.vertexCount))
-        box.extend(Eigen::Vector3f(corner.place.data()));
+        box.extend(vectorOf(corner.place));
     run.radius = box.diagonal().norm() / 2;
-    for (int index = 0; index < 8; ++index) {
-        const auto corner = box.corner(static_cast<Eigen::AlignedBox3f::CornerType>(index));
-        boxCorners.push_back({corner.x(), corner.y(), corner.z()});
-    }
+    for (int index = 0; index < 8; ++index)
+        boxCorners.push_back(
+            scenePlace(box.corner(static_cast<Eigen::AlignedBox3f::CornerType>(index))));
 }
 
 Vector3d ObjectScene::Placement::inScene(const Vector3d& own) const {
@@ -208,17 +198,22 @@ std::vector<ScenePlace> ObjectScene::offsetsOf(std::size_t object,
     return offsets;
 }
 
+ScenePick ObjectScene::pickOf(std::size_t object, const Vector3d& hitMetres) const {
+    ScenePick pick{.object = object, .place = scenePlace(hitMetres)};
+    Eigen::Map<Vector3d>(pick.pointMetres.data()) = placements[object].onMesh(hitMetres);
+    return pick;
+}
+
 std::optional<ScenePick> ObjectScene::pick(const ScenePlace& origin,
                                            const ScenePlace& direction) const {
     if (!surface)
         return std::nullopt;
-    const auto hit = surface->firstHit(vectorOf(origin), vectorOf(direction));
+    const auto hit =
+        surface->firstHit(vectorOf(origin).cast<double>(), vectorOf(direction).cast<double>());
     if (!hit)
         return std::nullopt;
-    ScenePick pick{.object = objectOfFace[static_cast<std::size_t>(hit->face)]};
+    auto pick = pickOf(objectOfFace[static_cast<std::size_t>(hit->face)], hit->pointMetres);
     const auto& placement = placements[pick.object];
-    Eigen::Map<Vector3d>(pick.pointMetres.data()) = placement.onMesh(hit->pointMetres);
-    pick.place = scenePlace(hit->pointMetres);
     const double depth = placement.farthest - placement.nearest;
     pick.towardsPlayer =
         depth > 0 ? std::clamp((placement.farthest - hit->pointMetres.y()) / depth, 0.0, 1.0) : 1;
@@ -233,7 +228,7 @@ std::vector<ScenePlace> ObjectScene::outline(std::span<const BodyNow> bodies) co
         if (object >= runs.size() || runs[object].vertexCount == 0)
             continue;
         for (const auto& corner : std::span(boxCorners).subspan(firstBoxCorners[object], boxSize))
-            places.push_back(onStage(body, corner));
+            places.push_back(scenePlace(poseOf(body) * vectorOf(corner)));
     }
     return places;
 }
@@ -248,16 +243,15 @@ std::optional<ScenePick> ObjectScene::pick(const ScenePlace& origin,
         const auto object = static_cast<std::size_t>(body.object);
         if (object >= surfaces.size())
             continue;
-        const Vector3d start = vectorOf(onBody(body, origin));
-        const auto hit =
-            surfaces[object].firstHit(start, vectorOf(turnedBack(body, direction)), boxesLeft);
+        const auto pose = poseOf(body), toBody = pose.inverse();
+        const Vector3d start = (toBody * vectorOf(origin)).cast<double>();
+        const Vector3d towards = (toBody.linear() * vectorOf(direction)).cast<double>();
+        const auto hit = surfaces[object].firstHit(start, towards, boxesLeft);
         if (!hit || !((hit->pointMetres - start).norm() < nearestMetres))
             continue;
         nearestMetres = (hit->pointMetres - start).norm();
-        nearest = ScenePick{.object = object};
-        Eigen::Map<Vector3d>(nearest->pointMetres.data()) =
-            placements[object].onMesh(hit->pointMetres);
-        nearest->place = onStage(body, scenePlace(hit->pointMetres));
+        nearest = pickOf(object, hit->pointMetres);
+        nearest->place = scenePlace(pose * vectorOf(nearest->place));
         nearest->towardsPlayer = stageStrength;
     }
     return nearest;

@@ -19,6 +19,22 @@ namespace idiophone {
 /// Metres; x points right, y away from the player, z up.
 using ScenePlace = std::array<float, 3>;
 
+template <class Vector>
+ScenePlace scenePlace(const Eigen::MatrixBase<Vector>& vector) {
+    const Eigen::Vector3f place = vector.template cast<float>();
+    return {place.x(), place.y(), place.z()};
+}
+
+inline Eigen::Vector3f vectorOf(const ScenePlace& place) {
+    return Eigen::Vector3f(place.data());
+}
+
+/// From the object's coordinates, scaled to its size, to the stage.
+inline Eigen::Isometry3f poseOf(const BodyNow& body) {
+    return Eigen::Translation3f(Eigen::Vector3f(body.originMetres.data())) *
+           Eigen::Quaternionf(body.turn.data());
+}
+
 struct SceneVertex {
     ScenePlace place;
     std::array<float, 3> normal; ///< unit, or zero
@@ -45,7 +61,7 @@ class ObjectScene {
 public:
     /// Limit on the faces of all objects together; objects beyond it are drawn as boxes. A face
     /// takes about 450 bytes, and the maximum takes a few seconds to build.
-    static constexpr Eigen::Index mostFaces = 1'000'000;
+    static constexpr Eigen::Index maximumFaces = 1'000'000;
 
     enum class Layout {
         keyboard, ///< several objects, or a single one
@@ -98,6 +114,7 @@ private:
 
     void addFaces(const ModalObject& object, const Mesh& mesh, const Placement& placement);
     void addBox(SceneObject& run);
+    ScenePick pickOf(std::size_t object, const Eigen::Vector3d& hitMetres) const;
     SurfaceQuery surfaceOf(std::size_t firstVertex, std::size_t vertexCount) const;
 
     std::vector<SceneVertex> corners;

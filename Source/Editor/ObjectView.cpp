@@ -1,6 +1,5 @@
 #include "Editor/ObjectView.h"
 
-#include "Editor/BodyPlacement.h"
 #include "Editor/Look.h"
 #include "Editor/OpenGlSupport.h"
 
@@ -8,22 +7,19 @@
 #include <cmath>
 #include <juce_audio_basics/juce_audio_basics.h>
 #include <new>
-#include <numbers>
 
 namespace idiophone {
 namespace {
 
 constexpr int framesPerSecond = 30;
-constexpr float glowFallPerFrame = 0.85f, faintestGlow = 0.01f;
 constexpr int ticksToWait = 50;       // ticks of the window's timer before OpenGL counts as missing
-constexpr float exaggeration = 0.05f; // share of the object's radius, at the largest amplitude
-constexpr double modeSwingHz = 1.2;
-constexpr float glowShare = 0.02f;  // share of the scene's radius
-constexpr float darkDecibels = -60; // an object at or below this level is not lit
+constexpr float glowFraction = 0.02f; // of the scene's radius
+constexpr float darkDecibels = -60;   // an object at or below this level is not lit
+constexpr float pixelsToDrag = 4;
 
 } // namespace
 
-ObjectView::ObjectView(ProcessorView& processor) : view(processor) {
+ObjectView::ObjectView(ProcessorView& processor) : view(processor), hand(processor) {
     setTitle("Instrument");
     setDescription("Click to strike, drag to scrape; drag beside it to turn, wheel to zoom");
     setOpaque(true);
@@ -42,7 +38,7 @@ ObjectView::ObjectView(ProcessorView& processor) : view(processor) {
 }
 
 ObjectView::~ObjectView() {
-    lift();
+    hand.lift();
     context.detach();
 }
 
@@ -55,7 +51,7 @@ void ObjectView::refresh() {
              ++ticksWithoutContext == ticksToWait)
         repaint();
     if (const int playing = view.instrumentNumber(); playing != shownInstrument) {
-        lift();
+        hand.lift();
         shownInstrument = playing;
         newScene();
     }
@@ -76,31 +72,12 @@ void ObjectView::newScene() {
     }
     if (!scene->empty())
         camera.lookAt(bodies.empty() ? scene->outline() : scene->outline(bodies));
-    glowMetres = glowShare * scene->radius();
-    path.paths.clear();
-    const bool keysLieAlongPath = view.keyLayout() == KeyLayout::zones;
-    for (std::size_t i = 0; i < played.size() && !onStage; ++i) {
-        PathOverlay::Path line;
-        for (const auto& place : view.struckPlaces(i))
-            line.places.push_back(scene->placeOf(i, place));
-        if (keysLieAlongPath && played[i].highestNote > played[i].lowestNote) {
-            line.lowestKey =
-                juce::MidiMessage::getMidiNoteName(played[i].lowestNote, true, true, 4);
-            line.highestKey =
-                juce::MidiMessage::getMidiNoteName(played[i].highestNote, true, true, 4);
-        }
-        path.paths.push_back(std::move(line));
-    }
-    drawn.clear();
-    drawnOn.reset();
-    path.drawn.clear();
-    glow = 0;
+    paths.reset();
+    if (!onStage)
+        paths.showStruckPlaces(view, played, *scene);
+    hand.darken();
     lights.clear();
-    slowMotion.reset();
-    surfaceMotions.clear();
-    shapeOffsets.reset();
-    shownMode.reset();
-    watched = 0;
+    vibration.reset(played);
     cameraMoved();
 }
 
@@ -114,12 +91,8 @@ void ObjectView::showSound(const SoundFrame& frame) {
                 loudness[object],
                 1 - juce::Decibels::gainToDecibels(slot.amplitude, darkDecibels) / darkDecibels);
     const bool wasMoving = moves();
-    if (frame.object >= 0) {
-        if (static_cast<std::size_t>(frame.object) != watched)
-            slowMotion.reset();
-        watched = static_cast<std::size_t>(frame.object);
-        slowMotion.follow(frame.modes);
-    }
+    if (frame.object >= 0)
+        vibration.follow(static_cast<std::size_t>(frame.object), frame.modes);
     const bool bodiesMoved = onStage && frame.bodies != bodies;
     if (bodiesMoved)
         bodies = frame.bodies;
@@ -130,84 +103,17 @@ void ObjectView::showSound(const SoundFrame& frame) {
 }
 
 void ObjectView::showMode(std::optional<std::size_t> mode) {
-    if (mode == shownMode)
-        return;
-    shownMode = mode;
-    shownModePhase = std::numbers::pi / 2;
+    vibration.showMode(mode);
     wake();
 }
 
-void ObjectView::setShowsVibration(bool shows) {
-    showsVibration = shows;
-    wake();
-}
-
-void ObjectView::setShowsNodes(bool shows) {
-    showsNodes = shows;
-    wake();
-}
-
-void ObjectView::setShowsPath(bool shows) {
-    showsPath = shows;
+void ObjectView::setLayers(const Layers& wanted) {
+    if (wanted.drawsPath != layers.drawsPath)
+        hand.lift();
+    layers = wanted;
+    vibration.setShown(layers.vibration, layers.nodes);
     repaint();
-}
-
-void ObjectView::setDrawsPath(bool draws) {
-    drawsPath = draws;
-    lift();
-}
-
-std::optional<std::size_t> ObjectView::modeWithNodes() const {
-    if (shownMode || !showsNodes)
-        return shownMode;
-    const auto swings = slowMotion.swings();
-    const auto strongest = std::ranges::max_element(
-        swings, {}, [](const auto& swing) { return std::abs(swing.displacement); });
-    return strongest == swings.end() ? 0 : strongest->mode;
-}
-
-const SurfaceMotion* ObjectView::motionOf(std::size_t object) {
-    if (object >= played.size())
-        return nullptr;
-    return &surfaceMotions.try_emplace(object, played[object].object).first->second;
-}
-
-std::optional<SceneMotion> ObjectView::sceneMotion() {
-    const auto mode = modeWithNodes();
-    if (!mode && (!showsVibration || slowMotion.atRest()))
-        return std::nullopt;
-    if (watched >= played.size())
-        return std::nullopt;
-    const auto& box = scene->objects()[watched];
-    if (box.isBox) // too many faces to animate
-        return std::nullopt;
-    const auto* motion = motionOf(watched);
-    if (mode && *mode >= motion->modeCount())
-        return std::nullopt;
-    SceneMotion result{.object = watched, .offsets = {}, .scale = exaggeration * box.radius};
-    std::vector<float> displacements(played[watched].object->vertices.size());
-    if (mode) {
-        if (shapeOffsets == nullptr || shapeOf != std::pair(watched, *mode)) {
-            motion->add(*mode, 1, displacements);
-            shapeOf = {watched, *mode};
-            shapeOffsets = std::make_shared<const std::vector<ScenePlace>>(
-                scene->offsetsOf(watched, displacements));
-        }
-        result.offsets = shapeOffsets;
-        result.scale *= static_cast<float>(std::sin(shownModePhase));
-        result.showsNodes = true;
-        return result;
-    }
-    for (const auto& swing : slowMotion.swings())
-        motion->add(swing.mode, swing.displacement, displacements);
-    result.offsets =
-        std::make_shared<const std::vector<ScenePlace>>(scene->offsetsOf(watched, displacements));
-    return result;
-}
-
-bool ObjectView::moves() const {
-    const bool swings = !slowMotion.atRest() && (showsVibration || showsNodes);
-    return glow > 0 || shownMode || swings;
+    wake();
 }
 
 void ObjectView::wake() {
@@ -218,20 +124,15 @@ void ObjectView::wake() {
 }
 
 void ObjectView::timerCallback() {
-    glow = scraping ? glow : glow * glowFallPerFrame;
-    if (glow < faintestGlow)
-        glow = 0;
-    slowMotion.advance(1.0 / framesPerSecond);
-    shownModePhase =
-        std::remainder(shownModePhase + 2 * std::numbers::pi * modeSwingHz / framesPerSecond,
-                       2 * std::numbers::pi);
+    hand.fade();
+    vibration.advance(1.0 / framesPerSecond);
     if (!moves() || !isShowing())
         stopTimer();
     redraw();
 }
 
 void ObjectView::cameraMoved() {
-    if (showsPath || !drawn.empty())
+    if (layers.path || paths.isDrawing())
         repaint();
     redraw();
 }
@@ -240,41 +141,30 @@ void ObjectView::redraw() {
     std::optional<std::vector<SceneBody>> drawnBodies;
     if (onStage) {
         drawnBodies.emplace();
-        for (const auto& body : bodies)
-            drawnBodies->push_back(
-                {.object = static_cast<std::size_t>(body.object), .pose = matrixOf(body)});
+        for (const auto& body : bodies) {
+            SceneBody next{.object = static_cast<std::size_t>(body.object)};
+            Eigen::Map<Eigen::Matrix4f>(next.pose.data()) = poseOf(body).matrix();
+            drawnBodies->push_back(next);
+        }
     }
     renderer.show({.scene = scene,
                    .viewProjection = camera.viewProjection(aspect()),
                    .eye = camera.eye(aspect()),
                    .background = colourOf(*this, LookColour::panel),
                    .accent = colourOf(*this, LookColour::accent),
-                   .glowPlace = glowPlace,
-                   .glow = glow,
-                   .glowMetres = glowMetres,
+                   .glowPlace = hand.glowPlace(),
+                   .glow = hand.glow(),
+                   .glowMetres = glowFraction * scene->radius(),
                    .lights = lights,
-                   .motion = scene == nullptr || scene->empty() ? std::nullopt : sceneMotion(),
+                   .motion = scene->empty() ? std::nullopt : vibration.motionIn(*scene),
                    .bodies = std::move(drawnBodies)});
     context.triggerRepaint();
 }
 
-void ObjectView::resized() {
-    cameraMoved();
-}
-
-void ObjectView::lookAndFeelChanged() {
-    cameraMoved();
-}
-
 void ObjectView::paint(juce::Graphics& g) {
     if (renderer.works()) {
-        if (scene != nullptr && !scene->empty() && (showsPath || !drawn.empty())) {
-            auto shown = path;
-            if (!showsPath)
-                shown.paths.clear();
-            shown.paint(g, getLocalBounds().toFloat(), *scene, camera,
-                        colourOf(*this, LookColour::accent), colourOf(*this, LookColour::text));
-        }
+        if (!scene->empty())
+            paths.paint(g, *this, *scene, camera, layers.path);
         return;
     }
     g.fillAll(colourOf(*this, LookColour::panel));
@@ -284,6 +174,115 @@ void ObjectView::paint(juce::Graphics& g) {
     g.setFont(Look::textFont());
     g.drawFittedText("There is no OpenGL here to draw the instrument with. Everything else works.",
                      getLocalBounds().reduced(12), juce::Justification::centred, 3);
+}
+
+// Mouse input.
+
+float ObjectView::aspect() const {
+    return static_cast<float>(juce::jmax(1, getWidth())) /
+           static_cast<float>(juce::jmax(1, getHeight()));
+}
+
+std::optional<ScenePick> ObjectView::pickAt(juce::Point<float> position) const {
+    if (getLocalBounds().isEmpty())
+        return std::nullopt;
+    const float x = 2 * position.x / static_cast<float>(getWidth()) - 1;
+    const float y = 1 - 2 * position.y / static_cast<float>(getHeight());
+    const auto ray = camera.rayThrough(x, y, aspect());
+    return onStage ? scene->pick(ray.origin, ray.direction, bodies)
+                   : scene->pick(ray.origin, ray.direction);
+}
+
+/// Returns the note that sets an object in motion: its own key, or else one in the middle.
+int ObjectView::noteFor(std::size_t object) const {
+    const auto& own = played[object];
+    const auto range = view.keyRange();
+    return own.lowestNote == own.highestNote ? own.lowestNote : (range.lowest + range.highest) / 2;
+}
+
+std::optional<ScenePick> ObjectView::strikeAt(juce::Point<float> position, double pixelsPerSecond) {
+    hand.lift();
+    const auto pick = pickAt(position);
+    if (pick) {
+        hand.strike(*pick, pixelsPerSecond,
+                    onStage ? std::optional(noteFor(pick->object)) : std::nullopt);
+        wake();
+    }
+    return pick;
+}
+
+void ObjectView::drawTo(juce::Point<float> position) {
+    if (const auto pick = pickAt(position)) {
+        paths.drawTo(*pick);
+        repaint();
+    }
+}
+
+void ObjectView::mouseMove(const juce::MouseEvent& event) {
+    const double seconds = (event.eventTime - cameAt).inSeconds();
+    if (seconds > 0)
+        cameAtPixelsPerSecond = double(event.position.getDistanceFrom(cameFrom)) / seconds;
+    cameFrom = event.position;
+    cameAt = event.eventTime;
+}
+
+void ObjectView::mouseDown(const juce::MouseEvent& event) {
+    if (event.mods.isLeftButtonDown() && layers.drawsPath && !onStage) {
+        drawTo(event.position);
+        if (paths.isDrawing())
+            return;
+    } else if (event.mods.isLeftButtonDown()) {
+        // If the mouse stood still before the click, its speed is 0.
+        const bool justCame = (event.eventTime - cameAt).inMilliseconds() < 60;
+        if (strikeAt(event.position, justCame ? cameAtPixelsPerSecond : 0))
+            return;
+    }
+    turningFrom = event.position;
+}
+
+void ObjectView::mouseDrag(const juce::MouseEvent& event) {
+    if (paths.isDrawing())
+        return drawTo(event.position);
+    if (!turningFrom) {
+        if (onStage || layers.drawsPath) // a path may belong to an instrument that is gone
+            return;
+        if (hand.isScraping() || event.getDistanceFromDragStart() > pixelsToDrag) {
+            hand.dragTo(pickAt(event.position), event.isPressureValid()
+                                                    ? double(event.pressure)
+                                                    : ObjectHand::defaultPressure);
+            wake();
+        }
+        return;
+    }
+    const auto moved =
+        (event.position - *turningFrom) / static_cast<float>(juce::jmax(1, getHeight()));
+    turningFrom = event.position;
+    if (event.mods.isShiftDown() || event.mods.isMiddleButtonDown())
+        camera.moveBy(moved.x, -moved.y);
+    else
+        camera.turnBy(-3 * moved.x, 3 * moved.y);
+    cameraMoved();
+}
+
+void ObjectView::mouseUp(const juce::MouseEvent&) {
+    if (paths.isDrawing()) {
+        paths.finishDrawing(view);
+        repaint();
+    }
+    hand.lift();
+    turningFrom.reset();
+}
+
+void ObjectView::mouseDoubleClick(const juce::MouseEvent& event) {
+    if (pickAt(event.position))
+        return;
+    camera.reset();
+    cameraMoved();
+}
+
+void ObjectView::mouseWheelMove(const juce::MouseEvent&, const juce::MouseWheelDetails& wheel) {
+    camera.zoomBy(std::exp(0.8f * wheel.deltaY));
+    cameraMoved();
 }
 
 } // namespace idiophone

@@ -18,14 +18,6 @@ constexpr float lowestElevation = 0.03f, highestElevation = 1.5f;
 
 using Eigen::Vector3f;
 
-Vector3f vectorOf(const ScenePlace& place) {
-    return Vector3f(place.data());
-}
-
-ScenePlace scenePlace(const Vector3f& vector) {
-    return {vector.x(), vector.y(), vector.z()};
-}
-
 } // namespace
 
 void OrbitCamera::lookAt(std::vector<ScenePlace> points) {

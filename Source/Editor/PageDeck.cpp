@@ -3,13 +3,12 @@
 #include "Editor/Look.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 
 namespace idiophone {
 namespace {
 
-constexpr int widestTab = 130, leastTabGap = 8;
+constexpr int widestTab = 130, minimumTabGap = 8;
 
 } // namespace
 
@@ -25,8 +24,7 @@ public:
     static juce::Font shownFont() { return Look::headingFont(13.5f); }
 
     int textWidth() const {
-        return juce::roundToInt(
-            std::ceil(juce::GlyphArrangement::getStringWidth(shownFont(), getButtonText())));
+        return juce::GlyphArrangement::getStringWidthInt(shownFont(), getButtonText());
     }
 
     void paintButton(juce::Graphics& g, bool highlighted, bool) override {
@@ -46,15 +44,15 @@ public:
 PageDeck::~PageDeck() = default;
 
 /// Equal widths if the longest name fits, else widths by the length of the names.
-std::vector<int> PageDeck::tabWidths(int room) const {
+std::vector<int> PageDeck::tabWidths(int available) const {
     std::vector<int> widths;
     for (const auto& tab : tabs)
         widths.push_back(tab->textWidth());
     const int longest = *std::ranges::max_element(widths);
-    const int spare = (room - std::accumulate(widths.begin(), widths.end(), 0)) / pageCount();
-    const bool fits = room / pageCount() >= longest + leastTabGap;
+    const int spare = (available - std::accumulate(widths.begin(), widths.end(), 0)) / pageCount();
+    const bool fits = available / pageCount() >= longest + minimumTabGap;
     for (auto& width : widths)
-        width = fits ? std::min(room / pageCount(), widestTab) : width + spare;
+        width = fits ? std::min(available / pageCount(), widestTab) : width + spare;
     return widths;
 }
 
@@ -87,7 +85,7 @@ void PageDeck::showSound(const SoundFrame& frame) {
 }
 
 int PageDeck::widthFor(int count) {
-    return count * DeckPage::leastWidth + (count - 1) * gap;
+    return count * DeckPage::minimumWidth + (count - 1) * gap;
 }
 
 void PageDeck::show(int page) {
@@ -105,7 +103,7 @@ void PageDeck::resized() {
 void PageDeck::arrange() {
     if (pages.empty())
         return;
-    shown = std::clamp((getWidth() + gap) / (DeckPage::leastWidth + gap), 1, pageCount());
+    shown = std::clamp((getWidth() + gap) / (DeckPage::minimumWidth + gap), 1, pageCount());
     first =
         std::clamp(first, std::max(chosen - shown + 1, 0), std::min(chosen, pageCount() - shown));
     auto area = getLocalBounds();
@@ -123,7 +121,7 @@ void PageDeck::arrange() {
             continue;
         backs.push_back(area.withX(area.getX() + (i - first) * (width + gap)).withWidth(width));
         pages[index]->setBounds(backs.back().withSizeKeepingCentre(
-            std::min(width, DeckPage::mostWidth), backs.back().getHeight()));
+            std::min(width, DeckPage::maximumWidth), backs.back().getHeight()));
         pages[index]->refresh();
     }
     repaint();

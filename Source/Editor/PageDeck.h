@@ -12,7 +12,7 @@ namespace idiophone {
 class PageDeck final : public juce::Component {
 public:
     static constexpr int tabHeight = 30, gap = 8;
-    static constexpr int leastHeight = tabHeight + DeckPage::leastHeight;
+    static constexpr int minimumHeight = tabHeight + DeckPage::minimumHeight;
 
     PageDeck();
     ~PageDeck() override;
@@ -36,7 +36,7 @@ private:
     class Tab;
 
     void arrange();
-    std::vector<int> tabWidths(int room) const;
+    std::vector<int> tabWidths(int available) const;
 
     std::vector<std::unique_ptr<DeckPage>> pages;
     std::vector<std::unique_ptr<Tab>> tabs;

@@ -1,8 +1,11 @@
 // Groups of parameters under headings, in two columns.
 #pragma once
 
+#include "Editor/Look.h"
 #include "Editor/ParameterControl.h"
+#include "Editor/Utf8.h"
 
+#include <algorithm>
 #include <memory>
 #include <span>
 #include <string_view>
@@ -19,13 +22,61 @@ struct ParameterGroup {
 
 class ParameterColumns final : public juce::Component {
 public:
-    ParameterColumns(std::span<const ParameterGroup> groups, ProcessorView& view);
+    ParameterColumns(std::span<const ParameterGroup> wanted, ProcessorView& view) {
+        for (const auto& [name, column, first] : wanted) {
+            auto order = first;
+            for (const auto& info : parameterTable())
+                if (info.group == name && std::ranges::find(first, info.parameter) == first.end())
+                    order.push_back(info.parameter);
+            Group group{.title = fromUtf8(name), .column = column, .controls = {}, .heading = {}};
+            for (const auto parameter : order) {
+                group.controls.push_back(
+                    std::make_unique<ParameterControl>(parameterInfo(parameter), view));
+                addAndMakeVisible(*group.controls.back());
+            }
+            groups.push_back(std::move(group));
+        }
+    }
 
-    void refresh();
-    void paint(juce::Graphics& g) override;
-    void resized() override;
+    void refresh() {
+        for (auto& group : groups)
+            for (auto& control : group.controls)
+                control->refresh();
+    }
+    void paint(juce::Graphics& g) override {
+        g.setColour(colourOf(*this, LookColour::text));
+        g.setFont(Look::headingFont());
+        for (const auto& group : groups)
+            g.drawText(group.title, group.heading, juce::Justification::centredLeft);
+    }
+    void resized() override {
+        const auto inside = getLocalBounds();
+        const int width = (inside.getWidth() - (columnCount - 1) * gap) / columnCount;
+        for (int column = 0; column < columnCount; ++column) {
+            int headings = 0, rows = 0;
+            for (const auto& group : groups)
+                if (group.column == column) {
+                    ++headings;
+                    rows += static_cast<int>(group.controls.size());
+                }
+            const int rowHeight =
+                std::clamp((inside.getHeight() - headings * headingHeight) / std::max(rows, 1),
+                           lowestRow, highestRow);
+            auto area = inside.withX(inside.getX() + column * (width + gap)).withWidth(width);
+            for (auto& group : groups) {
+                if (group.column != column)
+                    continue;
+                group.heading = area.removeFromTop(headingHeight);
+                for (auto& control : group.controls)
+                    control->setBounds(area.removeFromTop(rowHeight));
+            }
+        }
+    }
 
 private:
+    static constexpr int columnCount = 2, gap = 16, headingHeight = 20;
+    static constexpr int lowestRow = 30, highestRow = 52;
+
     struct Group {
         juce::String title;
         int column;

@@ -1,13 +1,11 @@
 #include "Editor/ParameterControl.h"
 
-#include "Editor/LeftClicked.h"
+#include "Editor/KeyedSlider.h"
 #include "Editor/Look.h"
 #include "Editor/ParameterChange.h"
 #include "Editor/ParameterMenu.h"
 #include "Editor/Utf8.h"
 
-#include <algorithm>
-#include <functional>
 #include <limits>
 #include <utility>
 
@@ -17,73 +15,10 @@ namespace {
 /// Why a parameter has no effect on the current sound.
 juce::String idleSentence(ParameterId parameter) {
     return parameter == ParameterId::keepPitch ? "No key that plays has a pitch to keep"
-                                               : "The objects would have to be analysed anew";
+                                               : "The objects need a new analysis";
 }
 
 constexpr float markWidth = 11; ///< width of the controller's mark and its gap
-
-// The slider's range in the parameter's unit. Steps of mouse wheel and arrow keys are proportional.
-juce::NormalisableRange<double> rangeOf(const ParameterInfo& info) {
-    const auto* row = &info; // rows of the table are never destroyed
-    return {info.minimum, info.maximum,
-            [row](double, double, double place) { return row->fromNormalised(place); },
-            [row](double, double, double value) { return row->toNormalised(value); },
-            [row](double, double, double value) { return row->clamped(value); }};
-}
-
-/// A slider with keys: arrows and page keys move it by shares of its length, Shift makes arrow
-/// steps smaller. Return opens the text field.
-class KeyedSlider final : public LeftClicked<juce::Slider> {
-public:
-    explicit KeyedSlider(const ParameterInfo& row)
-        : LeftClicked(juce::Slider::LinearHorizontal, juce::Slider::NoTextBox), info(row) {
-        setWantsKeyboardFocus(true);
-        // After a click the computer's keys keep playing notes.
-        setMouseClickGrabsKeyboardFocus(false);
-    }
-
-    std::function<void()> onReturn;
-
-    bool keyPressed(const juce::KeyPress& key) override {
-        if (key.isKeyCode(juce::KeyPress::returnKey)) {
-            onReturn();
-            return true;
-        }
-        const double from = valueToProportionOfLength(getValue());
-        if (key.isKeyCode(juce::KeyPress::homeKey))
-            return moveTo(0);
-        if (key.isKeyCode(juce::KeyPress::endKey))
-            return moveTo(1);
-        const double far = key.getModifiers().isShiftDown() ? shiftStep : step;
-        if (key.isKeyCode(juce::KeyPress::rightKey) || key.isKeyCode(juce::KeyPress::upKey))
-            return moveTo(from + least(far));
-        if (key.isKeyCode(juce::KeyPress::leftKey) || key.isKeyCode(juce::KeyPress::downKey))
-            return moveTo(from - least(far));
-        if (key.isKeyCode(juce::KeyPress::pageUpKey))
-            return moveTo(from + least(pageStep));
-        if (key.isKeyCode(juce::KeyPress::pageDownKey))
-            return moveTo(from - least(pageStep));
-        return false;
-    }
-
-private:
-    static constexpr double shiftStep = 0.001, step = 0.01, pageStep = 0.1;
-
-    /// Whole numbers move by at least 1.
-    double least(double share) const {
-        return info.scale == ParameterScale::steps
-                   ? std::max(share, 1 / (info.maximum - info.minimum))
-                   : share;
-    }
-
-    bool moveTo(double share) {
-        setValue(proportionOfLengthToValue(std::clamp(share, 0.0, 1.0)),
-                 juce::sendNotificationSync);
-        return true;
-    }
-
-    const ParameterInfo& info;
-};
 
 } // namespace
 
@@ -115,8 +50,6 @@ void ParameterControl::makeSlider() {
     keyed->onReturn = [this] { value.showEditor(); };
     slider = std::move(keyed);
     slider->setTitle(getTitle());
-    slider->setNormalisableRange(rangeOf(info));
-    slider->setDoubleClickReturnValue(true, info.defaultValue);
     slider->setTooltip(parameterTooltip(info));
     slider->textFromValueFunction = [this](double number) {
         return fromUtf8(formatParameter(info, number));

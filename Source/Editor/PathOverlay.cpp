@@ -1,13 +1,16 @@
 #include "Editor/PathOverlay.h"
 
 #include "Editor/Look.h"
+#include "Editor/ModeText.h"
 
 #include <cmath>
+#include <utility>
 
 namespace idiophone {
 namespace {
 
 constexpr float hiddenAlpha = 0.3f;
+constexpr std::size_t maximumPathPoints = 500;
 
 struct Seen {
     juce::Point<float> at;
@@ -15,16 +18,9 @@ struct Seen {
 };
 
 bool isHidden(const ObjectScene& scene, const ScenePlace& eye, const ScenePlace& place) {
-    ScenePlace direction{};
-    for (std::size_t axis = 0; axis < 3; ++axis)
-        direction[axis] = place[axis] - eye[axis];
-    const auto hit = scene.pick(eye, direction);
-    if (!hit)
-        return false;
-    const auto distance = [&](const ScenePlace& to) {
-        return std::hypot(to[0] - eye[0], to[1] - eye[1], to[2] - eye[2]);
-    };
-    return distance(hit->place) < distance(place) - 0.01f * scene.radius();
+    const Eigen::Vector3f from = vectorOf(eye), sight = vectorOf(place) - from;
+    const auto hit = scene.pick(eye, scenePlace(sight));
+    return hit && (vectorOf(hit->place) - from).norm() < sight.norm() - 0.01f * scene.radius();
 }
 
 void paintLine(juce::Graphics& g, const std::vector<Seen>& seen, juce::Colour colour, float width) {
@@ -47,29 +43,62 @@ void paintKey(juce::Graphics& g, const Seen& seen, const juce::String& key, juce
 
 } // namespace
 
+void PathOverlay::showStruckPlaces(const ProcessorView& view,
+                                   const std::vector<ProcessorView::PlayedObject>& played,
+                                   const ObjectScene& scene) {
+    const bool keysLieAlongPath = view.keyLayout() == KeyLayout::zones;
+    for (std::size_t i = 0; i < played.size(); ++i) {
+        Path path;
+        for (const auto& place : view.struckPlaces(i))
+            path.places.push_back(scene.placeOf(i, place));
+        if (keysLieAlongPath && played[i].highestNote > played[i].lowestNote) {
+            path.lowestKey = noteName(played[i].lowestNote);
+            path.highestKey = noteName(played[i].highestNote);
+        }
+        paths.push_back(std::move(path));
+    }
+}
+
+void PathOverlay::drawTo(const ScenePick& pick) {
+    if ((drawnOn && *drawnOn != pick.object) || drawn.size() >= maximumPathPoints)
+        return;
+    drawnOn = pick.object;
+    drawn.push_back(pick.place);
+    drawnMetres.push_back(pick.pointMetres);
+}
+
+void PathOverlay::finishDrawing(ProcessorView& view) {
+    if (drawnOn && drawn.size() > 1)
+        view.setStrikePath(*drawnOn, drawnMetres);
+    drawn.clear();
+    drawnMetres.clear();
+    drawnOn.reset();
+}
+
 void PathOverlay::paint(juce::Graphics& g,
-                        juce::Rectangle<float> area,
+                        const juce::Component& component,
                         const ObjectScene& scene,
                         const OrbitCamera& camera,
-                        juce::Colour colour,
-                        juce::Colour textColour) const {
+                        bool showsStruckPlaces) const {
+    const auto colour = colourOf(component, LookColour::accent);
+    const auto textColour = colourOf(component, LookColour::text);
+    const auto area = component.getLocalBounds().toFloat();
     const float aspect = area.getWidth() / std::max(area.getHeight(), 1.0f);
     const auto eye = camera.eye(aspect);
     const auto allSeen = [&](const std::vector<ScenePlace>& places) {
         std::vector<Seen> seen;
         for (const auto& place : places) {
             const auto [x, y] = camera.seenAt(place, aspect);
-            seen.push_back({.at = {area.getX() + (x + 1) / 2 * area.getWidth(),
-                                   area.getY() + (1 - y) / 2 * area.getHeight()},
+            seen.push_back({.at = {(x + 1) / 2 * area.getWidth(), (1 - y) / 2 * area.getHeight()},
                             .hidden = isHidden(scene, eye, place)});
         }
         return seen;
     };
     g.setFont(Look::headingFont());
     for (const auto& [places, lowestKey, highestKey] : paths) {
-        const auto seen = allSeen(places);
-        if (seen.empty())
+        if (!showsStruckPlaces || places.empty())
             continue;
+        const auto seen = allSeen(places);
         paintLine(g, seen, colour, 2);
         paintEnd(g, seen.front(), colour);
         paintEnd(g, seen.back(), colour);

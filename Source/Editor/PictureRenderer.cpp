@@ -74,16 +74,6 @@ void main()
 
 constexpr std::array<float, 16> asLaidOut{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
 
-juce::String translated(const char* shader, bool isVertexShader) {
-    return isVertexShader ? juce::OpenGLHelpers::translateVertexShaderToV3(shader)
-                          : juce::OpenGLHelpers::translateFragmentShaderToV3(shader);
-}
-
-void clear(juce::Colour colour) {
-    juce::OpenGLHelpers::clear(colour);
-    glClear(GL_DEPTH_BUFFER_BIT);
-}
-
 } // namespace
 
 void PictureRenderer::show(const SceneFrame& next) {
@@ -93,8 +83,9 @@ void PictureRenderer::show(const SceneFrame& next) {
 
 void PictureRenderer::newOpenGLContextCreated() {
     auto made = std::make_unique<juce::OpenGLShaderProgram>(context);
-    if (!made->addVertexShader(translated(vertexShader, true)) ||
-        !made->addFragmentShader(translated(fragmentShader, false)))
+    using juce::OpenGLHelpers;
+    if (!made->addVertexShader(OpenGLHelpers::translateVertexShaderToV3(vertexShader)) ||
+        !made->addFragmentShader(OpenGLHelpers::translateFragmentShaderToV3(fragmentShader)))
         return;
     // Attribute 0 must always be read from a buffer.
     glBindAttribLocation(made->getProgramID(), 0, "place");
@@ -106,19 +97,14 @@ void PictureRenderer::newOpenGLContextCreated() {
     ready = true;
 }
 
-void PictureRenderer::upload(const ObjectScene& scene) {
-    const auto vertices = scene.vertices();
-    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices.size_bytes()), vertices.data(),
-                 GL_STATIC_DRAW);
-}
-
 void PictureRenderer::renderOpenGL() {
     SceneFrame shown;
     {
         const std::scoped_lock lock(frameMutex);
         shown = frame;
     }
-    clear(shown.background);
+    juce::OpenGLHelpers::clear(shown.background);
+    glClear(GL_DEPTH_BUFFER_BIT);
     if (!ready || shown.scene == nullptr || shown.scene->empty())
         return;
 
@@ -127,7 +113,9 @@ void PictureRenderer::renderOpenGL() {
     glDisable(GL_BLEND);
     glBindBuffer(GL_ARRAY_BUFFER, buffer);
     if (uploaded != shown.scene) {
-        upload(*shown.scene);
+        const auto vertices = shown.scene->vertices();
+        glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices.size_bytes()),
+                     vertices.data(), GL_STATIC_DRAW);
         uploaded = shown.scene;
     }
     if (shown.motion && shown.motion->offsets != uploadedOffsets)

@@ -60,7 +60,6 @@ public:
     void openGLContextClosing() override;
 
 private:
-    void upload(const ObjectScene& scene);
     void uploadOffsets(std::shared_ptr<const std::vector<ScenePlace>> offsets);
     void draw(const SceneFrame& shown);
     GLuint attribute(const char* name) const;

@@ -11,7 +11,7 @@ namespace idiophone {
 namespace {
 
 constexpr int gap = 6, button = 28, compareWidth = 52, logoWidth = 112;
-constexpr int mostForName = 420;
+constexpr int maximumNameWidth = 420;
 constexpr double slightly = 0.1, clearly = 0.3, boldly = 1;
 
 /// A shortcut in the notation of this system.
@@ -78,7 +78,8 @@ PresetBar::PresetBar(ProcessorView& processor)
     saving.describe("Save", "Save the sound as a preset (" + commandKey("S") + ")");
     mutation.onClick = [this] { mutate(clearly); };
     mutation.onMenu = [this] { showMutationMenu(); };
-    mutation.describe("Mutate", "Play a new sound near this one. Right click: how near.");
+    mutation.describe("Mutate",
+                      "Play a random variation of this sound. Right-click for its strength.");
     compare.onClick = [this] { view.soundVariants().compare(); };
     copying.onClick = [this] { view.soundVariants().copyToOther(); };
     undo.onClick = [this] { view.editHistory().undo(); };
@@ -167,8 +168,8 @@ void PresetBar::refreshPreset() {
     const auto* preset = chosen();
     favourite.setEnabled(preset != nullptr);
     favourite.setToggleState(preset != nullptr && preset->isFavourite, juce::dontSendNotification);
-    favourite.describe(favourite.getToggleState() ? "No favourite any more" : "Favourite",
-                       favourite.getToggleState() ? "Take the preset from the favourites"
+    favourite.describe(favourite.getToggleState() ? "Remove favourite" : "Favourite",
+                       favourite.getToggleState() ? "Remove the preset from the favourites"
                                                   : "Add the preset to the favourites");
 }
 
@@ -182,7 +183,7 @@ void PresetBar::refreshHistory() {
     const bool isB = view.soundVariants().playsB();
     compare.setToggleState(isB, juce::dontSendNotification);
     copying.describe(isB ? "Copy B to A" : "Copy A to B",
-                     isB ? "Make A a copy of B, which plays" : "Make B a copy of A, which plays");
+                     isB ? "Copy the current sound B to A" : "Copy the current sound A to B");
 }
 
 bool PresetBar::handleKey(const juce::KeyPress& key) {
@@ -215,7 +216,7 @@ void PresetBar::resized() {
     copying.setBounds(area.removeFromRight(button));
     compare.setBounds(area.removeFromRight(compareWidth));
     area.removeFromRight(gap);
-    const int width = juce::jmin(area.getWidth(), mostForName + 4 * button);
+    const int width = juce::jmin(area.getWidth(), maximumNameWidth + 4 * button);
     area = area.withSizeKeepingCentre(width, area.getHeight());
     previous.setBounds(area.removeFromLeft(button));
     saving.setBounds(area.removeFromRight(button));

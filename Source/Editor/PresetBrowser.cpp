@@ -9,8 +9,8 @@ namespace idiophone {
 namespace {
 
 constexpr int padding = 10, gap = 8, rowHeight = 28;
-constexpr int leastSources = 130, mostSources = 220;
-constexpr int leastListHeight = 60; ///< if less is left, the form hides the list
+constexpr int minimumSources = 130, maximumSources = 220;
+constexpr int minimumListHeight = 60; ///< if less is left, the form hides the list
 
 } // namespace
 
@@ -64,10 +64,10 @@ void PresetBrowser::showActions() {
         button.setTooltip(tooltip);
         button.onClick = clicked;
     };
-    action(saveAs, "Save what plays under a name of its own", [this] { ask(Question::save); });
+    action(saveAs, "Save the current sound as a new preset", [this] { ask(Question::save); });
     action(rename, "Give the selected preset another name", [this] { ask(Question::rename); });
     action(remove, "Move the selected preset to the bin", [this] { ask(Question::remove); });
-    action(reveal, "Show the folder where your presets lie", [this] {
+    action(reveal, "Show the folder of your presets", [this] {
         const auto folder = shelf.presetFolder();
         if (folder)
             juce::File(fromUtf8(*folder)).revealToUser();
@@ -80,8 +80,8 @@ void PresetBrowser::showActions() {
         refill();
         say(loaded ? "A plain sound plays." : fromUtf8(loaded.error().message), !loaded);
     });
-    action(back, "Play again what played before (Escape)", [this] { close(false); });
-    action(keep, "Keep what plays (Return)", [this] { close(true); });
+    action(back, "Restore the previous sound (Escape)", [this] { close(false); });
+    action(keep, "Keep the current sound (Return)", [this] { close(true); });
     status.setTitle("Message");
     status.setFont(Look::textFont());
     status.setMinimumHorizontalScale(0.8f);
@@ -117,10 +117,6 @@ void PresetBrowser::close(bool kept) {
     juce::NullCheckedInvocation::invoke(onClose);
 }
 
-const ShelvedPreset* PresetBrowser::selected() const {
-    return list.selected();
-}
-
 void PresetBrowser::refill() {
     sources.show(shelf.presets());
     std::vector<ShelvedPreset> passing;
@@ -145,7 +141,7 @@ void PresetBrowser::audition(const ShelvedPreset& preset) {
 }
 
 void PresetBrowser::arrangeHint() {
-    const auto* preset = selected();
+    const auto* preset = list.selected();
     const bool isOwn = preset != nullptr && !preset->isFactory;
     rename.setEnabled(isOwn && preset->fault.empty());
     remove.setEnabled(isOwn);
@@ -160,7 +156,7 @@ void PresetBrowser::say(const juce::String& sentence, bool isError) {
 
 void PresetBrowser::ask(Question next) {
     question = next;
-    const auto* preset = selected();
+    const auto* preset = list.selected();
     askedId = preset != nullptr ? preset->id : std::string();
     if (question == Question::save) {
         auto details = shelf.soundDetails();
@@ -250,7 +246,7 @@ void PresetBrowser::resized() {
     status.setBounds(actions);
 
     sources.setBounds(
-        area.removeFromLeft(juce::jlimit(leastSources, mostSources, area.getWidth() / 5)));
+        area.removeFromLeft(juce::jlimit(minimumSources, maximumSources, area.getWidth() / 5)));
     area.removeFromLeft(gap);
     search.setBounds(area.removeFromTop(rowHeight));
     area.removeFromTop(gap);
@@ -258,7 +254,7 @@ void PresetBrowser::resized() {
         form.setBounds(area.removeFromBottom(juce::jmin(form.neededHeight(), area.getHeight())));
         area.removeFromBottom(gap);
     }
-    list.setVisible(area.getHeight() >= leastListHeight);
+    list.setVisible(area.getHeight() >= minimumListHeight);
     list.setBounds(area);
 }
 

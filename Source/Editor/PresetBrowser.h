@@ -43,7 +43,6 @@ private:
     void showActions();
     void say(const juce::String& sentence, bool isError);
     void arrangeHint();
-    const ShelvedPreset* selected() const;
 
     /// The search field. It leaves the list's keys to the browser, and shows its hint while
     /// focused; JUCE would hide it.

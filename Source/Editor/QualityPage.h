@@ -4,45 +4,42 @@
 
 #include "Editor/BudgetRamp.h"
 #include "Editor/DeckPage.h"
+#include "Editor/ModeCounts.h"
 #include "Editor/ParameterColumns.h"
 #include "Editor/SoundMeters.h"
 
-#include <array>
-#include <memory>
+#include <vector>
 
 namespace idiophone {
 
 class QualityPage final : public DeckPage {
 public:
-    explicit QualityPage(ProcessorView& view);
+    explicit QualityPage(ProcessorView& view)
+        : DeckPage("Quality"),
+          columns(std::vector<ParameterGroup>{{"Modes that sound", 0}, {"Budget", 1}}, view) {
+        for (auto* child :
+             std::initializer_list<juce::Component*>{&columns, &counts, &ramp, &meters})
+            addAndMakeVisible(child);
+    }
 
     void refresh() override { columns.refresh(); }
-    void showSound(const SoundFrame& frame) override;
+    void showSound(const SoundFrame& frame) override {
+        counts.show(frame);
+        ramp.show(frame);
+        meters.show(frame);
+    }
 
-    void resized() override;
+    void resized() override {
+        auto area = getLocalBounds().reduced(padding);
+        columns.setBounds(area.removeFromTop(getHeight() < 360 ? 86 : 112));
+        counts.setBounds(area.removeFromTop(50));
+        meters.setBounds(area.removeFromBottom(51));
+        ramp.setBounds(area.withTrimmedBottom(2));
+    }
 
 private:
-    /// Counts of sounding modes and of silent ones by reason.
-    class Counts final : public juce::Component {
-    public:
-        Counts();
-
-        void show(const SoundFrame& frame);
-
-        void paint(juce::Graphics& g) override;
-        std::unique_ptr<juce::AccessibilityHandler> createAccessibilityHandler() override;
-
-    private:
-        struct Count {
-            const char* name;
-            std::int32_t modes = 0;
-        };
-
-        std::array<Count, 4> counts{{{"sounding"}, {"dropped"}, {"merged"}, {"over budget"}}};
-    };
-
     ParameterColumns columns;
-    Counts counts;
+    ModeCounts counts;
     BudgetRamp ramp;
     SoundMeters meters;
 };

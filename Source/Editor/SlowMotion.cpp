@@ -40,9 +40,10 @@ void SlowMotion::follow(std::span<const ModeNow> modes) {
                   : 0;
     if (visible <= 0)
         next.clear();
-    if (next.size() > mostModes) {
-        std::ranges::partial_sort(next, next.begin() + mostModes, std::greater{}, &Shown::extent);
-        next.resize(mostModes);
+    if (next.size() > maximumModes) {
+        std::ranges::partial_sort(next, next.begin() + maximumModes, std::greater{},
+                                  &Shown::extent);
+        next.resize(maximumModes);
         std::ranges::sort(next, {}, &Shown::mode);
     }
     for (auto& mode : next) {

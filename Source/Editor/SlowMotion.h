@@ -13,7 +13,7 @@ namespace idiophone {
 class SlowMotion {
 public:
     /// Maximum number of modes shown; those with the largest displacement.
-    static constexpr std::size_t mostModes = 8;
+    static constexpr std::size_t maximumModes = 8;
 
     struct Swing {
         std::size_t mode = 0;

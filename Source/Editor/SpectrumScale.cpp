@@ -57,13 +57,13 @@ float SpectrumScale::decayY(double t60Seconds) const {
     return decayArea.getBottom() - static_cast<float>(place) * decayArea.getHeight();
 }
 
-std::vector<SpectrumScale::Tick> SpectrumScale::frequencyTicks(float leastGap) const {
+std::vector<SpectrumScale::Tick> SpectrumScale::frequencyTicks(float minimumGap) const {
     std::vector<Tick> ticks;
     for (const double hz : roundHz) {
         if (hz < lowest || hz > highest)
             continue;
         const Tick tick{.at = x(hz), .text = tickText(hz)};
-        if (ticks.empty() || tick.at - ticks.back().at >= leastGap)
+        if (ticks.empty() || tick.at - ticks.back().at >= minimumGap)
             ticks.push_back(tick);
     }
     return ticks;

@@ -24,6 +24,8 @@ public:
                   juce::Rectangle<float> levels,
                   juce::Rectangle<float> decays);
 
+    juce::Rectangle<float> levels() const { return levelArea; }
+    juce::Rectangle<float> decays() const { return decayArea; }
     double lowestHz() const { return lowest; }
     double highestHz() const { return highest; }
 
@@ -31,8 +33,8 @@ public:
     float levelY(double decibels) const;   ///< clamped to the axis
     float decayY(double t60Seconds) const; ///< longer is higher; clamped to the axis
 
-    /// Ticks at 20, 50, 100 ... that are at least `leastGap` apart.
-    std::vector<Tick> frequencyTicks(float leastGap) const;
+    /// Ticks at 20, 50, 100 ... that are at least `minimumGap` apart.
+    std::vector<Tick> frequencyTicks(float minimumGap) const;
     std::vector<Tick> levelTicks() const;
     std::vector<Tick> decayTicks() const;
 

@@ -2,27 +2,89 @@
 // level.
 #pragma once
 
+#include "Editor/DescribedComponent.h"
+#include "Editor/Look.h"
 #include "Editor/ProcessorView.h"
+#include "Editor/Utf8.h"
 
-#include <juce_gui_basics/juce_gui_basics.h>
-#include <memory>
+#include <cmath>
+#include <juce_audio_basics/juce_audio_basics.h>
 
 namespace idiophone {
 
-class StatusBar final : public juce::Component {
+class StatusBar final : public DescribedComponent {
 public:
-    StatusBar();
+    StatusBar() : DescribedComponent(juce::AccessibilityRole::staticText) { setTitle("Status"); }
 
     /// The screen reader announces a new error.
-    void show(ProcessorView::Status status);
+    void show(ProcessorView::Status status) {
+        constexpr int fallPerUpdate = 2; // dB; slow enough to see a peak
+        const auto now = static_cast<int>(std::lround(
+            juce::Decibels::gainToDecibels(status.peak, static_cast<float>(silentDecibels))));
+        const int decibels = juce::jmax(now, shownDecibels - fallPerUpdate, silentDecibels);
+        const bool sameSentence =
+            status.isError == shown.isError && status.sentence == shown.sentence;
+        const bool same = decibels == shownDecibels && status.modesMixed == shown.modesMixed &&
+                          sameSentence && status.delaySeconds == shown.delaySeconds &&
+                          status.lateEvents == shown.lateEvents;
+        shown = std::move(status);
+        shownDecibels = decibels;
+        if (!same)
+            repaint();
+        if (sameSentence)
+            return;
+        notifyDescriptionChanged();
+        if (shown.isError)
+            juce::AccessibilityHandler::postAnnouncement(
+                fromUtf8(shown.sentence), juce::AccessibilityHandler::AnnouncementPriority::high);
+    }
 
-    void paint(juce::Graphics& g) override;
-    std::unique_ptr<juce::AccessibilityHandler> createAccessibilityHandler() override;
+    void paint(juce::Graphics& g) override {
+        auto area = getLocalBounds();
+        const auto meter = area.removeFromRight(120).toFloat().withSizeKeepingCentre(120, 6);
+        const auto modes = area.removeFromRight(110).withTrimmedRight(12);
+        const float filled = static_cast<float>(shownDecibels - silentDecibels) / -silentDecibels;
+        g.setColour(colourOf(*this, LookColour::outline));
+        g.fillRoundedRectangle(meter, 3);
+        g.setColour(colourOf(*this, shownDecibels >= 0 ? LookColour::error : LookColour::accent));
+        g.fillRoundedRectangle(meter.withWidth(meter.getWidth() * juce::jlimit(0.0f, 1.0f, filled)),
+                               3);
+
+        g.setFont(Look::textFont());
+        g.setColour(colourOf(*this, LookColour::dimText));
+        g.drawText(modesText(), modes, juce::Justification::centredRight);
+        if (const auto delay = delayText(); delay.isNotEmpty()) {
+            const int width = juce::GlyphArrangement::getStringWidthInt(Look::textFont(), delay);
+            g.drawText(delay, area.removeFromRight(width + 24).withTrimmedRight(12),
+                       juce::Justification::centredRight);
+        }
+        g.setColour(colourOf(*this, shown.isError ? LookColour::error : LookColour::text));
+        g.drawFittedText(seenOf(shown.sentence), area, juce::Justification::centredLeft, 2, 0.85f);
+    }
+    juce::String description() const override {
+        juce::StringArray parts{fromUtf8(shown.sentence), delayText(), modesText()};
+        parts.removeEmptyStrings();
+        return parts.joinIntoString("; ");
+    }
 
 private:
-    juce::String modesText() const;
-    juce::String delayText() const;
-    juce::String description() const;
+    /// The part of a text that fits on the line. It may come from a file or host, and long texts
+    /// are slow to lay out.
+    static juce::String seenOf(const std::string& sentence) {
+        return fromUtf8(std::string_view(sentence).substr(0, 2000)).substring(0, 400);
+    }
+
+    juce::String modesText() const {
+        return juce::String(shown.modesMixed) + (shown.modesMixed == 1 ? " mode" : " modes");
+    }
+    juce::String delayText() const {
+        if (!(shown.delaySeconds > 0))
+            return {};
+        const auto delay = "heard " + juce::String(juce::roundToInt(1000 * shown.delaySeconds)) +
+                           " ms after the key";
+        return shown.lateEvents == 0 ? delay
+                                     : delay + ", " + juce::String(shown.lateEvents) + " late";
+    }
 
     ProcessorView::Status shown;
     int shownDecibels = silentDecibels;

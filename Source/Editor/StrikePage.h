@@ -5,16 +5,36 @@
 #include "Editor/MalletRack.h"
 #include "Editor/ParameterColumns.h"
 
+#include <vector>
+
 namespace idiophone {
 
 class StrikePage final : public DeckPage {
 public:
-    explicit StrikePage(ProcessorView& view);
+    explicit StrikePage(ProcessorView& view)
+        : DeckPage("Strike"), rack(view), columns(groups(), view) {
+        addAndMakeVisible(rack);
+        addAndMakeVisible(columns);
+    }
 
-    void refresh() override;
-    void resized() override;
+    void refresh() override {
+        rack.refresh();
+        columns.refresh();
+    }
+
+    void resized() override {
+        auto area = getLocalBounds().reduced(padding);
+        rack.setBounds(area.removeFromTop(62));
+        columns.setBounds(area.withTrimmedTop(6));
+    }
 
 private:
+    static std::vector<ParameterGroup> groups() {
+        using enum ParameterId;
+        return {{"Mallet", 0, {malletHardness, malletMass, malletRadius, malletExponent}},
+                {"Place", 1}};
+    }
+
     MalletRack rack;
     ParameterColumns columns;
 };

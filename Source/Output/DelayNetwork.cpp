@@ -106,7 +106,7 @@ void DelayNetwork::setDecay(double seconds) noexcept {
 
 void DelayNetwork::process(std::span<float> left, std::span<float> right) noexcept {
     isClear = false;
-    const auto most = std::min(mostAtOnce, lines.front().samples.size());
+    const auto most = std::min(maximumPiece, lines.front().samples.size());
     for (std::size_t done = 0, count = 0; done < left.size(); done += count) {
         count = std::min(most, left.size() - done);
         if (glideLeft > 0)

@@ -34,8 +34,8 @@ public:
     void process(std::span<float> left, std::span<float> right) noexcept;
 
 private:
-    static constexpr std::size_t mostAtOnce = 64, diffuserCount = 4;
-    using Block = std::array<float, mostAtOnce>;
+    static constexpr std::size_t maximumPiece = 64, diffuserCount = 4;
+    using Block = std::array<float, maximumPiece>;
 
     struct Delay {
         std::vector<float> samples;

@@ -44,7 +44,7 @@ void Limiter::process(std::span<float* const> channels,
     if (startsAtTarget)
         share = isOn ? 1 : 0;
     startsAtTarget = false;
-    const auto channelCount = std::min(channels.size(), mostChannels);
+    const auto channelCount = std::min(channels.size(), maximumChannels);
     for (std::size_t i = 0; i < sampleCount; ++i) {
         Frame frame{};
         float highest = 0;
@@ -60,7 +60,7 @@ void Limiter::process(std::span<float* const> channels,
             frame = {};
         } else if (gain < 1 || !isQuiet) {
             catchUp();
-            gain = nextGain(frame, channelCount);
+            gain = nextGain(frame);
             const float applied = share == 1 ? gain : 1 - share * (1 - gain);
             for (std::size_t channel = 0; channel < channelCount; ++channel) {
                 channels[channel][i] = applied * frame[channel];
@@ -74,33 +74,33 @@ void Limiter::process(std::span<float* const> channels,
 }
 
 /// Returns the gain that keeps all channels of the next frame within their limits.
-float Limiter::nextGain(const Frame& frame, std::size_t channelCount) noexcept {
-    if (gain == 1 && passes(frame, channelCount))
+float Limiter::nextGain(const Frame& frame) noexcept {
+    if (gain == 1 && passes(frame))
         return 1;
     float most = gain;
     if (heldSamples > 0)
         --heldSamples;
     else
         most = std::min(std::max(gain, lowestHeldGain) * releasePerSample, 1.0f);
-    if (isWithinBounds(frame, channelCount, most))
+    if (isWithinBounds(frame, most))
         return most;
     float next = most, highest = 0;
-    for (std::size_t channel = 0; channel < channelCount; ++channel) {
-        next = pending[channel].mostGainWithin(actingBounds, frame[channel], next);
+    for (std::size_t channel = 0; channel < maximumChannels; ++channel) {
+        next = pending[channel].maximumGainWithin(actingBounds, frame[channel], next);
         highest = std::max(highest, std::abs(frame[channel]));
     }
     // Sound that passed at gain 1 may have left values outside the bounds. Until they are inside,
     // the limiter relies on the prediction.
-    if (!isWithinBounds(frame, channelCount, next))
-        next = gainIfPredicted(frame, channelCount, most);
+    if (!isWithinBounds(frame, next))
+        next = gainIfPredicted(frame, most);
     next = std::max(next, std::min(most, actingBounds.reserve / highest));
     if (next < most)
         heldSamples = holdSamples;
     return next;
 }
 
-bool Limiter::passes(const Frame& frame, std::size_t channelCount) const noexcept {
-    for (std::size_t channel = 0; channel < channelCount; ++channel) {
+bool Limiter::passes(const Frame& frame) const noexcept {
+    for (std::size_t channel = 0; channel < maximumChannels; ++channel) {
         const float next = frame[channel];
         if (std::abs(next) > threshold ||
             (pending[channel].highestBeforeSilence(next) > predictedCeiling &&
@@ -110,11 +110,9 @@ bool Limiter::passes(const Frame& frame, std::size_t channelCount) const noexcep
     return true;
 }
 
-bool Limiter::isWithinBounds(const Frame& frame,
-                             std::size_t channelCount,
-                             float atGain) const noexcept {
+bool Limiter::isWithinBounds(const Frame& frame, float atGain) const noexcept {
     constexpr float rounding = 1e-5f;
-    for (std::size_t channel = 0; channel < channelCount; ++channel)
+    for (std::size_t channel = 0; channel < maximumChannels; ++channel)
         if (!pending[channel].isWithin({actingBounds.ceiling + rounding, actingBounds.reserve},
                                        atGain * frame[channel]))
             return false;
@@ -123,18 +121,16 @@ bool Limiter::isWithinBounds(const Frame& frame,
 
 /// Returns the first of a few gains without an excessive predicted peak, or else the gain with the
 /// lowest peak.
-float Limiter::gainIfPredicted(const Frame& frame,
-                               std::size_t channelCount,
-                               float mostGain) const noexcept {
+float Limiter::gainIfPredicted(const Frame& frame, float maximumGain) const noexcept {
     constexpr std::array shares{1.0f, 0.97f, 0.93f, 0.87f, 0.78f, 0.66f, 0.5f, 0.3f};
     float highest = threshold;
-    for (std::size_t channel = 0; channel < channelCount; ++channel)
-        highest = std::max(highest, mostGain * std::abs(frame[channel]));
-    const float most = mostGain * threshold / highest;
+    for (std::size_t channel = 0; channel < maximumChannels; ++channel)
+        highest = std::max(highest, maximumGain * std::abs(frame[channel]));
+    const float most = maximumGain * threshold / highest;
     float best = 0, lowestPeak = std::numeric_limits<float>::infinity();
     for (const float tried : shares) {
         float peak = 0;
-        for (std::size_t channel = 0; channel < channelCount; ++channel)
+        for (std::size_t channel = 0; channel < maximumChannels; ++channel)
             peak =
                 std::max(peak, pending[channel].highestIfPredicted(tried * most * frame[channel]));
         if (peak < lowestPeak) {
@@ -155,7 +151,7 @@ void Limiter::remember(const Frame& frame) noexcept {
         return;
     }
     if (isPendingCurrent)
-        for (std::size_t channel = 0; channel < mostChannels; ++channel)
+        for (std::size_t channel = 0; channel < maximumChannels; ++channel)
             pending[channel].push(frame[channel]);
 }
 
@@ -165,7 +161,7 @@ void Limiter::catchUp() noexcept {
     if (isPendingCurrent)
         return;
     isPendingCurrent = true;
-    for (std::size_t channel = 0; channel < mostChannels; ++channel) {
+    for (std::size_t channel = 0; channel < maximumChannels; ++channel) {
         pending[channel].reset();
         for (std::size_t i = 0; i < recent.size(); ++i)
             pending[channel].push(recent[(recentPosition + i) % recent.size()][channel]);

@@ -18,7 +18,7 @@ namespace idiophone {
 class Limiter {
 public:
     static constexpr float threshold = 0.8912509f; ///< -1 dB of full scale
-    static constexpr std::size_t mostChannels = 2;
+    static constexpr std::size_t maximumChannels = 2;
 
     /// `rampSeconds`: the time in which the limiter is switched on or off.
     void prepare(double sampleRateHz, double rampSeconds);
@@ -26,21 +26,20 @@ public:
     /// Restores silent channels and a gain of 1. The next block switches without a ramp.
     void reset() noexcept;
 
-    /// Processes in place: at most `mostChannels` channels of `sampleCount` finite samples.
+    /// Processes in place: at most `maximumChannels` channels of `sampleCount` finite samples.
     void process(std::span<float* const> channels, std::size_t sampleCount, bool isOn) noexcept;
 
 private:
-    using Frame = std::array<float, mostChannels>;
+    using Frame = std::array<float, maximumChannels>;
 
-    float nextGain(const Frame& frame, std::size_t channelCount) noexcept;
-    bool passes(const Frame& frame, std::size_t channelCount) const noexcept;
-    bool isWithinBounds(const Frame& frame, std::size_t channelCount, float atGain) const noexcept;
-    float
-    gainIfPredicted(const Frame& frame, std::size_t channelCount, float mostGain) const noexcept;
+    float nextGain(const Frame& frame) noexcept;
+    bool passes(const Frame& frame) const noexcept;
+    bool isWithinBounds(const Frame& frame, float atGain) const noexcept;
+    float gainIfPredicted(const Frame& frame, float maximumGain) const noexcept;
     void remember(const Frame& frame) noexcept;
     void catchUp() noexcept;
 
-    std::array<PendingPeaks, mostChannels> pending;
+    std::array<PendingPeaks, maximumChannels> pending;
     /// Ring of the last output samples, to recompute `pending` after quiet sound.
     std::array<Frame, PendingPeaks::taps> recent{};
     std::size_t recentPosition = 0;

@@ -184,10 +184,10 @@ bool PendingPeaks::isWithin(const Bounds& bounds, float next) const noexcept {
     return highest(reached) <= bounds.ceiling;
 }
 
-float PendingPeaks::mostGainWithin(const Bounds& bounds,
+float PendingPeaks::maximumGainWithin(const Bounds& bounds,
                                    float next,
-                                   float mostGain) const noexcept {
-    float gain = mostGain;
+                                   float maximumGain) const noexcept {
+    float gain = maximumGain;
     for (std::size_t i = 0; i < count; ++i) {
         const float added = tables.ofNext[i] * next;
         const float magnitude = std::abs(added);

@@ -38,9 +38,9 @@ public:
     /// Returns whether every pending value is within the bounds after `next`.
     bool isWithin(const Bounds& bounds, float next) const noexcept;
 
-    /// Returns the maximum gain of `next` in [0, `mostGain`] at which no value that it raises
+    /// Returns the maximum gain of `next` in [0, `maximumGain`] at which no value that it raises
     /// exceeds the bounds.
-    float mostGainWithin(const Bounds& bounds, float next, float mostGain) const noexcept;
+    float maximumGainWithin(const Bounds& bounds, float next, float maximumGain) const noexcept;
 
     /// Returns a magnitude: if the last `taps` samples do not exceed it, no pending value exceeds
     /// `ceiling`.

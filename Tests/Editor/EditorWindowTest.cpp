@@ -52,7 +52,7 @@ PageDeck& deckOf(juce::Component& window) {
     return *deck;
 }
 
-const auto sizes = {std::pair(EditorWindow::leastWidth, EditorWindow::leastHeight),
+const auto sizes = {std::pair(EditorWindow::minimumWidth, EditorWindow::minimumHeight),
                     {1180, 860},
                     {1280, 720},
                     {1920, 600},
@@ -304,7 +304,7 @@ TEST_CASE("Opening and closing the window 100 times does not change the sound") 
     });
     for (int i = 0; i < 100; ++i) {
         const auto window = open(processor);
-        window->setSize(EditorWindow::leastWidth + 7 * i, EditorWindow::leastHeight + 5 * i);
+        window->setSize(EditorWindow::minimumWidth + 7 * i, EditorWindow::minimumHeight + 5 * i);
         window->createComponentSnapshot(window->getLocalBounds());
         juce::Timer::callPendingTimersSynchronously();
     }
@@ -319,11 +319,11 @@ TEST_CASE("A restored window fits the screen and has at least the minimum size")
     { Preferences().setWindowSize({100000, 10}); }
     Processor processor;
     auto window = open(processor);
-    CHECK(window->getWidth() <= EditorWindow::mostWidth);
-    CHECK(window->getHeight() == EditorWindow::leastHeight);
+    CHECK(window->getWidth() <= EditorWindow::maximumWidth);
+    CHECK(window->getHeight() == EditorWindow::minimumHeight);
     window.reset();
     const Preferences after;
-    CHECK(after.windowSize().y == EditorWindow::leastHeight);
+    CHECK(after.windowSize().y == EditorWindow::minimumHeight);
 }
 
 TEST_CASE("One window's saved preferences do not overwrite another's") {

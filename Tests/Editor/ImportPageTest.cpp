@@ -39,7 +39,7 @@ void click(juce::Button& button) {
 }
 
 struct Page {
-    Page() { page.setSize(DeckPage::leastWidth, DeckPage::leastHeight); }
+    Page() { page.setSize(DeckPage::minimumWidth, DeckPage::minimumHeight); }
 
     juce::String report() {
         return part<juce::TextEditor>(page, "What was made of the file").getText();
@@ -164,7 +164,7 @@ TEST_CASE("Files can be dropped anywhere on the window; unreadable files are rep
     finish(processor);
     CHECK(processor.importStatus().stage == ImportStage::done);
     CHECK(part<ImportPage>(window, "").isVisible());
-    window.setSize(EditorWindow::leastWidth, EditorWindow::leastHeight);
+    window.setSize(EditorWindow::minimumWidth, EditorWindow::minimumHeight);
     CHECK(part<ImportPage>(window, "").isVisible());
 
     for (const auto* refused : {"song.mid", "coins.json", "folder"}) {

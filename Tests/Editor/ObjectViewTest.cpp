@@ -194,7 +194,7 @@ TEST_CASE("Showing or hiding the strike path repaints the view") {
     view.setCachedComponentImage(new Count(invalidations)); // the component owns it
     for (const bool shows : {true, false}) {
         const int before = invalidations;
-        view.setShowsPath(shows);
+        view.setLayers({.path = shows});
         CHECK(invalidations > before);
     }
 }
@@ -204,7 +204,7 @@ TEST_CASE("A path being drawn while another sound is loaded changes neither soun
     processor.setCurrentProgram(presetNumber("Steel Plate"));
     ObjectView view(processor);
     view.setBounds(0, 0, 900, 300);
-    view.setDrawsPath(true);
+    view.setLayers({.drawsPath = true});
     const auto at = [&](float x) {
         return juce::MouseEvent(juce::Desktop::getInstance().getMainMouseSource(), {x, 150},
                                 juce::ModifierKeys::leftButtonModifier, 0, 0, 0, 0, 0, &view, &view,
@@ -257,7 +257,7 @@ TEST_CASE("Objects beyond the face limit are boxes of the same size and can be s
             object.faces.insert(object.faces.end(), {0, 1, 2});
         return std::make_shared<const ModalObject>(object);
     };
-    const auto many = withFaces(ObjectScene::mostFaces + 1), few = withFaces(1000);
+    const auto many = withFaces(ObjectScene::maximumFaces + 1), few = withFaces(1000);
     const ObjectScene scene({{.object = many, .lowestNote = 60, .highestNote = 60},
                              {.object = few, .lowestNote = 62, .highestNote = 62}});
     REQUIRE(scene.objects().size() == 2);

@@ -106,9 +106,9 @@ TEST_CASE("A click toggles a favourite; a sound without a preset cannot be one")
     Bar bar;
     CHECK(bar.button("Favourite").isEnabled());
     bar.click("Favourite");
-    CHECK(bar.button("No favourite any more").getToggleState());
+    CHECK(bar.button("Remove favourite").getToggleState());
     CHECK(bar.processor.presetShelf().presets().front().isFavourite);
-    bar.click("No favourite any more");
+    bar.click("Remove favourite");
     CHECK_FALSE(bar.button("Favourite").getToggleState());
     REQUIRE(bar.processor.presetShelf().loadInitialSound());
     CHECK_FALSE(bar.button("Favourite").isEnabled());

@@ -62,7 +62,7 @@ TEST_CASE("Only the eight sounding modes with the largest displacement are shown
     modes[0].standing = ModeStanding::silenced;
     motion.follow(modes);
     const auto swings = motion.swings();
-    REQUIRE(swings.size() == SlowMotion::mostModes);
+    REQUIRE(swings.size() == SlowMotion::maximumModes);
     CHECK(swings.front().mode == 1);
     CHECK(swings.back().mode == 8);
     motion.follow({});

@@ -46,7 +46,7 @@ struct Prepared {
 TEST_CASE("The modes page shows the object played last, or the chosen one") {
     Prepared prepared;
     ModesPage page(prepared.processor);
-    page.setSize(DeckPage::leastWidth, DeckPage::leastHeight);
+    page.setSize(DeckPage::minimumWidth, DeckPage::minimumHeight);
     auto* list = childOf<juce::ComboBox>(page, "Object");
     auto* spectrum = childOf<ModeSpectrum>(page, "Modes");
     REQUIRE(list != nullptr);
@@ -69,7 +69,7 @@ TEST_CASE("The buttons mute and solo the chosen mode, and restore all modes") {
     Prepared prepared;
     auto& processor = prepared.processor;
     ModesPage page(processor);
-    page.setSize(DeckPage::leastWidth, DeckPage::leastHeight);
+    page.setSize(DeckPage::minimumWidth, DeckPage::minimumHeight);
     page.setVisible(true);
     auto* mute = childOf<juce::TextButton>(page, "Mute mode");
     auto* alone = childOf<juce::TextButton>(page, "Solo mode");
@@ -102,7 +102,7 @@ TEST_CASE("The buttons mute and solo the chosen mode, and restore all modes") {
 TEST_CASE("The quality page counts modes and shows each object's share of the budget") {
     Prepared prepared;
     QualityPage page(prepared.processor);
-    page.setSize(DeckPage::leastWidth, DeckPage::leastHeight);
+    page.setSize(DeckPage::minimumWidth, DeckPage::minimumHeight);
     auto* ramp = childOf<BudgetRamp>(page, "Shares of the budget");
     auto* meters = childOf<SoundMeters>(page, "Level and load");
     REQUIRE(ramp != nullptr);
@@ -123,7 +123,7 @@ TEST_CASE("The quality page counts modes and shows each object's share of the bu
 TEST_CASE("The mallet's figures come first on the page, above speed and velocity curve") {
     Prepared prepared;
     StrikePage page(prepared.processor);
-    page.setSize(DeckPage::leastWidth, DeckPage::leastHeight);
+    page.setSize(DeckPage::minimumWidth, DeckPage::minimumHeight);
     int above = 0;
     for (const auto parameter :
          {ParameterId::malletHardness, ParameterId::malletMass, ParameterId::malletRadius,
