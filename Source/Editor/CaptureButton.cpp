@@ -35,7 +35,7 @@ juce::File dragFolder() {
 } // namespace
 
 CaptureButton::CaptureButton(ProcessorView& processor,
-                             ProcessorView::CaptureKind whichKind,
+                             StageView::CaptureKind whichKind,
                              const juce::String& label,
                              const juce::String& tooltip,
                              const juce::String& filePattern)
@@ -50,15 +50,15 @@ juce::String CaptureButton::ending() const {
 }
 
 juce::File CaptureButton::writeForDrag() {
-    if (!view.hasCaptured())
+    if (!view.stage.hasCaptured())
         return {};
     const auto folder = dragFolder();
     if (!folder.isDirectory()) {
-        view.reportError("There is no place to put the capture for dragging.");
+        view.status.reportError("There is no place to put the capture for dragging.");
         return {};
     }
     const auto file = folder.getNonexistentChildFile(captureName, ending());
-    return view.writeCapture(kind, pathOf(file)) ? file : juce::File();
+    return view.stage.writeCapture(kind, pathOf(file)) ? file : juce::File();
 }
 
 bool CaptureButton::isForDrag(const std::filesystem::path& file) {
@@ -89,8 +89,9 @@ void CaptureButton::mouseDrag(const juce::MouseEvent& event) {
 }
 
 void CaptureButton::save() {
-    if (!view.hasCaptured())
-        return view.reportError("There is nothing to save yet: no body has struck anything.");
+    if (!view.stage.hasCaptured())
+        return view.status.reportError(
+            "There is nothing to save yet: no body has struck anything.");
     const auto start = juce::File::getSpecialLocation(juce::File::userDocumentsDirectory)
                            .getChildFile(juce::String(captureName) + ending());
     chooser = std::make_unique<juce::FileChooser>(getTitle(), start, pattern);
@@ -107,9 +108,9 @@ void CaptureButton::save(const juce::File& chosen) {
     const auto file =
         chosen.getFileExtension().isEmpty() ? chosen.withFileExtension(ending()) : chosen;
     if (file != chosen && file.exists())
-        return view.reportError("There is already a file " + file.getFileName().toStdString() +
-                                ".");
-    view.writeCapture(kind, pathOf(file));
+        return view.status.reportError("There is already a file " +
+                                       file.getFileName().toStdString() + ".");
+    view.stage.writeCapture(kind, pathOf(file));
 }
 
 } // namespace idiophone

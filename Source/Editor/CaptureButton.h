@@ -13,7 +13,7 @@ class CaptureButton final : public juce::TextButton {
 public:
     /// The pattern gives the file extension: "*.mid".
     CaptureButton(ProcessorView& processor,
-                  ProcessorView::CaptureKind whichKind,
+                  StageView::CaptureKind whichKind,
                   const juce::String& label,
                   const juce::String& tooltip,
                   const juce::String& filePattern);
@@ -35,7 +35,7 @@ private:
     juce::String ending() const;
 
     ProcessorView& view;
-    ProcessorView::CaptureKind kind;
+    StageView::CaptureKind kind;
     juce::String pattern;
     std::unique_ptr<juce::FileChooser> chooser;
     bool isDragged = false;

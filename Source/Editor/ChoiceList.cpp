@@ -14,7 +14,7 @@ constexpr int firstChoiceItem = 1, firstUserItem = 1000;
 /// "Own (Rosewood)", or "Own" if the objects have no common named material.
 juce::String ownMaterialText(const ProcessorView& view) {
     std::set<std::string> names;
-    for (const auto& played : view.playedObjects())
+    for (const auto& played : view.instrument.playedObjects())
         names.insert(played.object->material.name);
     const juce::String own("Own");
     return names.size() != 1 || names.begin()->empty()
@@ -29,7 +29,7 @@ ChoiceList::ChoiceList(const ParameterInfo& row, ProcessorView& processor)
     setTitle(fromUtf8(info.name));
     setTooltip(fromUtf8(info.description));
     if (info.parameter == ParameterId::material)
-        view.readUserMaterials();
+        view.materials.readUserMaterials();
     fill();
     onChange = [this] { choose(); };
     refresh();
@@ -43,7 +43,7 @@ void ChoiceList::fill() {
     if (info.parameter != ParameterId::material)
         return;
     instrument = -1;
-    ownMaterials = view.userMaterialNames();
+    ownMaterials = view.materials.userMaterialNames();
     if (!ownMaterials.empty())
         addSeparator();
     item = firstUserItem;
@@ -53,7 +53,7 @@ void ChoiceList::fill() {
 
 void ChoiceList::showPopup() {
     if (info.parameter == ParameterId::material) {
-        view.readUserMaterials();
+        view.materials.readUserMaterials();
         refresh();
     }
     ComboBox::showPopup();
@@ -62,26 +62,28 @@ void ChoiceList::showPopup() {
 void ChoiceList::choose() {
     const int item = getSelectedId();
     if (item >= firstUserItem)
-        return view.chooseUserMaterial(item - firstUserItem);
+        return view.materials.chooseUserMaterial(item - firstUserItem);
     changeOnce(view, info.parameter, item - firstChoiceItem);
 }
 
 void ChoiceList::nameOwnMaterial() {
-    if (info.parameter != ParameterId::material || view.instrumentNumber() == instrument)
+    if (info.parameter != ParameterId::material || view.instrument.instrumentNumber() == instrument)
         return;
-    instrument = view.instrumentNumber();
+    instrument = view.instrument.instrumentNumber();
     changeItemText(firstChoiceItem, ownMaterialText(view));
     setSelectedId(0, juce::dontSendNotification); // else a selected item keeps its old text
 }
 
 void ChoiceList::refresh() {
-    if (info.parameter == ParameterId::material && ownMaterials != view.userMaterialNames())
+    if (info.parameter == ParameterId::material &&
+        ownMaterials != view.materials.userMaterialNames())
         fill(); // another list has read the user's materials again
     nameOwnMaterial();
-    const int own = info.parameter == ParameterId::material ? view.userMaterialIndex() : -1;
-    const int item = own >= 0
-                         ? firstUserItem + own
-                         : firstChoiceItem + static_cast<int>(view.parameterValue(info.parameter));
+    const int own =
+        info.parameter == ParameterId::material ? view.materials.userMaterialIndex() : -1;
+    const int item =
+        own >= 0 ? firstUserItem + own
+                 : firstChoiceItem + static_cast<int>(view.parameters.value(info.parameter));
     if (item != getSelectedId())
         setSelectedId(item, juce::dontSendNotification);
 }

@@ -91,7 +91,8 @@ MalletRack::MalletRack(ProcessorView& processor) : view(processor) {
         const auto name = fromUtf8(names[i]);
         auto mallet = std::make_unique<MalletButton>(name, headOf(i));
         mallet->onClick = [this, i, button = mallet.get()] {
-            if (!button->getToggleState() || view.parameterValue(ParameterId::mallet) == double(i))
+            if (!button->getToggleState() ||
+                view.parameters.value(ParameterId::mallet) == double(i))
                 return;
             changeOnce(view, ParameterId::mallet, double(i));
             refresh();
@@ -103,7 +104,7 @@ MalletRack::MalletRack(ProcessorView& processor) : view(processor) {
 }
 
 void MalletRack::refresh() {
-    const int now = static_cast<int>(view.parameterValue(ParameterId::mallet));
+    const int now = static_cast<int>(view.parameters.value(ParameterId::mallet));
     if (now == shown)
         return;
     shown = now;

@@ -17,7 +17,7 @@ juce::String noteName(int note) {
     return juce::MidiMessage::getMidiNoteName(note, true, true, 4);
 }
 
-juce::String nameOf(const ProcessorView::PlayedObject& played) {
+juce::String nameOf(const InstrumentView::PlayedObject& played) {
     const auto name = fromUtf8(played.object->name);
     return played.lowestNote == played.highestNote ? noteName(played.lowestNote) + "  " + name
                                                    : name;
@@ -27,13 +27,13 @@ juce::String nameOf(const ProcessorView::PlayedObject& played) {
 
 ModesPage::ModesPage(ProcessorView& processor)
     : DeckPage("Modes"), view(processor), mute("Mute"), alone("Solo"), all("All"),
-      spectrum(processor) {
+      spectrum(processor.sound) {
     objects.setTitle("Object");
     objects.setTooltip("Whose modes to see");
     objects.onChange = [this] {
         const int chosen = objects.getSelectedId() - lastPlayedId;
-        view.watchObject(chosen > 0 ? std::optional(static_cast<std::size_t>(chosen - 1))
-                                    : std::nullopt);
+        view.sound.watchObject(chosen > 0 ? std::optional(static_cast<std::size_t>(chosen - 1))
+                                          : std::nullopt);
     };
     mute.setTooltip("Mute the chosen mode (M)");
     mute.onClick = [this] { spectrum.toggleMute(spectrum.modeChosen().value_or(0)); };
@@ -43,8 +43,8 @@ ModesPage::ModesPage(ProcessorView& processor)
     all.setTooltip("Mute nothing of this object, and hear all of it");
     all.onClick = [this] {
         const auto object = static_cast<std::size_t>(std::max(spectrum.frameShown().object, 0));
-        view.unmuteModes(object);
-        view.hearAllModes(object);
+        view.sound.unmuteModes(object);
+        view.sound.hearAllModes(object);
     };
     mute.setTitle("Mute mode");
     alone.setTitle("Solo mode");
@@ -57,18 +57,18 @@ ModesPage::ModesPage(ProcessorView& processor)
 }
 
 void ModesPage::listObjects() {
-    listedInstrument = view.instrumentNumber();
+    listedInstrument = view.instrument.instrumentNumber();
     objects.clear(juce::dontSendNotification);
     objects.addItem("Played last", lastPlayedId);
     int id = lastPlayedId;
-    for (const auto& played : view.playedObjects())
+    for (const auto& played : view.instrument.playedObjects())
         objects.addItem(nameOf(played), ++id);
 }
 
 void ModesPage::refresh() {
-    if (view.instrumentNumber() != listedInstrument)
+    if (view.instrument.instrumentNumber() != listedInstrument)
         listObjects();
-    const auto watched = view.watchedObject();
+    const auto watched = view.sound.watchedObject();
     const int id = watched ? lastPlayedId + 1 + static_cast<int>(*watched) : lastPlayedId;
     if (id != objects.getSelectedId())
         objects.setSelectedId(id, juce::dontSendNotification);

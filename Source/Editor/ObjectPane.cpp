@@ -16,12 +16,12 @@ constexpr int playVelocity = 100;
 ObjectPane::ObjectPane(ProcessorView& processor)
     : view(processor), object(processor),
       midi(processor,
-           ProcessorView::CaptureKind::midi,
+           StageView::CaptureKind::midi,
            "MIDI",
            "What the bodies struck, as notes: drag it into the host, or click to save",
            "*.mid"),
       impulses(processor,
-               ProcessorView::CaptureKind::impulses,
+               StageView::CaptureKind::impulses,
                "Impulses",
                "What the bodies struck, as a list for `idiophone render --impulses`: drag or click",
                "*.jsonl") {
@@ -40,16 +40,16 @@ ObjectPane::ObjectPane(ProcessorView& processor)
     };
     addStageButton(play, "Set the bodies in motion, as a key in the middle does");
     play.onClick = [this] {
-        const auto range = view.keyRange();
+        const auto range = view.instrument.keyRange();
         const int note = (range.lowest + range.highest) / 2;
-        view.playNote(note, playVelocity);
-        view.playNote(note, 0);
+        view.instrument.playNote(note, playVelocity);
+        view.instrument.playNote(note, 0);
     };
     addStageButton(pause, "Hold the bodies where they are");
     pause.setClickingTogglesState(true);
-    pause.onClick = [this] { view.pauseStage(pause.getToggleState()); };
+    pause.onClick = [this] { view.stage.pauseStage(pause.getToggleState()); };
     addStageButton(reset, "Take away what moves, and what was captured of it");
-    reset.onClick = [this] { view.resetStage(); };
+    reset.onClick = [this] { view.stage.resetStage(); };
     addChildComponent(midi);
     addChildComponent(impulses);
     showStageButtons();
@@ -63,7 +63,7 @@ void ObjectPane::addStageButton(juce::TextButton& button, const juce::String& to
 
 void ObjectPane::refresh() {
     object.refresh();
-    pause.setToggleState(view.isStagePaused(), juce::dontSendNotification);
+    pause.setToggleState(view.stage.isStagePaused(), juce::dontSendNotification);
     if (object.isOnStage() != play.isVisible())
         showStageButtons();
 }

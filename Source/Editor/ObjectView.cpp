@@ -54,7 +54,7 @@ void ObjectView::refresh() {
     else if (ticksWithoutContext < ticksToWait && isShowing() &&
              ++ticksWithoutContext == ticksToWait)
         repaint();
-    if (const int playing = view.instrumentNumber(); playing != shownInstrument) {
+    if (const int playing = view.instrument.instrumentNumber(); playing != shownInstrument) {
         lift();
         shownInstrument = playing;
         newScene();
@@ -62,9 +62,9 @@ void ObjectView::refresh() {
 }
 
 void ObjectView::newScene() {
-    played = view.playedObjects();
-    bodies = view.stageBodies();
-    onStage = view.hasStage();
+    played = view.instrument.playedObjects();
+    bodies = view.stage.stageBodies();
+    onStage = view.stage.hasStage();
     try {
         scene = std::make_shared<const ObjectScene>(
             played, onStage ? ObjectScene::Layout::stage : ObjectScene::Layout::keyboard);
@@ -78,10 +78,10 @@ void ObjectView::newScene() {
         camera.lookAt(bodies.empty() ? scene->outline() : scene->outline(bodies));
     glowMetres = glowShare * scene->radius();
     path.paths.clear();
-    const bool keysLieAlongPath = view.keyLayout() == KeyLayout::zones;
+    const bool keysLieAlongPath = view.workshop.keyLayout() == KeyLayout::zones;
     for (std::size_t i = 0; i < played.size() && !onStage; ++i) {
         PathOverlay::Path line;
-        for (const auto& place : view.struckPlaces(i))
+        for (const auto& place : view.instrument.struckPlaces(i))
             line.places.push_back(scene->placeOf(i, place));
         if (keysLieAlongPath && played[i].highestNote > played[i].lowestNote) {
             line.lowestKey =

@@ -38,16 +38,16 @@ std::optional<ScenePick> ObjectView::pickAt(juce::Point<float> position) const {
 /// Returns the note that sets an object in motion: its own key, or else one in the middle.
 int ObjectView::noteFor(std::size_t object) const {
     const auto& own = played[object];
-    const auto range = view.keyRange();
+    const auto range = view.instrument.keyRange();
     return own.lowestNote == own.highestNote ? own.lowestNote : (range.lowest + range.highest) / 2;
 }
 
 void ObjectView::strike(const ScenePick& pick, double pixelsPerSecond) {
     const int velocity = velocityOf(pick, pixelsPerSecond);
     if (onStage)
-        view.playNote(noteFor(pick.object), velocity);
+        view.instrument.playNote(noteFor(pick.object), velocity);
     else
-        view.strikeObject(pick.object, pick.pointMetres, velocity);
+        view.instrument.strikeObject(pick.object, pick.pointMetres, velocity);
     struck = pick;
     glow = 1;
     glowPlace = pick.place;
@@ -68,7 +68,7 @@ void ObjectView::dragTo(juce::Point<float> position, double pressure) {
     const auto pick = pickAt(position);
     if (!pick) {
         if (scraping && struck)
-            view.scrapeObject(struck->object, struck->pointMetres, 0);
+            view.instrument.scrapeObject(struck->object, struck->pointMetres, 0);
         scraping = false;
         return;
     }
@@ -77,9 +77,9 @@ void ObjectView::dragTo(juce::Point<float> position, double pressure) {
         strike(*pick, 0);
     }
     if (!scraping)
-        view.scrapeObject(struck->object, struck->pointMetres, pressure);
+        view.instrument.scrapeObject(struck->object, struck->pointMetres, pressure);
     scraping = true;
-    view.scrapeObject(pick->object, pick->pointMetres, pressure);
+    view.instrument.scrapeObject(pick->object, pick->pointMetres, pressure);
     struck = pick;
     glow = 1;
     glowPlace = pick->place;
@@ -89,11 +89,11 @@ void ObjectView::dragTo(juce::Point<float> position, double pressure) {
 void ObjectView::lift() {
     if (struck) {
         if (scraping)
-            view.scrapeObject(struck->object, struck->pointMetres, 0);
+            view.instrument.scrapeObject(struck->object, struck->pointMetres, 0);
         if (onStage)
-            view.playNote(noteFor(struck->object), 0);
+            view.instrument.playNote(noteFor(struck->object), 0);
         else
-            view.strikeObject(struck->object, struck->pointMetres, 0);
+            view.instrument.strikeObject(struck->object, struck->pointMetres, 0);
     }
     struck.reset();
     scraping = false;
@@ -111,7 +111,7 @@ void ObjectView::drawTo(juce::Point<float> position) {
 
 void ObjectView::finishPath() {
     if (drawnOn && drawn.size() > 1)
-        view.setStrikePath(*drawnOn, drawn);
+        view.workshop.setStrikePath(*drawnOn, drawn);
     drawn.clear();
     path.drawn.clear();
     drawnOn.reset();

@@ -30,7 +30,7 @@ StatusBar::StatusBar() {
     setTitle("Status");
 }
 
-void StatusBar::show(ProcessorView::Status status) {
+void StatusBar::show(StatusView::Status status) {
     constexpr int fallPerUpdate = 2; // dB; slow enough to see a peak
     const auto now = static_cast<int>(std::lround(
         juce::Decibels::gainToDecibels(status.peak, static_cast<float>(silentDecibels))));

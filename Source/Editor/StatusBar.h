@@ -14,7 +14,7 @@ public:
     StatusBar();
 
     /// The screen reader announces a new error.
-    void show(ProcessorView::Status status);
+    void show(StatusView::Status status);
 
     void paint(juce::Graphics& g) override;
     std::unique_ptr<juce::AccessibilityHandler> createAccessibilityHandler() override;
@@ -24,7 +24,7 @@ private:
     juce::String delayText() const;
     juce::String description() const;
 
-    ProcessorView::Status shown;
+    StatusView::Status shown;
     int shownDecibels = silentDecibels;
     static constexpr int silentDecibels = -60;
 };

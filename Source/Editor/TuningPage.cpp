@@ -39,9 +39,9 @@ TuningPage::TuningPage(ProcessorView& processor)
            "Open a scale or a keyboard mapping",
            "Open a Scala scale (.scl) or a keyboard mapping (.kbm); dropping it on the window does "
            "the same",
-           fromUtf8(processor.tuningPatterns()),
+           fromUtf8(processor.tuning.tuningPatterns()),
            [this](const std::filesystem::path& file) {
-               view.openTuning(file);
+               view.tuning.openTuning(file);
                refresh();
            }),
       columns(groups(), processor) {
@@ -49,7 +49,7 @@ TuningPage::TuningPage(ProcessorView& processor)
     addButton(forget, "Forget the tuning",
               "Forget scale and mapping, or else what MIDI messages have tuned: keys are as the "
               "session tunes them, or equally tempered",
-              [this] { view.forgetTuning(); });
+              [this] { view.tuning.forgetTuning(); });
     for (auto* label : {&scale, &origin}) {
         label->setBorderSize({0, 0, 0, 0});
         label->setMinimumHorizontalScale(0.8f);
@@ -60,14 +60,14 @@ TuningPage::TuningPage(ProcessorView& processor)
     scale.setTitle("Scale");
     origin.setTitle("Where the tuning comes from");
     addAndMakeVisible(columns);
-    shown = view.tuningStatus();
+    shown = view.tuning.tuningStatus();
     lookAndFeelChanged();
     showTuning();
 }
 
 void TuningPage::refresh() {
     columns.refresh();
-    auto status = view.tuningStatus();
+    auto status = view.tuning.tuningStatus();
     if (status == shown)
         return;
     shown = std::move(status);

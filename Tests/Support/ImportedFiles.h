@@ -27,7 +27,7 @@ inline void finish(
         juce::Timer::callPendingTimersSynchronously();
         meanwhile();
     };
-    for (; processor.importStatus().isWorking(); waitFor())
+    for (; processor.view().workshop.importStatus().isWorking(); waitFor())
         tick();
     // Without a message loop JUCE's timers may pause for 300 ms.
     for (int i = 0; i < 20; ++i) {
