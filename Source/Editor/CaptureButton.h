@@ -15,7 +15,7 @@ class CaptureButton final : public juce::TextButton {
 public:
     /// The pattern gives the file extension: "*.mid".
     CaptureButton(ProcessorView& processor,
-                  ProcessorView::CaptureKind whichKind,
+                  StageView::CaptureKind whichKind,
                   const juce::String& label,
                   const juce::String& tooltip,
                   const juce::String& filePattern)
@@ -46,15 +46,15 @@ public:
 
     /// Writes the file to drag, in the system's temporary folder. Returns an empty File on failure.
     juce::File writeForDrag() {
-        if (!view.hasCaptured())
+        if (!view.stage.hasCaptured())
             return {};
         const auto folder = dragFolder();
         if (!folder.isDirectory()) {
-            view.reportError("There is no place to put the capture for dragging.");
+            view.status.reportError("There is no place to put the capture for dragging.");
             return {};
         }
         const auto file = folder.getNonexistentChildFile(captureName, ending());
-        return view.writeCapture(kind, pathOf(file)) ? file : juce::File();
+        return view.stage.writeCapture(kind, pathOf(file)) ? file : juce::File();
     }
     /// Saves to the chosen path, and adds the extension if it is missing. Then an existing file is
     /// not replaced, because the chooser has not asked about it.
@@ -62,9 +62,9 @@ public:
         const auto file =
             chosen.getFileExtension().isEmpty() ? chosen.withFileExtension(ending()) : chosen;
         if (file != chosen && file.exists())
-            return view.reportError("There is already a file " + file.getFileName().toStdString() +
-                                    ".");
-        view.writeCapture(kind, pathOf(file));
+            return view.status.reportError("There is already a file " +
+                                           file.getFileName().toStdString() + ".");
+        view.stage.writeCapture(kind, pathOf(file));
     }
     /// Whether any window wrote this file for a drag.
     static bool isForDrag(const std::filesystem::path& file) {
@@ -99,8 +99,9 @@ private:
     }
 
     void save() {
-        if (!view.hasCaptured())
-            return view.reportError("There is nothing to save yet: no body has struck anything.");
+        if (!view.stage.hasCaptured())
+            return view.status.reportError(
+                "There is nothing to save yet: no body has struck anything.");
         const auto start = juce::File::getSpecialLocation(juce::File::userDocumentsDirectory)
                                .getChildFile(juce::String(captureName) + ending());
         chooser = std::make_unique<juce::FileChooser>(getTitle(), start, pattern);
@@ -115,7 +116,7 @@ private:
     juce::String ending() const { return pattern.fromFirstOccurrenceOf("*", false, false); }
 
     ProcessorView& view;
-    ProcessorView::CaptureKind kind;
+    StageView::CaptureKind kind;
     juce::String pattern;
     std::unique_ptr<juce::FileChooser> chooser;
     bool isDragged = false;

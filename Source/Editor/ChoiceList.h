@@ -16,20 +16,22 @@ public:
         setTitle(fromUtf8(info.name));
         setTooltip(fromUtf8(info.description));
         if (info.parameter == ParameterId::material)
-            view.readUserMaterials();
+            view.materials.readUserMaterials();
         fill();
         onChange = [this] { choose(); };
         refresh();
     }
 
     void refresh() {
-        if (info.parameter == ParameterId::material && ownMaterials != view.userMaterialNames())
+        if (info.parameter == ParameterId::material &&
+            ownMaterials != view.materials.userMaterialNames())
             fill(); // another list has read the user's materials again
         nameOwnMaterial();
-        const int own = info.parameter == ParameterId::material ? view.userMaterialIndex() : -1;
+        const int own =
+            info.parameter == ParameterId::material ? view.materials.userMaterialIndex() : -1;
         const int item =
             own >= 0 ? firstUserItem + own
-                     : firstChoiceItem + static_cast<int>(view.parameterValue(info.parameter));
+                     : firstChoiceItem + static_cast<int>(view.parameters.value(info.parameter));
         if (item != getSelectedId())
             setSelectedId(item, juce::dontSendNotification);
     }
@@ -37,7 +39,7 @@ public:
     /// Reads the user's materials again before the list opens.
     void showPopup() override {
         if (info.parameter == ParameterId::material) {
-            view.readUserMaterials();
+            view.materials.readUserMaterials();
             refresh();
         }
         ComboBox::showPopup();
@@ -50,7 +52,7 @@ private:
     /// "Own (Rosewood)", or "Own" if the objects have no common named material.
     static juce::String ownMaterialText(const ProcessorView& view) {
         std::set<std::string> names;
-        for (const auto& played : view.playedObjects())
+        for (const auto& played : view.instrument.playedObjects())
             names.insert(played.object->material.name);
         const juce::String own("Own");
         return names.size() != 1 || names.begin()->empty()
@@ -66,7 +68,7 @@ private:
         if (info.parameter != ParameterId::material)
             return;
         instrument = -1;
-        ownMaterials = view.userMaterialNames();
+        ownMaterials = view.materials.userMaterialNames();
         if (!ownMaterials.empty())
             addSeparator();
         item = firstUserItem;
@@ -74,16 +76,17 @@ private:
             addItem(fromUtf8(name), item++);
     }
     void nameOwnMaterial() {
-        if (info.parameter != ParameterId::material || view.instrumentNumber() == instrument)
+        if (info.parameter != ParameterId::material ||
+            view.instrument.instrumentNumber() == instrument)
             return;
-        instrument = view.instrumentNumber();
+        instrument = view.instrument.instrumentNumber();
         changeItemText(firstChoiceItem, ownMaterialText(view));
         setSelectedId(0, juce::dontSendNotification); // else a selected item keeps its old text
     }
     void choose() {
         const int item = getSelectedId();
         if (item >= firstUserItem)
-            return view.chooseUserMaterial(item - firstUserItem);
+            return view.materials.chooseUserMaterial(item - firstUserItem);
         changeOnce(view, info.parameter, item - firstChoiceItem);
     }
 

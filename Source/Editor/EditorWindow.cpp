@@ -47,7 +47,7 @@ void recolourTexts(juce::Component& part) {
 
 juce::String firstReadable(const juce::StringArray& files, const ProcessorView& view) {
     for (const auto& file : files)
-        if (view.canOpen(pathOf(file)) || view.isTuningFile(pathOf(file)))
+        if (view.workshop.canOpen(pathOf(file)) || view.tuning.isTuningFile(pathOf(file)))
             return file;
     return {};
 }
@@ -56,7 +56,8 @@ std::string refusalOf(const juce::File& file, const ProcessorView& view) {
     juce::String reason = "presets belong in the folder that the preset browser shows, materials "
                           "in Materials beside it, and a preset names the scene that it plays.";
     if (!file.hasFileExtension("json")) {
-        const auto patterns = fromUtf8(view.openPatterns() + ";" + view.tuningPatterns());
+        const auto patterns =
+            fromUtf8(view.workshop.openPatterns() + ";" + view.tuning.tuningPatterns());
         reason = "it is none of " + patterns.removeCharacters("*").replace(";", ", ") + ".";
     }
     return (file.getFileName().quoted() + " is not opened here: " + reason).toStdString();
@@ -66,7 +67,7 @@ std::string refusalOf(const juce::File& file, const ProcessorView& view) {
 
 EditorWindow::EditorWindow(juce::AudioProcessor& audioProcessor, ProcessorView& processorView)
     : AudioProcessorEditor(audioProcessor), view(processorView), look(preferences.look()),
-      presets(view), object(view), browser(view.presetShelf()), keyboard(view) {
+      presets(view), object(view), browser(view.presets), keyboard(view) {
     setLookAndFeel(&look);
     makePages();
     lookButton.onClick = [this] {
@@ -96,7 +97,7 @@ EditorWindow::~EditorWindow() {
     browser.settle();
     preferences.setWindowSize({getWidth(), getHeight()});
     setLookAndFeel(nullptr);
-    view.windowClosed();
+    view.parameters.endAllChanges();
 }
 
 void EditorWindow::makePages() {
@@ -173,10 +174,10 @@ void EditorWindow::timerCallback() {
     object.refresh();
     deck.refresh();
     keyboard.refresh();
-    const auto now = view.takeStatus();
+    const auto now = view.status.takeStatus();
     setBusy(now.peak > 0 || isMouseOver(true));
     status.show(now);
-    if (const auto* frame = view.takeSoundFrame()) {
+    if (const auto* frame = view.sound.takeSoundFrame()) {
         object.picture().showSound(*frame);
         deck.showSound(*frame);
     }
@@ -215,15 +216,15 @@ void EditorWindow::filesDropped(const juce::StringArray& files, int, int) {
     dropFrame.show({});
     const auto file = firstReadable(files, view);
     if (file.isEmpty())
-        return view.reportError(refusalOf(juce::File(files[0]), view));
-    const bool isTuning = view.isTuningFile(pathOf(file));
+        return view.status.reportError(refusalOf(juce::File(files[0]), view));
+    const bool isTuning = view.tuning.isTuningFile(pathOf(file));
     if (isTuning) // a scale and its mapping arrive together
         for (const auto& each : files) {
-            if (view.isTuningFile(pathOf(each)))
-                view.openTuning(pathOf(each));
+            if (view.tuning.isTuningFile(pathOf(each)))
+                view.tuning.openTuning(pathOf(each));
         }
     else
-        view.openFile(pathOf(file));
+        view.workshop.openFile(pathOf(file));
     deck.show(isTuning ? tuningPage : importPage);
 }
 

@@ -104,7 +104,7 @@ ImportForm::ImportForm(ProcessorView& processor) : view(processor) {
         changeTo(wanted);
     };
     thickness.onTextChange = [this] { typedThickness(); };
-    show(view.importStatus());
+    show(view.workshop.importStatus());
 }
 
 void ImportForm::describe(juce::Component& field,
@@ -129,7 +129,7 @@ void ImportForm::fillMaterials() {
     const auto library = choiceNames(ParameterId::material);
     for (const auto name : library.subspan(firstLibraryMaterial))
         material.addItem(fromUtf8(name), item++);
-    const auto own = view.readUserMaterials();
+    const auto own = view.materials.readUserMaterials();
     if (!own.empty())
         material.addSeparator();
     for (const auto& name : own)
@@ -149,7 +149,7 @@ void ImportForm::changeTo(const ImportSettings& wanted) {
     if (wanted == settings)
         return;
     settings = wanted;
-    view.setImportSettings(settings);
+    view.workshop.setImportSettings(settings);
 }
 
 void ImportForm::show(const ImportStatus& status) {

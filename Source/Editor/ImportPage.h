@@ -21,23 +21,23 @@ public:
                "Open a mesh or a modal object",
                "Open a mesh (OBJ, PLY, STL, OFF) or a modal object. Dropping it on the window does "
                "the same.",
-               fromUtf8(processor.openPatterns()),
+               fromUtf8(processor.workshop.openPatterns()),
                [this](const std::filesystem::path& chosen) {
-                   view.openFile(chosen);
+                   view.workshop.openFile(chosen);
                    refresh();
                }),
           form(processor) {
         addAndMakeVisible(open);
         addButton(cancel, "Cancel the analysis", "Stop the analysis. The current sound stays.",
-                  [this] { view.cancelImport(); });
+                  [this] { view.workshop.cancelImport(); });
         addButton(again, "Analyse anew", "Analyse the current object again with these settings",
-                  [this] { view.analyseAgain(); });
+                  [this] { view.workshop.analyseAgain(); });
         addButton(scaled, "Keys scaled to their pitches",
                   "Every key plays the object at the size that has the key's pitch",
-                  [this] { view.setKeyLayout(KeyLayout::scaled); });
+                  [this] { view.workshop.setKeyLayout(KeyLayout::scaled); });
         addButton(zones, "Keys along a strike path",
                   "The object at its own size, struck along the path as the keys go up",
-                  [this] { view.setKeyLayout(KeyLayout::zones); });
+                  [this] { view.workshop.setKeyLayout(KeyLayout::zones); });
         for (auto* label : {&file, &step, &keys}) {
             label->setFont(Look::textFont());
             label->setBorderSize({0, 0, 0, 0});
@@ -55,7 +55,7 @@ public:
         report.setTitle("What was made of the file");
         addAndMakeVisible(form);
         addAndMakeVisible(report);
-        shown = view.importStatus();
+        shown = view.workshop.importStatus();
         lookAndFeelChanged();
         showKeys();
         showStatus();
@@ -63,8 +63,8 @@ public:
 
     void refresh() override {
         showKeys();
-        auto status = view.importStatus();
-        const bool canBeAnalysed = !status.isWorking() && view.canAnalyseAgain();
+        auto status = view.workshop.importStatus();
+        const bool canBeAnalysed = !status.isWorking() && view.workshop.canAnalyseAgain();
         if (again.isEnabled() != canBeAnalysed)
             again.setEnabled(canBeAnalysed);
         if (status == shown)
@@ -139,7 +139,7 @@ private:
     }
 
     void showKeys() {
-        const auto layout = view.keyLayout();
+        const auto layout = view.workshop.keyLayout();
         for (const auto& [button, own] :
              {std::pair{&scaled, KeyLayout::scaled}, std::pair{&zones, KeyLayout::zones}}) {
             button->setEnabled(layout.has_value());

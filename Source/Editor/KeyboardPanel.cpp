@@ -20,10 +20,10 @@ int whiteKeys(int lowest, int highest) {
 }
 
 /// Extends the range to all keys that sound.
-ProcessorView::KeyRange soundingRange(ProcessorView::KeyRange range,
-                                      const std::array<ProcessorView::KeySound, 128>& sounds) {
+InstrumentView::KeyRange soundingRange(InstrumentView::KeyRange range,
+                                       const std::array<InstrumentView::KeySound, 128>& sounds) {
     for (int note = 0; note < 128; ++note)
-        if (sounds[static_cast<std::size_t>(note)] != ProcessorView::KeySound::silent) {
+        if (sounds[static_cast<std::size_t>(note)] != InstrumentView::KeySound::silent) {
             range.lowest = std::min(range.lowest, note);
             range.highest = std::max(range.highest, note);
         }
@@ -32,7 +32,7 @@ ProcessorView::KeyRange soundingRange(ProcessorView::KeyRange range,
 
 } // namespace
 
-int computerKeysBase(ProcessorView::KeyRange range) {
+int computerKeysBase(InstrumentView::KeyRange range) {
     constexpr int keys = 17; // the computer's keys A to ;
     const auto reached = [&](int base) {
         return std::min(range.highest, base + keys - 1) - std::max(range.lowest, base);
@@ -65,7 +65,7 @@ void KeyboardPanel::Keys::drawBlackNote(int note,
 void KeyboardPanel::Keys::shadeUnlessOwn(int note,
                                          juce::Graphics& g,
                                          juce::Rectangle<float> area) const {
-    using enum ProcessorView::KeySound;
+    using enum InstrumentView::KeySound;
     const auto sound = owner.sounds[static_cast<std::size_t>(note & 127)];
     if (sound == own)
         return;
@@ -116,8 +116,8 @@ void KeyboardPanel::refresh() {
 }
 
 void KeyboardPanel::showRange() {
-    const auto range = view.keyRange();
-    const auto now = view.keySounds();
+    const auto range = view.instrument.keyRange();
+    const auto now = view.instrument.keySounds();
     if (range.lowest == shown.lowest && range.highest == shown.highest && now == sounds)
         return;
     shown = range;
@@ -166,11 +166,11 @@ void KeyboardPanel::resized() {
 }
 
 void KeyboardPanel::handleNoteOn(juce::MidiKeyboardState*, int, int note, float velocity) {
-    view.playNote(note, juce::jlimit(1, 127, juce::roundToInt(velocity * 127)));
+    view.instrument.playNote(note, juce::jlimit(1, 127, juce::roundToInt(velocity * 127)));
 }
 
 void KeyboardPanel::handleNoteOff(juce::MidiKeyboardState*, int, int note, float) {
-    view.playNote(note, 0);
+    view.instrument.playNote(note, 0);
 }
 
 } // namespace idiophone

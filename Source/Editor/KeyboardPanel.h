@@ -8,7 +8,7 @@
 namespace idiophone {
 
 /// The C from which the computer's keys, an octave and a half, cover most of the range.
-int computerKeysBase(ProcessorView::KeyRange range);
+int computerKeysBase(InstrumentView::KeyRange range);
 
 class KeyboardPanel final : public juce::Component, private juce::MidiKeyboardState::Listener {
 public:
@@ -67,8 +67,8 @@ private:
     void shiftComputerKeys(int octaves);
 
     ProcessorView& view;
-    ProcessorView::KeyRange shown{.lowest = -1, .highest = -1};
-    std::array<ProcessorView::KeySound, 128> sounds{};
+    InstrumentView::KeyRange shown{.lowest = -1, .highest = -1};
+    std::array<InstrumentView::KeySound, 128> sounds{};
     int lowest = 0, highest = 127;  ///< MIDI notes, of the drawn keys
     int baseNote = 0;               ///< MIDI note of the computer's first key
     juce::juce_wchar octaveKey = 0; ///< 'z' or 'x' while it is held

@@ -25,7 +25,7 @@ public:
             auto mallet = std::make_unique<MalletButton>(name, headOf(i));
             mallet->onClick = [this, i, button = mallet.get()] {
                 if (!button->getToggleState() ||
-                    view.parameterValue(ParameterId::mallet) == double(i))
+                    view.parameters.value(ParameterId::mallet) == double(i))
                     return;
                 changeOnce(view, ParameterId::mallet, double(i));
                 refresh();
@@ -37,7 +37,7 @@ public:
     }
 
     void refresh() {
-        const int now = static_cast<int>(view.parameterValue(ParameterId::mallet));
+        const int now = static_cast<int>(view.parameters.value(ParameterId::mallet));
         if (now == shown)
             return;
         shown = now;

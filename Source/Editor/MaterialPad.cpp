@@ -22,11 +22,12 @@ constexpr int legendHeight = 16;
 
 Material materialOf(const ProcessorView& view) {
     Material now;
-    now.youngsModulusPa = view.effectiveValue(youngsModulus) * 1e9;
-    now.densityKgPerM3 = view.effectiveValue(density);
-    now.damping = {.fluidPerSecond = view.effectiveValue(fluidDamping),
-                   .viscoelasticSeconds = view.effectiveValue(viscoelasticDamping) * 1e-6,
-                   .lossFactor = view.effectiveValue(lossFactor)};
+    now.youngsModulusPa = view.parameters.effectiveValue(youngsModulus) * 1e9;
+    now.densityKgPerM3 = view.parameters.effectiveValue(density);
+    now.damping = {.fluidPerSecond = view.parameters.effectiveValue(fluidDamping),
+                   .viscoelasticSeconds =
+                       view.parameters.effectiveValue(viscoelasticDamping) * 1e-6,
+                   .lossFactor = view.parameters.effectiveValue(lossFactor)};
     return now;
 }
 
@@ -91,23 +92,23 @@ void MaterialPad::choose(std::size_t named) {
 void MaterialPad::beginMix() {
     mixing = true;
     for (const auto parameter : mixed)
-        view.beginParameterChange(parameter);
+        view.parameters.beginChange(parameter);
 }
 
 void MaterialPad::mix(const PlanePlace& place) {
     const auto material = materialAt(place, materialLibrary());
-    view.changeParameter(youngsModulus, material.youngsModulusPa * 1e-9);
-    view.changeParameter(density, material.densityKgPerM3);
-    view.changeParameter(fluidDamping, material.damping.fluidPerSecond);
-    view.changeParameter(viscoelasticDamping, material.damping.viscoelasticSeconds * 1e6);
-    view.changeParameter(lossFactor, material.damping.lossFactor);
-    view.changeParameter(ParameterId::material, customMaterial); // after its figures
+    view.parameters.change(youngsModulus, material.youngsModulusPa * 1e-9);
+    view.parameters.change(density, material.densityKgPerM3);
+    view.parameters.change(fluidDamping, material.damping.fluidPerSecond);
+    view.parameters.change(viscoelasticDamping, material.damping.viscoelasticSeconds * 1e6);
+    view.parameters.change(lossFactor, material.damping.lossFactor);
+    view.parameters.change(ParameterId::material, customMaterial); // after its figures
     refresh();
 }
 
 void MaterialPad::endMix() {
     for (const auto parameter : mixed)
-        view.endParameterChange(parameter);
+        view.parameters.endChange(parameter);
     mixing = false;
 }
 

@@ -72,12 +72,12 @@ public:
         before = now;
         now = wanted;
         for (const auto parameter : parameters)
-            view.beginParameterChange(parameter);
+            view.parameters.beginChange(parameter);
         // Set the choice last, after its figures.
         for (std::size_t i = 0; i < parameters.size(); ++i)
-            view.changeParameter(parameters[i], wanted[i]);
+            view.parameters.change(parameters[i], wanted[i]);
         for (const auto parameter : parameters)
-            view.endParameterChange(parameter);
+            view.parameters.endChange(parameter);
         ticksUnchanged = settledTicks;
         refresh();
     }
@@ -95,13 +95,13 @@ private:
     Figures figuresNow() const {
         Figures result{};
         std::ranges::transform(parameters, result.begin(),
-                               [&](ParameterId id) { return view.parameterValue(id); });
+                               [&](ParameterId id) { return view.parameters.value(id); });
         return result;
     }
     void watch() {
         const auto fresh = figuresNow();
-        if (view.instrumentNumber() != instrument) {
-            instrument = view.instrumentNumber();
+        if (view.instrument.instrumentNumber() != instrument) {
+            instrument = view.instrument.instrumentNumber();
             now = before = fresh;
         } else if (fresh != now) {
             if (ticksUnchanged >= settledTicks)

@@ -24,8 +24,8 @@ public:
         objects.setTooltip("The object whose modes are shown");
         objects.onChange = [this] {
             const int chosen = objects.getSelectedId() - lastPlayedId;
-            view.watchObject(chosen > 0 ? std::optional(static_cast<std::size_t>(chosen - 1))
-                                        : std::nullopt);
+            view.sound.watchObject(chosen > 0 ? std::optional(static_cast<std::size_t>(chosen - 1))
+                                              : std::nullopt);
         };
         mute.setTooltip("Mute the chosen mode (M)");
         mute.onClick = [this] { spectrum.toggleMute(spectrum.modeChosen().value_or(0)); };
@@ -35,8 +35,8 @@ public:
         all.setTooltip("Unmute all modes of this object and end its solos");
         all.onClick = [this] {
             const auto object = static_cast<std::size_t>(std::max(spectrum.frameShown().object, 0));
-            view.unmuteModes(object);
-            view.hearAllModes(object);
+            view.sound.unmuteModes(object);
+            view.sound.hearAllModes(object);
         };
         mute.setTitle("Mute mode");
         alone.setTitle("Solo mode");
@@ -49,9 +49,9 @@ public:
     }
 
     void refresh() override {
-        if (view.instrumentNumber() != listedInstrument)
+        if (view.instrument.instrumentNumber() != listedInstrument)
             listObjects();
-        const auto watched = view.watchedObject();
+        const auto watched = view.sound.watchedObject();
         const int id = watched ? lastPlayedId + 1 + static_cast<int>(*watched) : lastPlayedId;
         if (id != objects.getSelectedId())
             objects.setSelectedId(id, juce::dontSendNotification);
@@ -98,18 +98,18 @@ private:
     static constexpr int barHeight = 26, lineHeight = 16, gap = 6;
     static constexpr int lastPlayedId = 1; // item number; the objects follow
 
-    static juce::String nameOf(const ProcessorView::PlayedObject& played) {
+    static juce::String nameOf(const InstrumentView::PlayedObject& played) {
         const auto name = fromUtf8(played.object->name);
         return played.lowestNote == played.highestNote ? noteName(played.lowestNote) + "  " + name
                                                        : name;
     }
 
     void listObjects() {
-        listedInstrument = view.instrumentNumber();
+        listedInstrument = view.instrument.instrumentNumber();
         objects.clear(juce::dontSendNotification);
         objects.addItem("Played last", lastPlayedId);
         int id = lastPlayedId;
-        for (const auto& played : view.playedObjects())
+        for (const auto& played : view.instrument.playedObjects())
             objects.addItem(nameOf(played), ++id);
     }
     void modeShown() {

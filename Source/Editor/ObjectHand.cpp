@@ -26,9 +26,9 @@ void ObjectHand::strike(const ScenePick& pick,
     const int velocity = juce::roundToInt(softest + (hardest - softest) * hard);
     note = stageNote;
     if (note)
-        view.playNote(*note, velocity);
+        view.instrument.playNote(*note, velocity);
     else
-        view.strikeObject(pick.object, pick.pointMetres, velocity);
+        view.instrument.strikeObject(pick.object, pick.pointMetres, velocity);
     touch(pick);
 }
 
@@ -40,24 +40,24 @@ void ObjectHand::dragTo(const std::optional<ScenePick>& pick, double pressure) {
         strike(*pick, 0, std::nullopt);
     }
     if (!scraping)
-        view.scrapeObject(struck->object, struck->pointMetres, pressure);
+        view.instrument.scrapeObject(struck->object, struck->pointMetres, pressure);
     scraping = true;
-    view.scrapeObject(pick->object, pick->pointMetres, pressure);
+    view.instrument.scrapeObject(pick->object, pick->pointMetres, pressure);
     touch(*pick);
 }
 
 void ObjectHand::endScrape() {
     if (scraping && struck)
-        view.scrapeObject(struck->object, struck->pointMetres, 0);
+        view.instrument.scrapeObject(struck->object, struck->pointMetres, 0);
     scraping = false;
 }
 
 void ObjectHand::lift() {
     endScrape();
     if (struck && note)
-        view.playNote(*note, 0);
+        view.instrument.playNote(*note, 0);
     else if (struck)
-        view.strikeObject(struck->object, struck->pointMetres, 0);
+        view.instrument.strikeObject(struck->object, struck->pointMetres, 0);
     struck.reset();
 }
 

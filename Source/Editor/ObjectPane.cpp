@@ -9,13 +9,13 @@ namespace idiophone {
 ObjectPane::ObjectPane(ProcessorView& processor)
     : view(processor), object(processor),
       midi(processor,
-           ProcessorView::CaptureKind::midi,
+           StageView::CaptureKind::midi,
            "MIDI",
            "The impacts of the bodies as notes. Drag into the host, or click to save.",
            "*.mid"),
       impulses(
           processor,
-          ProcessorView::CaptureKind::impulses,
+          StageView::CaptureKind::impulses,
           "Impulses",
           "The impacts of the bodies as a list for `idiophone render --impulses`. Drag or click.",
           "*.jsonl") {
@@ -35,15 +35,15 @@ ObjectPane::ObjectPane(ProcessorView& processor)
     add(play, "Set the bodies in motion, as a key in the middle does", false);
     play.onClick = [this] {
         constexpr int velocity = 100;
-        const auto range = view.keyRange();
+        const auto range = view.instrument.keyRange();
         const int note = (range.lowest + range.highest) / 2;
-        view.playNote(note, velocity);
-        view.playNote(note, 0);
+        view.instrument.playNote(note, velocity);
+        view.instrument.playNote(note, 0);
     };
     add(pause, "Stop the bodies where they are", true);
-    pause.onClick = [this] { view.pauseStage(pause.getToggleState()); };
+    pause.onClick = [this] { view.stage.pauseStage(pause.getToggleState()); };
     add(reset, "Remove the bodies and their captured impacts", false);
-    reset.onClick = [this] { view.resetStage(); };
+    reset.onClick = [this] { view.stage.resetStage(); };
     addAndMakeVisible(midi);
     addAndMakeVisible(impulses);
     showStageButtons();
@@ -65,7 +65,7 @@ void ObjectPane::setLayers() {
 
 void ObjectPane::refresh() {
     object.refresh();
-    pause.setToggleState(view.isStagePaused(), juce::dontSendNotification);
+    pause.setToggleState(view.stage.isStagePaused(), juce::dontSendNotification);
     if (object.isOnStage() != play.isVisible())
         showStageButtons();
 }

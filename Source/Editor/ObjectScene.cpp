@@ -51,7 +51,7 @@ Mesh meshOf(const Eigen::AlignedBox3d& box) {
 /// accidentals behind and above them in the gaps. An object that is higher than long, such as a
 /// chime, hangs by its upper end.
 std::vector<ObjectScene::Placement>
-ObjectScene::keyboardOf(const std::vector<ProcessorView::PlayedObject>& played) {
+ObjectScene::keyboardOf(const std::vector<InstrumentView::PlayedObject>& played) {
     constexpr double gapMetres = 0.006, overlap = 0.9;
     // Turn the bar's x axis to the scene's y.
     const Eigen::Matrix3d turned{{0, -1, 0}, {1, 0, 0}, {0, 0, 1}};
@@ -89,7 +89,7 @@ ObjectScene::keyboardOf(const std::vector<ProcessorView::PlayedObject>& played) 
     return result;
 }
 
-ObjectScene::ObjectScene(const std::vector<ProcessorView::PlayedObject>& played, Layout layout) {
+ObjectScene::ObjectScene(const std::vector<InstrumentView::PlayedObject>& played, Layout layout) {
     if (layout == Layout::stage) {
         for (const auto& object : played)
             placements.push_back({.scale = object.sizeRatio});

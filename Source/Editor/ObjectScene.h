@@ -68,7 +68,7 @@ public:
         stage     ///< each object in its own coordinates and size; bodies place them
     };
 
-    explicit ObjectScene(const std::vector<ProcessorView::PlayedObject>& played,
+    explicit ObjectScene(const std::vector<InstrumentView::PlayedObject>& played,
                          Layout layout = Layout::keyboard);
 
     std::span<const SceneVertex> vertices() const { return corners; }
@@ -110,7 +110,7 @@ private:
     };
 
     static std::vector<Placement>
-    keyboardOf(const std::vector<ProcessorView::PlayedObject>& played);
+    keyboardOf(const std::vector<InstrumentView::PlayedObject>& played);
 
     void addFaces(const ModalObject& object, const Mesh& mesh, const Placement& placement);
     void addBox(SceneObject& run);

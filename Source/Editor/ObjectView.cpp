@@ -50,7 +50,7 @@ void ObjectView::refresh() {
     else if (ticksWithoutContext < ticksToWait && isShowing() &&
              ++ticksWithoutContext == ticksToWait)
         repaint();
-    if (const int playing = view.instrumentNumber(); playing != shownInstrument) {
+    if (const int playing = view.instrument.instrumentNumber(); playing != shownInstrument) {
         hand.lift();
         shownInstrument = playing;
         newScene();
@@ -58,9 +58,9 @@ void ObjectView::refresh() {
 }
 
 void ObjectView::newScene() {
-    played = view.playedObjects();
-    bodies = view.stageBodies();
-    onStage = view.hasStage();
+    played = view.instrument.playedObjects();
+    bodies = view.stage.stageBodies();
+    onStage = view.stage.hasStage();
     try {
         scene = std::make_shared<const ObjectScene>(
             played, onStage ? ObjectScene::Layout::stage : ObjectScene::Layout::keyboard);
@@ -196,7 +196,7 @@ std::optional<ScenePick> ObjectView::pickAt(juce::Point<float> position) const {
 /// Returns the note that sets an object in motion: its own key, or else one in the middle.
 int ObjectView::noteFor(std::size_t object) const {
     const auto& own = played[object];
-    const auto range = view.keyRange();
+    const auto range = view.instrument.keyRange();
     return own.lowestNote == own.highestNote ? own.lowestNote : (range.lowest + range.highest) / 2;
 }
 

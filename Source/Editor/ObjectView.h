@@ -72,7 +72,7 @@ private:
 
     ProcessorView& view;
     int shownInstrument = -1;
-    std::vector<ProcessorView::PlayedObject> played;
+    std::vector<InstrumentView::PlayedObject> played;
     std::shared_ptr<const ObjectScene> scene; ///< never nullptr after construction
     bool onStage = false;
     std::vector<BodyNow> bodies; ///< on a stage: bodies as drawn

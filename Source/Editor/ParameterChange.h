@@ -7,10 +7,10 @@ namespace idiophone {
 
 /// If the parameter is a figure of a material or mallet, the custom one is selected.
 inline void changeOnce(ProcessorView& view, ParameterId parameter, double value) {
-    view.beginParameterChange(parameter);
-    view.makeCustom(parameter);
-    view.changeParameter(parameter, value);
-    view.endParameterChange(parameter);
+    view.parameters.beginChange(parameter);
+    view.parameters.makeCustom(parameter);
+    view.parameters.change(parameter, value);
+    view.parameters.endChange(parameter);
 }
 
 } // namespace idiophone

@@ -24,8 +24,8 @@ constexpr float markWidth = 11; ///< width of the controller's mark and its gap
 
 ParameterControl::ParameterControl(const ParameterInfo& row, ProcessorView& processor)
     : info(row), view(processor), shown(std::numeric_limits<double>::quiet_NaN()),
-      burst([this] { view.beginParameterChange(info.parameter); },
-            [this] { view.endParameterChange(info.parameter); }) {
+      burst([this] { view.parameters.beginChange(info.parameter); },
+            [this] { view.parameters.endChange(info.parameter); }) {
     const auto title = fromUtf8(info.name);
     setTitle(title);
     name.setFont(Look::textFont());
@@ -87,19 +87,19 @@ void ParameterControl::beginDrag() {
         return;
     burst.finish();
     isDragged = true;
-    view.beginParameterChange(info.parameter);
+    view.parameters.beginChange(info.parameter);
 }
 
 void ParameterControl::endDrag() {
     if (std::exchange(isDragged, false))
-        view.endParameterChange(info.parameter);
+        view.parameters.endChange(info.parameter);
 }
 
 void ParameterControl::slid() {
     if (!isDragged)
         burst.extend();
-    view.makeCustom(info.parameter);
-    view.changeParameter(info.parameter, slider->getValue());
+    view.parameters.makeCustom(info.parameter);
+    view.parameters.change(info.parameter, slider->getValue());
     refresh();
 }
 
@@ -119,8 +119,8 @@ void ParameterControl::refresh() {
     if (list != nullptr)
         list->refresh();
     refreshController();
-    const double now = view.effectiveValue(info.parameter);
-    const bool live = view.isLive(info.parameter);
+    const double now = view.parameters.effectiveValue(info.parameter);
+    const bool live = view.parameters.isLive(info.parameter);
     if (now == shown && live == isLive)
         return;
     shown = now;
@@ -144,7 +144,7 @@ void ParameterControl::showTooltip() {
     auto text = parameterTooltip(info);
     if (!isLive)
         text << "\n" << idleSentence(info.parameter);
-    if (const auto sentence = controllerSentence(info, view.midiLearn()); sentence.isNotEmpty())
+    if (const auto sentence = controllerSentence(info, view.controllers); sentence.isNotEmpty())
         text << "\n" << sentence;
     name.setTooltip(text);
     if (toggle != nullptr)
@@ -152,7 +152,7 @@ void ParameterControl::showTooltip() {
 }
 
 void ParameterControl::refreshController() {
-    const auto& midi = view.midiLearn();
+    const auto& midi = view.controllers;
     const auto number = midi.controllerOf(info.parameter);
     const bool learning = midi.learningParameter() == info.parameter;
     if (number == controller && learning == isLearning)

@@ -14,12 +14,12 @@ juce::String valueText(const ParameterInfo& info, double value) {
 
 juce::PopupMenu
 parameterMenu(const ParameterInfo& info, ProcessorView& view, std::function<void()> typeValue) {
-    auto& midi = view.midiLearn();
+    auto& midi = view.controllers;
     const auto parameter = info.parameter;
-    const bool live = view.isLive(parameter);
+    const bool live = view.parameters.isLive(parameter);
     juce::PopupMenu menu;
     menu.addSectionHeader(fromUtf8(info.name) + ": " +
-                          valueText(info, view.effectiveValue(parameter)));
+                          valueText(info, view.parameters.effectiveValue(parameter)));
     if (typeValue != nullptr)
         menu.addItem("Type a value...", live, false, std::move(typeValue));
     menu.addItem("Reset to " + valueText(info, info.defaultValue), live, false,

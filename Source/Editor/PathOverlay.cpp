@@ -44,12 +44,12 @@ void paintKey(juce::Graphics& g, const Seen& seen, const juce::String& key, juce
 } // namespace
 
 void PathOverlay::showStruckPlaces(const ProcessorView& view,
-                                   const std::vector<ProcessorView::PlayedObject>& played,
+                                   const std::vector<InstrumentView::PlayedObject>& played,
                                    const ObjectScene& scene) {
-    const bool keysLieAlongPath = view.keyLayout() == KeyLayout::zones;
+    const bool keysLieAlongPath = view.workshop.keyLayout() == KeyLayout::zones;
     for (std::size_t i = 0; i < played.size(); ++i) {
         Path path;
-        for (const auto& place : view.struckPlaces(i))
+        for (const auto& place : view.instrument.struckPlaces(i))
             path.places.push_back(scene.placeOf(i, place));
         if (keysLieAlongPath && played[i].highestNote > played[i].lowestNote) {
             path.lowestKey = noteName(played[i].lowestNote);
@@ -69,7 +69,7 @@ void PathOverlay::drawTo(const ScenePick& pick) {
 
 void PathOverlay::finishDrawing(ProcessorView& view) {
     if (drawnOn && drawn.size() > 1)
-        view.setStrikePath(*drawnOn, drawnMetres);
+        view.workshop.setStrikePath(*drawnOn, drawnMetres);
     drawn.clear();
     drawnMetres.clear();
     drawnOn.reset();

@@ -15,7 +15,7 @@ public:
     void reset() { *this = {}; }
     /// Takes the places of the objects of this scene.
     void showStruckPlaces(const ProcessorView& view,
-                          const std::vector<ProcessorView::PlayedObject>& played,
+                          const std::vector<InstrumentView::PlayedObject>& played,
                           const ObjectScene& scene);
 
     /// Adds a place to the path that the user draws, if it is on the path's object.

@@ -68,7 +68,7 @@ PresetBar::PresetBar(ProcessorView& processor)
       favourite("Favourite", icons::star()), saving("Save", icons::save()),
       mutation("Mutate", icons::dice()), copying("Copy A to B", icons::copy()),
       undo("Undo", icons::undo()), redo("Redo", icons::redo()) {
-    view.presetShelf().readPresets();
+    view.presets.readPresets();
     name->onClick = [this] { juce::NullCheckedInvocation::invoke(onBrowse); };
     previous.onClick = [this] { step(-1); };
     next.onClick = [this] { step(1); };
@@ -80,10 +80,10 @@ PresetBar::PresetBar(ProcessorView& processor)
     mutation.onMenu = [this] { showMutationMenu(); };
     mutation.describe("Mutate",
                       "Play a random variation of this sound. Right-click for its strength.");
-    compare.onClick = [this] { view.soundVariants().compare(); };
-    copying.onClick = [this] { view.soundVariants().copyToOther(); };
-    undo.onClick = [this] { view.editHistory().undo(); };
-    redo.onClick = [this] { view.editHistory().redo(); };
+    compare.onClick = [this] { view.variants.compare(); };
+    copying.onClick = [this] { view.variants.copyToOther(); };
+    undo.onClick = [this] { view.history.undo(); };
+    redo.onClick = [this] { view.history.redo(); };
     for (auto* child :
          std::initializer_list<juce::Component*>{&previous, name.get(), &next, &favourite, &saving,
                                                  &compare, &copying, &mutation, &undo, &redo})
@@ -94,21 +94,20 @@ PresetBar::PresetBar(ProcessorView& processor)
 PresetBar::~PresetBar() = default;
 
 const ShelvedPreset* PresetBar::chosen() const {
-    const auto& presets = view.presetShelf().presets();
-    const auto found =
-        std::ranges::find(presets, view.presetShelf().chosenPreset(), &ShelvedPreset::id);
+    const auto& presets = view.presets.presets();
+    const auto found = std::ranges::find(presets, view.presets.chosenPreset(), &ShelvedPreset::id);
     return found == presets.end() ? nullptr : &*found;
 }
 
 void PresetBar::report(const Result<void>& outcome) {
     if (!outcome)
-        view.reportError(outcome.error().message);
+        view.status.reportError(outcome.error().message);
     refresh();
 }
 
 /// Loads the next playable preset, and wraps at the ends.
 void PresetBar::step(int by) {
-    auto& shelf = view.presetShelf();
+    auto& shelf = view.presets;
     const auto count = static_cast<int>(shelf.presets().size());
     const auto* now = chosen();
     int place =
@@ -124,7 +123,7 @@ void PresetBar::step(int by) {
 void PresetBar::toggleFavourite() {
     if (const auto* preset = chosen()) {
         const auto id = preset->id;
-        report(view.presetShelf().setFavourite(id, !preset->isFavourite));
+        report(view.presets.setFavourite(id, !preset->isFavourite));
     }
 }
 
@@ -132,12 +131,12 @@ void PresetBar::save() {
     const auto* preset = chosen();
     if (preset == nullptr || preset->isFactory)
         return juce::NullCheckedInvocation::invoke(onSaveAs);
-    report(view.presetShelf().saveChosenPreset());
+    report(view.presets.saveChosenPreset());
 }
 
 void PresetBar::mutate(double strength) {
-    view.soundVariants().mutate(
-        strength, static_cast<std::uint32_t>(juce::Random::getSystemRandom().nextInt()));
+    view.variants.mutate(strength,
+                         static_cast<std::uint32_t>(juce::Random::getSystemRandom().nextInt()));
     refresh();
 }
 
@@ -162,8 +161,8 @@ void PresetBar::refresh() {
 }
 
 void PresetBar::refreshPreset() {
-    const auto details = view.presetShelf().soundDetails();
-    name->show(fromUtf8(details.name), view.presetShelf().soundIsChanged(),
+    const auto details = view.presets.soundDetails();
+    name->show(fromUtf8(details.name), view.presets.soundIsChanged(),
                fromUtf8(details.description));
     const auto* preset = chosen();
     favourite.setEnabled(preset != nullptr);
@@ -174,13 +173,13 @@ void PresetBar::refreshPreset() {
 }
 
 void PresetBar::refreshHistory() {
-    auto& history = view.editHistory();
+    auto& history = view.history;
     undo.setEnabled(history.canUndo());
     redo.setEnabled(history.canRedo());
     undo.describe("Undo", "Undo " + fromUtf8(history.undoName()) + " (" + commandKey("Z") + ")");
     redo.describe("Redo",
                   "Redo " + fromUtf8(history.redoName()) + " (" + commandKey("Z", true) + ")");
-    const bool isB = view.soundVariants().playsB();
+    const bool isB = view.variants.playsB();
     compare.setToggleState(isB, juce::dontSendNotification);
     copying.describe(isB ? "Copy B to A" : "Copy A to B",
                      isB ? "Copy the current sound B to A" : "Copy the current sound A to B");
@@ -188,9 +187,9 @@ void PresetBar::refreshHistory() {
 
 bool PresetBar::handleKey(const juce::KeyPress& key) {
     if (isCommand(key, 'z'))
-        view.editHistory().undo();
+        view.history.undo();
     else if (isCommand(key, 'z', true) || isCommand(key, 'y'))
-        view.editHistory().redo();
+        view.history.redo();
     else if (isCommand(key, 's'))
         save();
     else

@@ -33,7 +33,7 @@ struct ModeNow {
 
 /// One key's state of an object. Keys that share a scaled object each have a slot.
 struct SlotNow {
-    int object = 0;                ///< index into ProcessorView::playedObjects
+    int object = 0;                ///< index into InstrumentView::playedObjects
     int note = -1;                 ///< lowest MIDI note that plays it
     float amplitude = 0;           ///< sum over its modes, m/s
     std::int32_t modesRinging = 0; ///< above τ, the request to the budget, in modes or groups
@@ -46,7 +46,7 @@ struct SlotNow {
 
 /// A body on a stage: an object and its pose. Metres; z points up.
 struct BodyNow {
-    int object = 0;                        ///< index into ProcessorView::playedObjects
+    int object = 0;                        ///< index into InstrumentView::playedObjects
     std::array<float, 3> originMetres{};   ///< position of the mesh's origin
     std::array<float, 4> turn{0, 0, 0, 1}; ///< rotation, unit quaternion x, y, z, w
 
@@ -54,7 +54,7 @@ struct BodyNow {
 };
 
 struct SoundFrame {
-    int instrumentNumber = 0; ///< ProcessorView::instrumentNumber
+    int instrumentNumber = 0; ///< InstrumentView::instrumentNumber
     int object = -1; ///< index into playedObjects of the object that has `modes`; −1: none
     int note = -1;   ///< MIDI note of the slot that has `modes`; −1: several keys
     std::vector<ModeNow> modes;    ///< ascending in frequency, unless own damping shifts one
@@ -79,8 +79,8 @@ struct SoundFrame {
     bool operator==(const SoundFrame&) const = default;
 };
 
-/// For the message thread. Objects are indices into ProcessorView::playedObjects; those that do not
-/// exist are ignored.
+/// For the message thread. Objects are indices into InstrumentView::playedObjects; those that do
+/// not exist are ignored.
 class SoundView {
 public:
     virtual ~SoundView() = default;

@@ -17,7 +17,7 @@ public:
     StatusBar() : DescribedComponent(juce::AccessibilityRole::staticText) { setTitle("Status"); }
 
     /// The screen reader announces a new error.
-    void show(ProcessorView::Status status) {
+    void show(StatusView::Status status) {
         constexpr int fallPerUpdate = 2; // dB; slow enough to see a peak
         const auto now = static_cast<int>(std::lround(
             juce::Decibels::gainToDecibels(status.peak, static_cast<float>(silentDecibels))));
@@ -86,7 +86,7 @@ private:
                                      : delay + ", " + juce::String(shown.lateEvents) + " late";
     }
 
-    ProcessorView::Status shown;
+    StatusView::Status shown;
     int shownDecibels = silentDecibels;
     static constexpr int silentDecibels = -60;
 };

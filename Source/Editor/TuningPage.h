@@ -20,9 +20,9 @@ public:
                "Open a scale or a keyboard mapping",
                "Open a Scala scale (.scl) or a keyboard mapping (.kbm). Dropping it on the "
                "window does the same.",
-               fromUtf8(processor.tuningPatterns()),
+               fromUtf8(processor.tuning.tuningPatterns()),
                [this](const std::filesystem::path& file) {
-                   view.openTuning(file);
+                   view.tuning.openTuning(file);
                    refresh();
                }),
           columns(groups(), processor) {
@@ -31,7 +31,7 @@ public:
                   "Forget the scale and the mapping, or else the tuning by MIDI messages. The keys "
                   "follow "
                   "the session, or equal temperament.",
-                  [this] { view.forgetTuning(); });
+                  [this] { view.tuning.forgetTuning(); });
         for (auto* label : {&scale, &origin}) {
             label->setBorderSize({0, 0, 0, 0});
             label->setMinimumHorizontalScale(0.8f);
@@ -42,14 +42,14 @@ public:
         scale.setTitle("Scale");
         origin.setTitle("Where the tuning comes from");
         addAndMakeVisible(columns);
-        shown = view.tuningStatus();
+        shown = view.tuning.tuningStatus();
         lookAndFeelChanged();
         showTuning();
     }
 
     void refresh() override {
         columns.refresh();
-        auto status = view.tuningStatus();
+        auto status = view.tuning.tuningStatus();
         if (status == shown)
             return;
         shown = std::move(status);

@@ -12,7 +12,7 @@ constexpr double modeSwingHz = 1.2;
 
 } // namespace
 
-void VibrationPicture::reset(std::vector<ProcessorView::PlayedObject> newObjects) {
+void VibrationPicture::reset(std::vector<InstrumentView::PlayedObject> newObjects) {
     objects = std::move(newObjects);
     slowMotion.reset();
     surfaces.clear();

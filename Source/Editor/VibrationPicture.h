@@ -19,7 +19,7 @@ namespace idiophone {
 class VibrationPicture {
 public:
     /// Takes the objects of a scene, at rest.
-    void reset(std::vector<ProcessorView::PlayedObject> newObjects);
+    void reset(std::vector<InstrumentView::PlayedObject> newObjects);
     /// Takes the current modes of an object.
     void follow(std::size_t object, std::span<const ModeNow> modes);
     /// Shows the shape of one mode of the followed object, or none.
@@ -34,7 +34,7 @@ public:
 private:
     std::optional<std::size_t> modeWithNodes() const;
 
-    std::vector<ProcessorView::PlayedObject> objects;
+    std::vector<InstrumentView::PlayedObject> objects;
     SlowMotion slowMotion;
     std::size_t watched = 0; ///< index of the object in `slowMotion`
     std::map<std::size_t, SurfaceMotion> surfaces;

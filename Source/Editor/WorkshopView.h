@@ -78,6 +78,8 @@ public:
     virtual void analyseAgain() = 0;
     virtual void cancelImport() = 0;
     virtual ImportStatus importStatus() const = 0;
+    /// Whether a mesh is being analysed and its preview plays.
+    virtual bool playsPreview() const = 0;
 
     /// Nothing if the instrument has an object for each key.
     virtual std::optional<KeyLayout> keyLayout() const = 0;

@@ -22,14 +22,12 @@ bool isSystemExclusive(const juce::MidiMessageMetadata& metadata) {
 
 } // namespace
 
-void BlockPieces::begin(const juce::MidiBuffer& midi, NoteQueue& notes, int blockSamples) noexcept {
+void BlockPieces::begin(const juce::MidiBuffer& midi, int blockSamples) noexcept {
     message = midi.cbegin();
     lastMessage = midi.cend();
     position = 0;
     samples = blockSamples;
     finished = false;
-    if (eventCount + NoteQueue::mostEvents <= events.size())
-        notes.read([this](const MidiEvent& event) { events[eventCount++] = event; });
 }
 
 // Some hosts stamp events outside their block.

@@ -2,7 +2,7 @@
 // block neither allocates nor loses anything.
 #pragma once
 
-#include "Plugin/NoteQueue.h"
+#include "Instrument/Player.h"
 
 #include <array>
 #include <juce_audio_basics/juce_audio_basics.h>
@@ -28,10 +28,16 @@ public:
         std::span<const MidiEvent> events;            ///< channel messages, offsets from `start`
     };
 
-    /// Starts a block; `midi` must live until its last piece. Queued notes sound at its first
-    /// sample. Skips other system messages. Keeps the events of a block without samples for the
+    /// Starts a block; `midi` must live until its last piece. Skips other system
+    /// messages. Keeps the events of a block without samples for the
     /// next block, unless a system exclusive message comes with them.
-    void begin(const juce::MidiBuffer& midi, NoteQueue& notes, int blockSamples) noexcept;
+    void begin(const juce::MidiBuffer& midi, int blockSamples) noexcept;
+
+    /// Returns how many events fit now.
+    std::size_t room() const noexcept { return events.size() - eventCount; }
+    /// Adds an event at the block's first sample, before its MIDI. Call it before `next`, and only
+    /// while there is room.
+    void add(const MidiEvent& event) noexcept { events[eventCount++] = event; }
 
     std::optional<Piece> next() noexcept;
 
@@ -49,7 +55,6 @@ private:
     bool finished = true;
     std::array<MidiEvent, maximumEvents> events{};
     std::size_t eventCount = 0; ///< collected and not yet returned
-    static_assert(NoteQueue::mostEvents <= maximumEvents);
 };
 
 } // namespace idiophone

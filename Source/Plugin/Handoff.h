@@ -2,8 +2,8 @@
 // no longer needs, for destruction elsewhere. Neither side waits.
 #pragma once
 
-#include <array>
 #include <atomic>
+#include <boost/lockfree/spsc_queue.hpp>
 #include <memory>
 
 namespace idiophone {
@@ -32,8 +32,7 @@ public:
 
     /// [message side] Destroys the objects that the audio thread gave back.
     void collect() {
-        for (auto& slot : retired)
-            delete slot.exchange(nullptr);
+        retired.consume_all([](Built* built) { delete built; });
     }
 
     /// [audio thread] Returns the newest published object, now owned by the audio thread, or
@@ -42,20 +41,16 @@ public:
 
     /// [audio thread] Gives an object back for destruction; ignores nullptr.
     void retire(Built* built) noexcept {
-        if (built == nullptr)
-            return;
-        for (auto& slot : retired) {
-            Built* empty = nullptr;
-            if (slot.compare_exchange_strong(empty, built))
-                return;
-        }
-        // Not reached: every `publish` empties the slots. Until the next one at most four objects
-        // come back: the two that the audio thread held and the two that may have been pending.
+        // The queue is never full: every `publish` empties it. Until the next one at most four
+        // objects come back: the two that the audio thread held and the two that may have been
+        // pending.
+        if (built != nullptr)
+            retired.push(built);
     }
 
 private:
     std::atomic<Built*> pending{nullptr};
-    std::array<std::atomic<Built*>, 4> retired{};
+    boost::lockfree::spsc_queue<Built*, boost::lockfree::capacity<4>> retired;
     static_assert(std::atomic<Built*>::is_always_lock_free);
 };
 

@@ -2,6 +2,8 @@
 
 #include "Editor/Utf8.h"
 
+#include <algorithm>
+
 namespace idiophone {
 namespace {
 
@@ -38,14 +40,40 @@ void HostParameter::moveByController(double value) noexcept {
     movedByController = true;
 }
 
-void HostParameter::tellHost(bool isInGesture) {
+void HostParameter::tellHost() {
     if (!movedByController.exchange(false))
         return;
-    if (!isInGesture)
-        beginChangeGesture();
+    beginGesture();
     tellListeners();
-    if (!isInGesture)
-        endChangeGesture();
+    endGesture();
+}
+
+void HostParameter::beginGesture() {
+    if (openGestures++ == 0)
+        beginChangeGesture();
+}
+
+bool HostParameter::endGesture() {
+    if (openGestures == 0 || --openGestures > 0)
+        return false;
+    endChangeGesture();
+    return true;
+}
+
+void HostParameter::endAllGestures() {
+    openGestures = std::min(openGestures, 1);
+    endGesture();
+}
+
+void HostParameter::setByHand(double value) {
+    setExactValue(value);
+    tellListeners();
+}
+
+void HostParameter::changeByHand(double value) {
+    beginGesture();
+    setByHand(value);
+    endGesture();
 }
 
 void HostParameter::tellListeners() {

@@ -25,8 +25,19 @@ public:
     /// [audio thread] Sets the value from a controller; `tellHost` reports it to the host.
     void moveByController(double value) noexcept;
     /// [message thread] Reports the value to the host if a controller was the last to set it and it
-    /// is still unreported. Makes a gesture of its own unless `isInGesture`.
-    void tellHost(bool isInGesture);
+    /// is still unreported. Makes a gesture of its own unless one is open.
+    void tellHost();
+    /// [message thread] Begins and ends a gesture by hand. Gestures nest; the host hears of the
+    /// outermost. `endGesture` returns whether it was the outermost.
+    void beginGesture();
+    bool endGesture();
+    bool isInGesture() const noexcept { return openGestures > 0; }
+    /// [message thread] Ends all open gestures.
+    void endAllGestures();
+    /// [message thread] Sets the value and reports it to the host, within a gesture; `changeByHand`
+    /// makes one of its own unless one is open.
+    void setByHand(double value);
+    void changeByHand(double value);
     /// [any thread] Reports the value to the host and other listeners.
     void tellListeners();
     /// [message thread] Reports the value if it differs from the last sent one and that one is not
@@ -55,6 +66,7 @@ private:
         false};                  ///< was the last to set it, and the host does not know yet
     std::atomic<float> told{-1}; ///< last value sent to the host, normalised; −1: none
     std::atomic<std::uint32_t> timesSet{0};
+    int openGestures = 0; ///< the message thread's
     static_assert(std::atomic<bool>::is_always_lock_free);
     static_assert(std::atomic<float>::is_always_lock_free);
     static_assert(std::atomic<double>::is_always_lock_free);

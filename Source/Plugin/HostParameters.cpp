@@ -74,14 +74,11 @@ void HostParameters::forgetTold() const noexcept {
         parameter->forgetTold();
 }
 
-const ParameterValues& HostParameters::snapshot() noexcept {
+void HostParameters::read(ParameterValues& current) const noexcept {
     const auto before = loads.load();
-    if (before % 2 == 0) {
-        const auto fresh = values();
-        if (loads.load() == before)
-            lastSnapshot = fresh;
-    }
-    return lastSnapshot;
+    const auto fresh = values();
+    if (before % 2 == 0 && loads.load() == before)
+        current = fresh;
 }
 
 } // namespace idiophone

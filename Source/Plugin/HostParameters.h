@@ -48,14 +48,12 @@ public:
     /// [any thread] Calls `forgetTold` on every parameter.
     void forgetTold() const noexcept;
 
-    /// [audio thread] Returns the values for this callback. During a `load`, returns the values
-    /// from before it.
-    const ParameterValues& snapshot() noexcept;
+    /// [audio thread] Brings the values up to date, or leaves them alone during a `load`.
+    void read(ParameterValues& values) const noexcept;
 
 private:
     std::array<HostParameter*, parameterCount> parameters{};
     std::atomic<std::uint32_t> loads{0}; ///< odd while a load is under way
-    ParameterValues lastSnapshot;        ///< the audio thread's
 };
 
 } // namespace idiophone

@@ -36,13 +36,6 @@ void MidiLearn::follow(juce::MidiBufferIterator first,
     }
 }
 
-void MidiLearn::tellHost(const HostParameters& parameters,
-                         const std::array<int, parameterCount>& openGestures) {
-    for (const auto& info : parameterTable())
-        parameters[info.parameter].tellHost(openGestures[static_cast<std::size_t>(info.parameter)] >
-                                            0);
-}
-
 ControllerAssignments MidiLearn::assignments() const noexcept {
     ControllerAssignments result;
     for (std::size_t i = 0; i < numbers.size(); ++i)

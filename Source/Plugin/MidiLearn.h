@@ -23,11 +23,6 @@ public:
                 juce::MidiBufferIterator last,
                 const HostParameters& parameters) noexcept;
 
-    /// [message thread] Reports to the host the values that controllers set since the last call. Do
-    /// not call during an offline render: a late echo from the host would make the render depend on
-    /// time. `openGestures` counts the open gestures of each parameter.
-    void tellHost(const HostParameters& parameters,
-                  const std::array<int, parameterCount>& openGestures);
     /// [message thread] Returns whether a controller was learned or forgotten since the last call.
     bool takeReassigned() noexcept { return reassigned.exchange(false); }
 

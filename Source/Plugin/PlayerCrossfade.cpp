@@ -19,7 +19,9 @@ void PlayerCrossfade::install(std::unique_ptr<Player> player) {
     delete std::exchange(fading, nullptr);
 }
 
-void PlayerCrossfade::changeTo(Player* next, float levelBefore) noexcept {
+void PlayerCrossfade::changeTo(Player* next,
+                               const ParameterValues& former,
+                               float levelBefore) noexcept {
     if (next == nullptr)
         return;
     Player* previous = std::exchange(current, next);
@@ -34,7 +36,7 @@ void PlayerCrossfade::changeTo(Player* next, float levelBefore) noexcept {
         fading = previous;
         fadePosition = 0;
         fadingLevel = levelBefore;
-        fadingValues = lastValues;
+        fadingValues = former;
     }
 }
 
@@ -49,7 +51,6 @@ void PlayerCrossfade::process(const StereoSpan& output,
     }
     if (fading != nullptr)
         addFading(output);
-    lastValues = values;
 }
 
 void PlayerCrossfade::addFading(const StereoSpan& output) noexcept {

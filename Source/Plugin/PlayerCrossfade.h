@@ -28,10 +28,11 @@ public:
     void install(std::unique_ptr<Player> player);
 
     /// Plays `next`, now owned, with pedals and controllers where they are; the old player fades
-    /// out under it. A second change within a fade cuts the player that has just begun and lets the
-    /// older one finish its fade. The fading player goes through the current output level.
-    /// `levelBefore` is the old level divided by the new one and corrects that. Ignores nullptr.
-    void changeTo(Player* next, float levelBefore = 1) noexcept;
+    /// out under it at the values `former`. A second change within a fade cuts the player that has
+    /// just begun and lets the older one finish its fade. The fading player goes through the
+    /// current output level. `levelBefore` is the old level divided by the new one and corrects
+    /// that. Ignores nullptr.
+    void changeTo(Player* next, const ParameterValues& former, float levelBefore = 1) noexcept;
 
     /// Renders the next samples, at most `BlockPieces::maximumSamples`; see `Player::process`.
     void process(const StereoSpan& output,
@@ -50,8 +51,7 @@ private:
     Player* current = nullptr;
     Player* fading = nullptr;
     int fadePosition = 0;
-    float fadingLevel = 1; ///< relative to the current player's level
-    ParameterValues lastValues;
+    float fadingLevel = 1;        ///< relative to the current player's level
     ParameterValues fadingValues; ///< from before the change, to keep the fading sound
     std::array<float, BlockPieces::maximumSamples> fadingLeft{}, fadingRight{};
 };

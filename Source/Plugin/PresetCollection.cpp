@@ -84,9 +84,10 @@ const Preset* factoryPreset(const std::string& id) {
 
 PresetCollection::PresetCollection(SoundHolder& soundHolder,
                                    SoundHistory& soundHistory,
+                                   const WorkshopView& workshopView,
                                    const juce::File& settings)
-    : holder(soundHolder), history(soundHistory), folder(below(settings, "Presets")),
-      favourites(below(settings, "favourites.json")) {}
+    : holder(soundHolder), history(soundHistory), workshop(workshopView),
+      folder(below(settings, "Presets")), favourites(below(settings, "favourites.json")) {}
 
 void PresetCollection::readPresets() {
     favourites.read();
@@ -231,7 +232,7 @@ PresetCollection::save(Sound sound,
                        const std::function<Result<std::string>(const Preset&)>& write) {
     if (sound.instrument == nullptr)
         return failure("There is nothing to save: no instrument is loaded.");
-    if (holder.playsPreview())
+    if (workshop.playsPreview())
         return failure("A preview plays: save it when the analysis is over, or cancel that first.");
     auto preset = sound.preset;
     preset.name = details.name;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Editor/PresetShelf.h"
+#include "Editor/WorkshopView.h"
 #include "Plugin/Favourites.h"
 #include "Plugin/PresetFolder.h"
 #include "Plugin/SoundHistory.h"
@@ -16,7 +17,10 @@ class PresetCollection final : public PresetShelf {
 public:
     /// Presets are in `Presets` of the settings folder, favourites in a file there. An empty folder
     /// means a machine without settings. Reads nothing yet.
-    PresetCollection(SoundHolder& holder, SoundHistory& history, const juce::File& settings);
+    PresetCollection(SoundHolder& holder,
+                     SoundHistory& history,
+                     const WorkshopView& workshop,
+                     const juce::File& settings);
 
     const std::vector<ShelvedPreset>& presets() const override { return shelf; }
     void readPresets() override;
@@ -51,6 +55,7 @@ private:
 
     SoundHolder& holder;
     SoundHistory& history;
+    const WorkshopView& workshop;
     PresetFolder folder;
     Favourites favourites;
     std::vector<ShelvedPreset> shelf;

@@ -7,7 +7,6 @@
 
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -37,7 +36,7 @@ struct SoundLabel {
     bool isChanged = false; ///< a parameter outside the setup differs from the stored one
 };
 
-/// Holds the current sound and plays others; the processor implements it. For the message thread.
+/// Holds the current sound and plays others; SoundSession implements it. For the message thread.
 class SoundHolder {
 public:
     virtual ~SoundHolder() = default;
@@ -54,24 +53,12 @@ public:
     /// If the current sound has the instrument of `wanted`, gives it that preset's name, author,
     /// description, tags, id, file hash and stored values. Keeps everything else.
     virtual void relabel(const Sound& wanted) = 0;
-    /// Returns whether a mesh is being analysed and its preview plays.
-    virtual bool playsPreview() const = 0;
     /// Shows a sentence in the status line.
     virtual void reportError(const std::string& sentence) = 0;
-    /// Returns how many states and programs the host has loaded, on any thread. Does not count
-    /// refused states or programs that MIDI asked for.
-    virtual int hostLoads() const = 0;
-    /// Returns the sound before the programs that MIDI has asked for since the last call or host
-    /// load. Returns nothing if there were none.
-    virtual std::optional<Sound> takeSoundBeforePrograms() = 0;
-
-    virtual double parameterValue(ParameterId parameter) const = 0;
     /// Sets the parameters that differ between `wanted` and the sound `of`, all at once, if that
     /// sound still plays. Leaves the others where automation has moved them. The old sound fades
     /// out or rings on as in `playSound`.
     virtual void changeParameters(const Sound& of, const ParameterValues& wanted) = 0;
-    /// Sets a value as a change by hand, which the host records.
-    virtual void setValue(ParameterId parameter, double value) = 0;
 };
 
 } // namespace idiophone

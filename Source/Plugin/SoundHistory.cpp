@@ -99,34 +99,37 @@ private:
     bool isDone = false;
 };
 
-SoundHistory::SoundHistory(SoundHolder& soundHolder)
-    : holder(soundHolder), steps(mostUnits, fewestSteps) {}
+SoundHistory::SoundHistory(SoundHolder& soundHolder,
+                           HostParameters& hostParameters,
+                           HostLoads& loadsOfHost)
+    : holder(soundHolder), parameters(hostParameters), hostLoads(loadsOfHost),
+      steps(mostUnits, fewestSteps) {}
 
 SoundHistory::~SoundHistory() = default;
 
 bool SoundHistory::canUndo() {
-    followHolder();
+    followHost();
     return !changes.empty() || steps.canUndo();
 }
 
 bool SoundHistory::canRedo() {
-    followHolder();
+    followHost();
     return changes.empty() && steps.canRedo();
 }
 
 std::string SoundHistory::undoName() {
-    followHolder();
+    followHost();
     return steps.getUndoDescription().toStdString();
 }
 
 std::string SoundHistory::redoName() {
-    followHolder();
+    followHost();
     return steps.getRedoDescription().toStdString();
 }
 
 void SoundHistory::undo() {
     endAudition();
-    followHolder();
+    followHost();
     closeEdit();
     programs.reset();
     steps.undo();
@@ -134,7 +137,7 @@ void SoundHistory::undo() {
 
 void SoundHistory::redo() {
     endAudition();
-    followHolder();
+    followHost();
     closeEdit();
     programs.reset();
     steps.redo();
@@ -142,7 +145,7 @@ void SoundHistory::redo() {
 
 void SoundHistory::record(const std::string& name, const std::function<void()>& load) {
     endAudition();
-    followHolder();
+    followHost();
     closeEdit();
     const auto before = session();
     load();
@@ -153,7 +156,7 @@ void SoundHistory::recordDone(const std::string& name,
                               std::function<void()> undone,
                               std::function<void()> doneAgain) {
     endAudition();
-    followHolder();
+    followHost();
     closeEdit();
     push(new DoneStep(std::move(undone), std::move(doneAgain)), name);
 }
@@ -187,10 +190,10 @@ bool SoundHistory::play(const Session& wanted) {
     return true;
 }
 
-void SoundHistory::followHolder() {
-    if (holder.hostLoads() != knownHostLoads)
+void SoundHistory::followHost() {
+    if (hostLoads.counted() != knownHostLoads)
         forgetAll();
-    if (auto before = holder.takeSoundBeforePrograms())
+    if (auto before = hostLoads.takeBeforePrograms())
         recordPrograms(std::move(*before));
 }
 
@@ -212,7 +215,7 @@ void SoundHistory::recordPrograms(Sound before) {
 }
 
 void SoundHistory::forgetAll() {
-    knownHostLoads = holder.hostLoads();
+    knownHostLoads = hostLoads.counted();
     steps.clearUndoHistory();
     programs.reset();
     other.reset();
@@ -222,7 +225,7 @@ void SoundHistory::forgetAll() {
 }
 
 void SoundHistory::closeEdit() {
-    closeEdit([this](ParameterId parameter) { return holder.parameterValue(parameter); });
+    closeEdit([this](ParameterId parameter) { return parameters[parameter].exactValue(); });
 }
 
 void SoundHistory::closeEdit(const std::function<double(ParameterId)>& valueOf) {

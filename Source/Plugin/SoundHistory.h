@@ -1,9 +1,11 @@
 // Keeps undo and redo steps for all changes of the sound in the window, and the variants A and B.
-// It stores sounds; the processor plays them.
+// It stores sounds; the holder plays them.
 #pragma once
 
 #include "Editor/EditHistory.h"
 #include "Editor/SoundVariants.h"
+#include "Plugin/HostLoads.h"
+#include "Plugin/HostParameters.h"
 #include "Plugin/Sound.h"
 
 #include <bitset>
@@ -23,12 +25,12 @@ struct Session {
 };
 
 /// For the message thread. A state or program loaded by the host clears all steps and the other
-/// variant; the holder counts these loads. Programs that MIDI asks for are a step. Consecutive ones
+/// variant. Programs that MIDI asks for are a step. Consecutive ones
 /// are one step, as a song may change them all the time.
 class SoundHistory final : public EditHistory, public SoundVariants {
 public:
     /// Does not call the holder yet.
-    explicit SoundHistory(SoundHolder& holder);
+    SoundHistory(SoundHolder& holder, HostParameters& parameters, HostLoads& hostLoads);
     ~SoundHistory() override;
 
     bool canUndo() override;
@@ -89,7 +91,7 @@ private:
     /// Returns whether it plays. If a step fails, all steps are cleared.
     bool play(const Session& wanted);
     void change(const std::vector<Change>& changes, bool forward);
-    void followHolder();
+    void followHost();
     void forgetAll();
     void recordPrograms(Sound before);
     void closeEdit();
@@ -100,6 +102,8 @@ private:
     bool pushLoad(const std::string& name, const Session& before);
 
     SoundHolder& holder;
+    HostParameters& parameters;
+    HostLoads& hostLoads;
     juce::UndoManager steps;
     std::vector<std::weak_ptr<LoadedSessions>> loads; ///< sessions of the steps still kept
     int knownHostLoads = -1;                          ///< host loads counted before the steps

@@ -8,7 +8,7 @@
 namespace idiophone {
 
 void SoundHistory::beginGesture(ParameterId parameter) {
-    followHolder();
+    followHost();
     if (gestures.none() && openEdits == 0)
         closeEdit();
     gestures.set(static_cast<std::size_t>(parameter));
@@ -17,22 +17,22 @@ void SoundHistory::beginGesture(ParameterId parameter) {
 void SoundHistory::willChange(ParameterId parameter) {
     if (openEdits == 0 && !gestures.test(static_cast<std::size_t>(parameter)))
         return;
-    followHolder();
+    followHost();
     const auto known =
         std::ranges::any_of(changes, [&](const Change& c) { return c.parameter == parameter; });
     if (!known)
-        changes.push_back({.parameter = parameter, .before = holder.parameterValue(parameter)});
+        changes.push_back({.parameter = parameter, .before = parameters[parameter].exactValue()});
 }
 
 void SoundHistory::endGesture(ParameterId parameter) {
-    followHolder();
+    followHost();
     gestures.reset(static_cast<std::size_t>(parameter));
     if (gestures.none() && openEdits == 0)
         closeEdit();
 }
 
 void SoundHistory::endAllGestures() {
-    followHolder();
+    followHost();
     gestures.reset();
     openEdits = 0;
     closeEdit();
@@ -40,7 +40,7 @@ void SoundHistory::endAllGestures() {
 }
 
 void SoundHistory::beginEdit(const std::string& name) {
-    followHolder();
+    followHost();
     if (openEdits++ > 0)
         return;
     closeEdit();
@@ -48,7 +48,7 @@ void SoundHistory::beginEdit(const std::string& name) {
 }
 
 void SoundHistory::endEdit() {
-    followHolder();
+    followHost();
     if (openEdits == 0 || --openEdits > 0)
         return;
     closeEdit();
@@ -57,7 +57,7 @@ void SoundHistory::endEdit() {
 
 void SoundHistory::change(const std::vector<Change>& wanted, bool forward) {
     const auto set = [&](const Change& change) {
-        holder.setValue(change.parameter, forward ? change.after : change.before);
+        parameters[change.parameter].changeByHand(forward ? change.after : change.before);
     };
     if (forward)
         std::ranges::for_each(wanted, set);
@@ -66,7 +66,7 @@ void SoundHistory::change(const std::vector<Change>& wanted, bool forward) {
 }
 
 bool SoundHistory::playsB() {
-    followHolder();
+    followHost();
     return isB;
 }
 
@@ -96,7 +96,7 @@ void SoundHistory::mutate(double strength, std::uint32_t seed) {
 }
 
 void SoundHistory::audition(const std::function<void()>& load) {
-    followHolder();
+    followHost();
     closeEdit();
     if (!beforeAudition)
         beforeAudition = session();
@@ -104,7 +104,7 @@ void SoundHistory::audition(const std::function<void()>& load) {
 }
 
 void SoundHistory::keepAudition() {
-    followHolder();
+    followHost();
     if (const auto before = std::exchange(beforeAudition, std::nullopt)) {
         closeEdit();
         pushLoad(holder.loadedLabel().name, *before);
@@ -112,7 +112,7 @@ void SoundHistory::keepAudition() {
 }
 
 void SoundHistory::endAudition() {
-    followHolder();
+    followHost();
     if (const auto before = std::exchange(beforeAudition, std::nullopt)) {
         changes.clear();
         play(*before);

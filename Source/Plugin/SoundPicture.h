@@ -46,7 +46,7 @@ private:
     void addBodies(std::span<const BodyPose> poses);
 
     PictureSubject subject;
-    std::vector<int> objectOfSlot; ///< index into ProcessorView::playedObjects
+    std::vector<int> objectOfSlot; ///< index into InstrumentView::playedObjects
     std::vector<int> noteOfSlot;
     std::vector<bool> isOfOneKey;
     std::vector<std::int32_t> modesOfSlot;

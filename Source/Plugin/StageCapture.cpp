@@ -70,7 +70,7 @@ void StageCapture::follow(const std::shared_ptr<const Instrument>& instrument) {
         played = instrument;
         clear();
     }
-    messages.read([this](const Message& message) {
+    messages.consume_all([this](const Message& message) {
         if (played == nullptr || message.instrument != played->serialNumber())
             return;
         if (std::exchange(performance, message.performance) != message.performance)

@@ -3,8 +3,8 @@
 
 #include "Instrument/Player.h"
 #include "Object/Result.h"
-#include "Plugin/OneWayQueue.h"
 
+#include <boost/lockfree/spsc_queue.hpp>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -43,7 +43,7 @@ private:
         PlacedImpact impact;
     };
 
-    OneWayQueue<Message, 1024> messages;
+    boost::lockfree::spsc_queue<Message, boost::lockfree::capacity<1024>> messages;
     std::shared_ptr<const Instrument> played;
     std::uint32_t performance = 0; ///< performance number of `kept`
     std::vector<PlacedImpact> kept;

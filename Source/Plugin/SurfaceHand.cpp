@@ -7,16 +7,16 @@ namespace idiophone {
 namespace {
 
 // Maximum steps between two mouse events; a faster drag is followed more coarsely.
-constexpr int mostSteps = 8;
+constexpr int maximumSteps = 8;
 
-/// Returns how many steps keep each within a mesh edge, up to `mostSteps`.
+/// Returns how many steps keep each within a mesh edge, up to `maximumSteps`.
 int stepsBetween(const std::array<double, 3>& from,
                  const std::array<double, 3>& to,
                  double edgeMetres) {
     const double metres = std::hypot(to[0] - from[0], to[1] - from[1], to[2] - from[2]);
     if (!(edgeMetres > 0) || !(metres > edgeMetres))
         return 1;
-    return static_cast<int>(std::min(std::ceil(metres / edgeMetres), double(mostSteps)));
+    return static_cast<int>(std::min(std::ceil(metres / edgeMetres), double(maximumSteps)));
 }
 
 } // namespace
@@ -26,11 +26,9 @@ void SurfaceHand::strike(const std::shared_ptr<const Instrument>& instrument,
                          const std::array<double, 3>& pointMetres,
                          int velocity) {
     const auto& places = placesOn(instrument->slots()[slot].object);
-    push({.instrument = instrument->serialNumber(),
-          .isTouch = false,
-          .strike = {.slot = slot, .point = places.nearest(pointMetres), .velocity = velocity},
-          .touch = {}},
-         velocity <= 0);
+    events.push({.instrument = instrument->serialNumber(),
+                 .played = SurfaceStrike{
+                     .slot = slot, .point = places.nearest(pointMetres), .velocity = velocity}});
 }
 
 void SurfaceHand::scrape(const std::shared_ptr<const Instrument>& instrument,
@@ -39,11 +37,9 @@ void SurfaceHand::scrape(const std::shared_ptr<const Instrument>& instrument,
                          double pressure) {
     const auto& places = placesOn(instrument->slots()[slot].object);
     const auto touchAt = [&](const std::array<double, 3>& point) {
-        push({.instrument = instrument->serialNumber(),
-              .isTouch = true,
-              .strike = {},
-              .touch = {.slot = slot, .point = places.nearest(point), .pressure = pressure}},
-             !(pressure > 0));
+        events.push({.instrument = instrument->serialNumber(),
+                     .played = SurfaceTouch{
+                         .slot = slot, .point = places.nearest(point), .pressure = pressure}});
     };
     const bool goesOn = drag && pressure > 0 && drag->instrument == instrument->serialNumber() &&
                         drag->slot == slot;
@@ -69,29 +65,6 @@ const ObjectSurface& SurfaceHand::placesOn(const std::shared_ptr<const ModalObje
     if (!surface || surface->object != object)
         surface.emplace(object);
     return surface->places;
-}
-
-void SurfaceHand::push(const Gesture& gesture, bool lifts) noexcept {
-    if (!gestures.push(gesture) && lifts)
-        liftLost = true;
-}
-
-void SurfaceHand::playOn(Player* player) noexcept {
-    gestures.read([player](const Gesture& gesture) {
-        if (player == nullptr || player->instrument().serialNumber() != gesture.instrument)
-            return;
-        if (gesture.isTouch)
-            player->scrapeSurface(gesture.touch);
-        else
-            player->strikeSurface(gesture.strike);
-    });
-    if (liftLost.exchange(false) && player != nullptr)
-        player->liftHands();
-}
-
-void SurfaceHand::clear() noexcept {
-    gestures.read([](const Gesture&) {});
-    liftLost = false;
 }
 
 } // namespace idiophone

@@ -1,21 +1,22 @@
-// Hands strikes and drags on objects in the window to the audio thread.
+// Finds where the mouse strikes or drags over an object, and queues it for the audio thread.
 #pragma once
 
 #include "Instrument/ObjectSurface.h"
-#include "Instrument/Player.h"
-#include "Plugin/OneWayQueue.h"
+#include "Plugin/WindowEvents.h"
 
 #include <array>
-#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <optional>
 
 namespace idiophone {
 
+/// For the message thread.
 class SurfaceHand {
 public:
-    /// [message thread] Strikes the slot's object at the place nearest to a point, in metres of its
+    explicit SurfaceHand(WindowEvents& eventsOfWindow) : events(eventsOfWindow) {}
+
+    /// Strikes the slot's object at the place nearest to a point, in metres of its
     /// own mesh. The strike acts at the next sample. Velocity is 1 to 127; 0 lifts the hand. If the
     /// queue is full, a strike is lost, but a lift never is. The slot exists.
     void strike(const std::shared_ptr<const Instrument>& instrument,
@@ -23,7 +24,7 @@ public:
                 const std::array<double, 3>& pointMetres,
                 int velocity);
 
-    /// [message thread] Drags over the slot's object, straight to the place nearest to a point.
+    /// Drags over the slot's object, straight to the place nearest to a point.
     /// Pressure is 0 to 1; 0 lifts the hand. If the queue is full, part of the path is lost, but a
     /// lift never is. The slot exists.
     void scrape(const std::shared_ptr<const Instrument>& instrument,
@@ -31,21 +32,7 @@ public:
                 const std::array<double, 3>& pointMetres,
                 double pressure);
 
-    /// [audio thread] Passes pending gestures to the player of their instrument. Drops gestures for
-    /// another instrument. Neither allocates, locks nor throws.
-    void playOn(Player* player) noexcept;
-
-    /// [audio thread] Discards pending gestures; call when all hands are lifted.
-    void clear() noexcept;
-
 private:
-    /// A strike or a contact.
-    struct Gesture {
-        std::uint64_t instrument = 0; ///< its serial number
-        bool isTouch = false;
-        SurfaceStrike strike;
-        SurfaceTouch touch;
-    };
     /// The last place of the drag.
     struct Drag {
         std::uint64_t instrument = 0; ///< its serial number
@@ -62,10 +49,8 @@ private:
     };
 
     const ObjectSurface& placesOn(const std::shared_ptr<const ModalObject>& object);
-    void push(const Gesture& gesture, bool lifts) noexcept;
 
-    OneWayQueue<Gesture, 256> gestures;
-    std::atomic<bool> liftLost{false}; ///< the queue was full: lift all hands
+    WindowEvents& events;
     std::optional<Surface> surface;
     std::optional<Drag> drag;
 };

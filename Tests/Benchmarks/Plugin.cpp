@@ -39,7 +39,7 @@ double processorSeconds() {
 
 /// Returns notes and chords over all keys, held for a tenth of a second, with moving pressure and
 /// wheels.
-std::vector<juce::MidiBuffer> musicOn(const ProcessorView::KeyRange& keys) {
+std::vector<juce::MidiBuffer> musicOn(const InstrumentView::KeyRange& keys) {
     std::mt19937 random(3);
     const auto between = [&](int low, int high) {
         return low + static_cast<int>(random() % static_cast<unsigned>(high - low + 1));
@@ -76,9 +76,9 @@ public:
     void replay(Processor& processor) {
         processor.setCurrentProgram(program);
         processor.prepareToPlay(rateHz, blockSamples); // a new player
-        const auto music = musicOn(processor.keyRange());
+        const auto music = musicOn(processor.view().instrument.keyRange());
         juce::AudioBuffer<float> sound(2, blockSamples);
-        const bool hasStage = processor.hasStage();
+        const bool hasStage = processor.view().stage.hasStage();
         auto next = std::chrono::steady_clock::now();
         for (std::size_t block = 0; block < blocks; ++block) {
             if (block == materialBlock)
@@ -107,7 +107,8 @@ public:
 private:
     static void jumpToAnotherMaterial(Processor& processor) {
         constexpr double one = firstLibraryMaterial, another = one + 1;
-        const double other = processor.parameterValue(ParameterId::material) == one ? another : one;
+        const double other =
+            processor.view().parameters.value(ParameterId::material) == one ? another : one;
         processor.getParameters()[static_cast<int>(ParameterId::material)]->setValue(
             static_cast<float>(parameterInfo(ParameterId::material).toNormalised(other)));
     }

@@ -22,7 +22,7 @@ struct Thrown {
         juce::MidiBuffer midi;
         midi.addEvent(juce::MidiMessage::noteOn(1, 72, static_cast<juce::uint8>(100)), 0);
         render(processor, 48000, 480, midi);
-        REQUIRE(processor.hasCaptured());
+        REQUIRE(processor.view().stage.hasCaptured());
     }
     Processor processor;
 };
@@ -31,12 +31,12 @@ struct Thrown {
 
 TEST_CASE("Each drag of a capture writes its own file, which later drags do not change") {
     Thrown thrown;
-    CaptureButton midi(thrown.processor, ProcessorView::CaptureKind::midi, "MIDI", "", "*.mid");
+    CaptureButton midi(thrown.processor.view(), StageView::CaptureKind::midi, "MIDI", "", "*.mid");
     const auto first = midi.writeForDrag();
     REQUIRE(first.existsAsFile());
     const auto written = first.loadFileAsString();
     thrown.processor.prepareToPlay(48000, 480);
-    CaptureButton other(thrown.processor, ProcessorView::CaptureKind::midi, "MIDI", "", "*.mid");
+    CaptureButton other(thrown.processor.view(), StageView::CaptureKind::midi, "MIDI", "", "*.mid");
     const auto second = other.writeForDrag();
     REQUIRE(second.existsAsFile());
     CHECK(second != first);
@@ -64,7 +64,7 @@ TEST_CASE("Each drag of a capture writes its own file, which later drags do not 
 
 TEST_CASE("A capture saved without an extension gets one, and does not overwrite a file unasked") {
     Thrown thrown;
-    CaptureButton midi(thrown.processor, ProcessorView::CaptureKind::midi, "MIDI", "", "*.mid");
+    CaptureButton midi(thrown.processor.view(), StageView::CaptureKind::midi, "MIDI", "", "*.mid");
     const auto bare = fileOf(testFolder() / "throw"), with = bare.withFileExtension("mid");
     midi.save(bare);
     CHECK_FALSE(bare.exists());
@@ -73,7 +73,8 @@ TEST_CASE("A capture saved without an extension gets one, and does not overwrite
     with.replaceWithText("another's");
     midi.save(bare);
     CHECK(with.loadFileAsString() == "another's");
-    CHECK(thrown.processor.takeStatus().sentence == "There is already a file throw.mid.");
+    CHECK(thrown.processor.view().status.takeStatus().sentence ==
+          "There is already a file throw.mid.");
     midi.save(with); // the chooser has asked about this one
     CHECK(with.loadFileAsString() != "another's");
 }

@@ -68,7 +68,7 @@ TEST_CASE("The window cuts no text at any size and any parameter value") {
         window->setSize(width, height);
         for (const double place : {0.0, 0.37, 1.0}) {
             for (const auto& info : parameterTable())
-                processor.changeParameter(info.parameter, info.fromNormalised(place));
+                processor.view().parameters.change(info.parameter, info.fromNormalised(place));
             for (int page = 0; page < deck.pageCount(); ++page) {
                 deck.show(page);
                 deck.refresh();
@@ -174,9 +174,9 @@ TEST_CASE("A typed value is set exactly in its unit; invalid text changes nothin
     auto* value = find<juce::Label>(*window, "Density");
     REQUIRE(value != nullptr);
     value->setText("7850.1 kg/m3", juce::sendNotificationSync);
-    CHECK(processor.parameterValue(ParameterId::density) == 7850.1);
+    CHECK(processor.view().parameters.value(ParameterId::density) == 7850.1);
     value->setText("heavy", juce::sendNotificationSync);
-    CHECK(processor.parameterValue(ParameterId::density) == 7850.1);
+    CHECK(processor.view().parameters.value(ParameterId::density) == 7850.1);
     CHECK(value->getText() == juce::String::fromUTF8("7850 kg/m³"));
 }
 
@@ -184,26 +184,26 @@ TEST_CASE("Controls show the figures in effect; a change by hand makes them all 
     using enum ParameterId;
     Processor processor;
     const auto window = open(processor);
-    processor.changeParameter(material, firstLibraryMaterial + 8); // steel
-    processor.changeParameter(mallet, firstRackMallet);            // yarn
+    processor.view().parameters.change(material, firstLibraryMaterial + 8); // steel
+    processor.view().parameters.change(mallet, firstRackMallet);            // yarn
     auto* modulus = find<juce::Label>(*window, "Young's modulus");
     runTimersUntil([&] { return modulus->getText() == "200.0 GPa"; });
     CHECK(find<juce::Label>(*window, "Mallet mass")->getText() == "40.0 g");
-    CHECK(processor.parameterValue(youngsModulus) != 200);
+    CHECK(processor.view().parameters.value(youngsModulus) != 200);
 
     modulus->setText("100 GPa", juce::sendNotificationSync);
-    CHECK(processor.parameterValue(material) == double{customMaterial});
-    CHECK(processor.parameterValue(youngsModulus) == 100);
-    CHECK(processor.parameterValue(density) == 7850);
-    CHECK(processor.parameterValue(fluidDamping) ==
+    CHECK(processor.view().parameters.value(material) == double{customMaterial});
+    CHECK(processor.view().parameters.value(youngsModulus) == 100);
+    CHECK(processor.view().parameters.value(density) == 7850);
+    CHECK(processor.view().parameters.value(fluidDamping) ==
           Approx(findMaterial("Steel")->damping.fluidPerSecond));
-    CHECK(processor.parameterValue(lossFactor) ==
+    CHECK(processor.view().parameters.value(lossFactor) ==
           Approx(findMaterial("Steel")->damping.lossFactor));
-    CHECK(processor.parameterValue(mallet) == double{firstRackMallet});
+    CHECK(processor.view().parameters.value(mallet) == double{firstRackMallet});
     find<juce::Label>(*window, "Mallet radius")->setText("20 mm", juce::sendNotificationSync);
-    CHECK(processor.parameterValue(mallet) == double{customMallet});
-    CHECK(processor.parameterValue(malletRadius) == 20);
-    CHECK(processor.parameterValue(malletMass) == Approx(40));
+    CHECK(processor.view().parameters.value(mallet) == double{customMallet});
+    CHECK(processor.view().parameters.value(malletRadius) == 20);
+    CHECK(processor.view().parameters.value(malletMass) == Approx(40));
 }
 
 TEST_CASE("A material made for a place of the map lies at that place") {
@@ -225,20 +225,20 @@ TEST_CASE("A material made for a place of the map lies at that place") {
 TEST_CASE("Swapping materials twice restores the material after the last change") {
     using enum ParameterId;
     Processor processor;
-    MaterialPage page(processor);
+    MaterialPage page(processor.view());
     const auto tick = [&](int times) {
         for (int i = 0; i < times; ++i)
             page.refresh();
     };
     tick(20);
-    processor.changeParameter(material, firstLibraryMaterial + 4);
+    processor.view().parameters.change(material, firstLibraryMaterial + 4);
     tick(20);
-    processor.changeParameter(material, firstLibraryMaterial + 8);
+    processor.view().parameters.change(material, firstLibraryMaterial + 8);
     tick(20);
     page.swapMaterials();
-    CHECK(processor.parameterValue(material) == double{firstLibraryMaterial} + 4);
+    CHECK(processor.view().parameters.value(material) == double{firstLibraryMaterial} + 4);
     page.swapMaterials();
-    CHECK(processor.parameterValue(material) == double{firstLibraryMaterial} + 8);
+    CHECK(processor.view().parameters.value(material) == double{firstLibraryMaterial} + 8);
 }
 
 TEST_CASE("Sliders, switches and lists change their parameter in its unit") {
@@ -251,9 +251,9 @@ TEST_CASE("Sliders, switches and lists change their parameter in its unit") {
     tuning->setValue(-50, juce::sendNotificationSync);
     ring->setToggleState(false, juce::sendNotificationSync);
     material->setSelectedId(firstLibraryMaterial + 1, juce::sendNotificationSync);
-    CHECK(processor.parameterValue(ParameterId::tune) == -50);
-    CHECK(processor.parameterValue(ParameterId::letRing) == 0);
-    CHECK(processor.parameterValue(ParameterId::material) == double{firstLibraryMaterial});
+    CHECK(processor.view().parameters.value(ParameterId::tune) == -50);
+    CHECK(processor.view().parameters.value(ParameterId::letRing) == 0);
+    CHECK(processor.view().parameters.value(ParameterId::material) == double{firstLibraryMaterial});
 }
 
 TEST_CASE("The list of materials shows the name of the objects' own material") {
@@ -262,7 +262,7 @@ TEST_CASE("The list of materials shows the name of the objects' own material") {
     auto* list = find<juce::ComboBox>(*window, "Material");
     REQUIRE(list != nullptr);
     CHECK(list->getText() == "Own (Rosewood)");
-    REQUIRE(processor.presetShelf().loadPreset(factoryPresetId("Steel Ring")));
+    REQUIRE(processor.view().presets.loadPreset(factoryPresetId("Steel Ring")));
     runTimersUntil([&] { return list->getText().startsWith("Own (Steel"); });
 }
 
@@ -270,7 +270,7 @@ TEST_CASE("The window follows automation and program changes of the host") {
     Processor processor;
     const auto window = open(processor);
     processor.setCurrentProgram(1);
-    processor.changeParameter(ParameterId::material, customMaterial);
+    processor.view().parameters.change(ParameterId::material, customMaterial);
     processor.getParameters()[static_cast<int>(ParameterId::density)]->setValue(1);
     runTimersUntil([&] {
         return find<juce::Button>(*window, "Preset")->getButtonText().toStdString() ==
@@ -339,13 +339,13 @@ TEST_CASE("A window that closes during a drag ends the gesture for the host") {
     GestureLog host;
     processor.addListener(&host);
     auto window = open(processor);
-    processor.beginParameterChange(ParameterId::density);
-    processor.changeParameter(ParameterId::density, 1000);
+    processor.view().parameters.beginChange(ParameterId::density);
+    processor.view().parameters.change(ParameterId::density, 1000);
     CHECK(host.text == "(=");
     window.reset();
     CHECK(host.text == "(=)");
-    processor.endParameterChange(ParameterId::density);
+    processor.view().parameters.endChange(ParameterId::density);
     processor.removeListener(&host);
     CHECK(host.text == "(=)");
-    CHECK(processor.editHistory().undoName() == "Density");
+    CHECK(processor.windowSession().history.undoName() == "Density");
 }

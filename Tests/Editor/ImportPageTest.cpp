@@ -51,7 +51,7 @@ struct Page {
 
     Processor processor;
     Look look;
-    ImportPage page{processor};
+    ImportPage page{processor.view()};
 };
 
 } // namespace
@@ -71,7 +71,7 @@ TEST_CASE("Thickness is parsed in the typed unit, in millimetres by default") {
 TEST_CASE("The page shows the file and the choices made, and new settings start a new analysis") {
     Page p;
     CHECK(p.file().contains("Drop"));
-    p.processor.openFile(smallPlateFile("plate.obj", 1000));
+    p.processor.view().workshop.openFile(smallPlateFile("plate.obj", 1000));
     p.page.refresh();
     CHECK(part<juce::Button>(p.page, "Cancel the analysis").isVisible());
     finish(p.processor);
@@ -85,37 +85,37 @@ TEST_CASE("The page shows the file and the choices made, and new settings start 
     CHECK(part<juce::ComboBox>(p.page, "Method").getText() == "Auto: Shell, two layers");
 
     part<juce::ComboBox>(p.page, "Material").setText("Glass", juce::sendNotificationSync);
-    CHECK(p.processor.importStatus().isWorking());
+    CHECK(p.processor.view().workshop.importStatus().isWorking());
     part<juce::Label>(p.page, "Thickness of shells").setText("4 mm", juce::sendNotificationSync);
     finish(p.processor);
     p.page.refresh();
-    const auto object = p.processor.playedObjects().front().object;
+    const auto object = p.processor.view().instrument.playedObjects().front().object;
     CHECK(object->material.name == "Glass");
     CHECK(object->thicknessMetres == Approx(0.004));
 
-    const auto number = p.processor.instrumentNumber();
+    const auto number = p.processor.view().instrument.instrumentNumber();
     part<juce::Label>(p.page, "Thickness of shells")
         .setText("nonsense", juce::sendNotificationSync);
     CHECK(part<juce::Label>(p.page, "Thickness of shells").getText() == "4 mm");
     p.page.refresh();
     p.page.refresh();
     finish(p.processor);
-    CHECK(p.processor.instrumentNumber() == number);
+    CHECK(p.processor.view().instrument.instrumentNumber() == number);
 }
 
 TEST_CASE("The page shows an import error as a sentence, and says when an import is cancelled") {
     Page p;
-    p.processor.openFile(writtenFile("broken.obj", "f 1 2 3\n"));
+    p.processor.view().workshop.openFile(writtenFile("broken.obj", "f 1 2 3\n"));
     finish(p.processor);
     p.page.refresh();
     CHECK(p.report().contains("broken.obj"));
     const auto& report = part<juce::TextEditor>(p.page, "What was made of the file");
     CHECK(report.findColour(juce::TextEditor::textColourId) == colourOf(p.page, LookColour::error));
 
-    p.processor.openFile(meshFile("ball.obj", icosphereMesh(0.1, 4)));
+    p.processor.view().workshop.openFile(meshFile("ball.obj", icosphereMesh(0.1, 4)));
     p.page.refresh();
     click(part<juce::Button>(p.page, "Cancel the analysis"));
-    CHECK(p.processor.importStatus().stage == ImportStage::cancelled);
+    CHECK(p.processor.view().workshop.importStatus().stage == ImportStage::cancelled);
     CHECK(part<juce::Label>(p.page, "Progress").getText() == "Cancelled.");
 }
 
@@ -124,29 +124,29 @@ TEST_CASE("Two buttons switch between keys at their pitches and keys along a pat
     auto& scaled = part<juce::Button>(p.page, "Keys scaled to their pitches");
     auto& zones = part<juce::Button>(p.page, "Keys along a strike path");
     CHECK_FALSE(zones.isEnabled()); // bars
-    p.processor.openFile(smallPlateFile("plate.obj", 1));
+    p.processor.view().workshop.openFile(smallPlateFile("plate.obj", 1));
     finish(p.processor);
     p.page.refresh();
     CHECK(scaled.getToggleState());
     click(zones);
-    CHECK(p.processor.keyLayout() == KeyLayout::zones);
+    CHECK(p.processor.view().workshop.keyLayout() == KeyLayout::zones);
     CHECK(zones.getToggleState());
     CHECK_FALSE(scaled.getToggleState());
     click(scaled);
-    CHECK(p.processor.keyLayout() == KeyLayout::scaled);
+    CHECK(p.processor.view().workshop.keyLayout() == KeyLayout::scaled);
 }
 
 TEST_CASE("A preset's object is analysed again on request, but not when a setting changes") {
     Page p;
     p.processor.setCurrentProgram(4); // a steel ring
     p.page.refresh();
-    const auto before = p.processor.loadedInstrument();
+    const auto before = p.processor.soundSession().instrument();
     part<juce::ComboBox>(p.page, "Material").setText("Glass", juce::sendNotificationSync);
-    CHECK_FALSE(p.processor.importStatus().isWorking());
+    CHECK_FALSE(p.processor.view().workshop.importStatus().isWorking());
     click(part<juce::Button>(p.page, "Analyse anew"));
-    CHECK(p.processor.importStatus().isWorking());
-    CHECK(p.processor.loadedInstrument() == before);
-    p.processor.cancelImport();
+    CHECK(p.processor.view().workshop.importStatus().isWorking());
+    CHECK(p.processor.soundSession().instrument() == before);
+    p.processor.view().workshop.cancelImport();
 }
 
 TEST_CASE("Files can be dropped anywhere on the window; unreadable files are reported") {
@@ -158,11 +158,11 @@ TEST_CASE("Files can be dropped anywhere on the window; unreadable files are rep
     CHECK(window.isInterestedInFileDrag({"song.mid", file}));
     window.fileDragEnter({file}, 10, 10);
     window.fileDragExit({file});
-    CHECK(processor.importStatus().stage == ImportStage::none);
+    CHECK(processor.view().workshop.importStatus().stage == ImportStage::none);
     window.filesDropped({"song.mid", file}, 10, 10);
-    CHECK(processor.importStatus().isWorking());
+    CHECK(processor.view().workshop.importStatus().isWorking());
     finish(processor);
-    CHECK(processor.importStatus().stage == ImportStage::done);
+    CHECK(processor.view().workshop.importStatus().stage == ImportStage::done);
     CHECK(part<ImportPage>(window, "").isVisible());
     window.setSize(EditorWindow::minimumWidth, EditorWindow::minimumHeight);
     CHECK(part<ImportPage>(window, "").isVisible());
@@ -172,8 +172,8 @@ TEST_CASE("Files can be dropped anywhere on the window; unreadable files are rep
         const auto path = juce::File::getCurrentWorkingDirectory().getChildFile(refused);
         REQUIRE(window.isInterestedInFileDrag({path.getFullPathName()}));
         window.filesDropped({path.getFullPathName()}, 10, 10);
-        CHECK(processor.importStatus().stage == ImportStage::done);
-        const auto status = processor.takeStatus();
+        CHECK(processor.view().workshop.importStatus().stage == ImportStage::done);
+        const auto status = processor.view().status.takeStatus();
         CHECK(status.isError);
         CHECK(status.sentence.starts_with('"' + std::string(refused) + '"'));
         if (!path.hasFileExtension("json"))

@@ -30,7 +30,7 @@ TEST_CASE("Silent keys and keys that play another key's bar look different from 
     Processor processor;
     for (const auto scheme : {LookScheme::dark, LookScheme::light}) {
         Look look(scheme);
-        KeyboardPanel panel(processor);
+        KeyboardPanel panel(processor.view());
         panel.setLookAndFeel(&look);
         panel.setBounds(0, 0, 57 * 40, 100); // C0 to C8
         const auto picture = panel.createComponentSnapshot(panel.getLocalBounds());
@@ -54,7 +54,7 @@ TEST_CASE("Silent keys and keys that play another key's bar look different from 
 
 TEST_CASE("Z and X shift the computer's keys by one octave per press; key repeats are ignored") {
     Processor processor;
-    KeyboardPanel panel(processor);
+    KeyboardPanel panel(processor.view());
     const auto press = [&](juce::juce_wchar letter) {
         return panel.pressOctaveKey({static_cast<int>(letter), {}, letter});
     };

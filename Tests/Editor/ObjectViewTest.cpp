@@ -22,9 +22,9 @@ int presetNumber(const char* name) {
     return static_cast<int>(found - presets.begin());
 }
 
-std::vector<ProcessorView::PlayedObject> objectsOf(Processor& processor, const char* preset) {
+std::vector<InstrumentView::PlayedObject> objectsOf(Processor& processor, const char* preset) {
     processor.setCurrentProgram(presetNumber(preset));
-    return processor.playedObjects();
+    return processor.view().instrument.playedObjects();
 }
 
 /// A point 1 m above the middle of an object's upward faces.
@@ -155,7 +155,7 @@ TEST_CASE("A click on a bar plays it; a click beside the bars is silent") {
     Processor processor;
     processor.setCurrentProgram(presetNumber("Marimba"));
     processor.prepareToPlay(48000, 480);
-    ObjectView view(processor);
+    ObjectView view(processor.view());
     view.setBounds(0, 0, 900, 300);
     juce::AudioBuffer<float> sound(2, 4800);
     juce::MidiBuffer midi;
@@ -168,7 +168,7 @@ TEST_CASE("A click on a bar plays it; a click beside the bars is silent") {
     CHECK(level() == 0);
     const auto pick = view.strikeAt({450, 150});
     REQUIRE(pick);
-    CHECK(pick->object < processor.playedObjects().size());
+    CHECK(pick->object < processor.view().instrument.playedObjects().size());
     CHECK(level() > 1e-4f);
     view.lift();
 }
@@ -187,7 +187,7 @@ TEST_CASE("Showing or hiding the strike path repaints the view") {
         int& invalidations;
     };
     Processor processor;
-    ObjectView view(processor);
+    ObjectView view(processor.view());
     view.setBounds(0, 0, 900, 300);
     view.setVisible(true);
     int invalidations = 0;
@@ -202,7 +202,7 @@ TEST_CASE("Showing or hiding the strike path repaints the view") {
 TEST_CASE("A path being drawn while another sound is loaded changes neither sound") {
     Processor processor;
     processor.setCurrentProgram(presetNumber("Steel Plate"));
-    ObjectView view(processor);
+    ObjectView view(processor.view());
     view.setBounds(0, 0, 900, 300);
     view.setLayers({.drawsPath = true});
     const auto at = [&](float x) {
@@ -218,7 +218,7 @@ TEST_CASE("A path being drawn while another sound is loaded changes neither soun
         view.mouseDrag(at(420));
         view.mouseUp(at(420));
     };
-    const auto path = [&] { return processor.loadedInstrument()->keyMap().strikePath; };
+    const auto path = [&] { return processor.soundSession().instrument()->keyMap().strikePath; };
     const auto before = path();
     draw([] {});
     CHECK(path() != before); // the drag sets a path
@@ -229,17 +229,17 @@ TEST_CASE("A path being drawn while another sound is loaded changes neither soun
     });
     CHECK(path() ==
           factoryPresets()[static_cast<std::size_t>(presetNumber("Wok"))].keyMap.strikePath);
-    CHECK(processor.loadedSound().preset.name == "Wok");
+    CHECK(processor.soundSession().loadedSound().preset.name == "Wok");
 }
 
 TEST_CASE("Closing the 3D view releases the object that it holds") {
     Processor processor;
     processor.setCurrentProgram(presetNumber("Steel Plate"));
     processor.prepareToPlay(48000, 480);
-    processor.changeParameter(ParameterId::letRing, 0);
-    processor.changeParameter(ParameterId::releaseTime, 0.02);
+    processor.view().parameters.change(ParameterId::letRing, 0);
+    processor.view().parameters.change(ParameterId::releaseTime, 0.02);
     {
-        ObjectView view(processor);
+        ObjectView view(processor.view());
         view.setBounds(0, 0, 900, 300);
         REQUIRE(view.strikeAt({450, 150}));
         CHECK(loudest(render(processor, 4800, 480, {})) > 1e-4f);

@@ -34,7 +34,7 @@ bool choose(const juce::PopupMenu& menu, const juce::String& beginning) {
 }
 
 juce::PopupMenu menuOf(Processor& processor, ParameterId parameter) {
-    return parameterMenu(parameterInfo(parameter), processor, nullptr);
+    return parameterMenu(parameterInfo(parameter), processor.view(), nullptr);
 }
 
 void play(Processor& processor, int controller, int value) {
@@ -47,30 +47,33 @@ void play(Processor& processor, int controller, int value) {
 
 TEST_CASE("The menu shows the value, and resets it to the default in one step") {
     Processor processor;
-    processor.changeParameter(strikeSpread, 33);
+    processor.view().parameters.change(strikeSpread, 33);
     CHECK(textsOf(menuOf(processor, strikeSpread))[0].contains("33"));
     REQUIRE(choose(menuOf(processor, strikeSpread), "Reset to"));
-    CHECK(processor.parameterValue(strikeSpread) == parameterInfo(strikeSpread).defaultValue);
-    processor.editHistory().undo();
-    CHECK(processor.parameterValue(strikeSpread) == 33);
-    CHECK_FALSE(processor.editHistory().canUndo());
+    CHECK(processor.view().parameters.value(strikeSpread) ==
+          parameterInfo(strikeSpread).defaultValue);
+    processor.windowSession().history.undo();
+    CHECK(processor.view().parameters.value(strikeSpread) == 33);
+    CHECK_FALSE(processor.windowSession().history.canUndo());
 }
 
 TEST_CASE("The menu learns, names and forgets a controller") {
     Processor processor;
     processor.prepareToPlay(48000, 64);
     REQUIRE(choose(menuOf(processor, tau), "Learn"));
-    CHECK(processor.midiLearn().learningParameter() == tau);
-    CHECK(controllerSentence(parameterInfo(tau), processor.midiLearn()).startsWith("Move the"));
+    CHECK(processor.windowSession().controllers.learningParameter() == tau);
+    CHECK(controllerSentence(parameterInfo(tau), processor.windowSession().controllers)
+              .startsWith("Move the"));
     REQUIRE(choose(menuOf(processor, tau), "Stop waiting"));
-    CHECK_FALSE(processor.midiLearn().learningParameter());
+    CHECK_FALSE(processor.windowSession().controllers.learningParameter());
     REQUIRE(choose(menuOf(processor, tau), "Learn"));
     play(processor, 21, 64);
-    CHECK(controllerSentence(parameterInfo(tau), processor.midiLearn()) ==
+    CHECK(controllerSentence(parameterInfo(tau), processor.windowSession().controllers) ==
           "Moved by MIDI controller 21");
-    CHECK(controllerSentence(parameterInfo(level), processor.midiLearn()).isEmpty());
+    CHECK(
+        controllerSentence(parameterInfo(level), processor.windowSession().controllers).isEmpty());
     REQUIRE(choose(menuOf(processor, tau), "Forget MIDI controller 21"));
-    CHECK_FALSE(processor.midiLearn().controllerOf(tau));
+    CHECK_FALSE(processor.windowSession().controllers.controllerOf(tau));
     CHECK_FALSE(choose(menuOf(processor, tau), "Forget"));
 }
 
@@ -91,7 +94,7 @@ TEST_CASE("A control's tooltip says that it learns, and then names its controlle
         return text;
     };
     CHECK_FALSE(labelText().contains("MIDI"));
-    processor.midiLearn().learnController(density);
+    processor.windowSession().controllers.learnController(density);
     control.refresh();
     CHECK(labelText().contains("Move the MIDI controller"));
     play(processor, 74, 64);

@@ -17,7 +17,7 @@ namespace {
 struct Bar {
     UserSettings user;
     Processor processor;
-    PresetBar bar{processor};
+    PresetBar bar{processor.view()};
 
     juce::Button& button(const char* title) {
         bar.refresh();
@@ -38,9 +38,9 @@ juce::KeyPress command(int letter, int more = 0) {
 }
 
 void changeDensity(Processor& processor, double value) {
-    processor.beginParameterChange(ParameterId::density);
-    processor.changeParameter(ParameterId::density, value);
-    processor.endParameterChange(ParameterId::density);
+    processor.view().parameters.beginChange(ParameterId::density);
+    processor.view().parameters.change(ParameterId::density, value);
+    processor.view().parameters.endChange(ParameterId::density);
 }
 
 } // namespace
@@ -48,7 +48,7 @@ void changeDensity(Processor& processor, double value) {
 TEST_CASE("Previous and next load neighbouring presets, wrap at the ends and skip broken files") {
     Bar bar;
     bar.user.write("Presets/broken.json", "{");
-    bar.processor.presetShelf().readPresets();
+    bar.processor.view().presets.readPresets();
     const int last = bar.processor.getNumPrograms() - 1;
     bar.click("Previous preset");
     CHECK(bar.processor.getCurrentProgram() == last);
@@ -57,15 +57,15 @@ TEST_CASE("Previous and next load neighbouring presets, wrap at the ends and ski
     CHECK(bar.shownName() == factoryPresets()[0].name);
     bar.click("Next preset");
     CHECK(bar.shownName() == factoryPresets()[1].name);
-    CHECK_FALSE(bar.processor.takeStatus().isError);
+    CHECK_FALSE(bar.processor.view().status.takeStatus().isError);
 }
 
 TEST_CASE("Undo and redo name their step, and work by click and by key") {
     Bar bar;
     CHECK_FALSE(bar.button("Undo").isEnabled());
     CHECK_FALSE(bar.button("Redo").isEnabled());
-    const double before = bar.processor.parameterValue(ParameterId::density);
-    const auto now = [&] { return bar.processor.parameterValue(ParameterId::density); };
+    const double before = bar.processor.view().parameters.value(ParameterId::density);
+    const auto now = [&] { return bar.processor.view().parameters.value(ParameterId::density); };
     changeDensity(bar.processor, 1000);
     CHECK(bar.button("Undo").getTooltip().contains("Density"));
     bar.click("Undo");
@@ -93,13 +93,13 @@ TEST_CASE("Compare, copy and mutate change the sound, and undo reverts them") {
     changeDensity(bar.processor, 1000);
     bar.click("Copy B to A");
     bar.click("Compare A and B");
-    CHECK(bar.processor.parameterValue(ParameterId::density) == 1000);
+    CHECK(bar.processor.view().parameters.value(ParameterId::density) == 1000);
     CHECK_FALSE(compare.getToggleState());
-    const auto before = bar.processor.loadedSound().parameters;
+    const auto before = bar.processor.soundSession().loadedSound().parameters;
     bar.click("Mutate");
-    CHECK_FALSE(bar.processor.loadedSound().parameters == before);
+    CHECK_FALSE(bar.processor.soundSession().loadedSound().parameters == before);
     bar.click("Undo");
-    CHECK(bar.processor.loadedSound().parameters == before);
+    CHECK(bar.processor.soundSession().loadedSound().parameters == before);
 }
 
 TEST_CASE("A click toggles a favourite; a sound without a preset cannot be one") {
@@ -107,10 +107,10 @@ TEST_CASE("A click toggles a favourite; a sound without a preset cannot be one")
     CHECK(bar.button("Favourite").isEnabled());
     bar.click("Favourite");
     CHECK(bar.button("Remove favourite").getToggleState());
-    CHECK(bar.processor.presetShelf().presets().front().isFavourite);
+    CHECK(bar.processor.view().presets.presets().front().isFavourite);
     bar.click("Remove favourite");
     CHECK_FALSE(bar.button("Favourite").getToggleState());
-    REQUIRE(bar.processor.presetShelf().loadInitialSound());
+    REQUIRE(bar.processor.view().presets.loadInitialSound());
     CHECK_FALSE(bar.button("Favourite").isEnabled());
 }
 
@@ -120,7 +120,7 @@ TEST_CASE("Saving asks for a name unless the preset is the user's own") {
     bar.bar.onSaveAs = [&] { ++asked; };
     CHECK(bar.bar.handleKey(command('s')));
     CHECK(asked == 1);
-    REQUIRE(bar.processor.presetShelf().savePreset(
+    REQUIRE(bar.processor.view().presets.savePreset(
         {.name = "Mine", .folder = "", .author = "", .description = "", .tags = {}}, false));
     changeDensity(bar.processor, 1234);
     CHECK(bar.button("Preset").getDescription().startsWith("Changed"));
@@ -133,7 +133,7 @@ TEST_CASE("Saving asks for a name unless the preset is the user's own") {
 TEST_CASE("Saving overwrites the loaded file, even if another preset has the same name") {
     Bar bar;
     bar.bar.onSaveAs = [] { FAIL("it has a file"); };
-    auto& shelf = bar.processor.presetShelf();
+    auto& shelf = bar.processor.view().presets;
     REQUIRE(shelf.savePreset(
         {.name = "Bell", .folder = "", .author = "", .description = "", .tags = {}}, false));
     const auto original = bar.user.read("Presets/Bell.json");
@@ -144,7 +144,7 @@ TEST_CASE("Saving overwrites the loaded file, even if another preset has the sam
         REQUIRE(shelf.loadPreset(copy));
         changeDensity(bar.processor, 1234);
         bar.click("Save");
-        CHECK_FALSE(bar.processor.takeStatus().isError);
+        CHECK_FALSE(bar.processor.view().status.takeStatus().isError);
         CHECK(shelf.chosenPreset() == copy);
         CHECK_FALSE(shelf.soundIsChanged());
         CHECK(bar.user.read("Presets/Bell.json") == original);
@@ -155,12 +155,12 @@ TEST_CASE("Saving overwrites the loaded file, even if another preset has the sam
 
 TEST_CASE("The status shows a failed save in one sentence") {
     Bar bar;
-    REQUIRE(bar.processor.presetShelf().savePreset(
+    REQUIRE(bar.processor.view().presets.savePreset(
         {.name = "Mine", .folder = "In", .author = "", .description = "", .tags = {}}, false));
     std::filesystem::remove_all(bar.user.folder() / "Presets");
     std::ofstream(bar.user.folder() / "Presets") << "in the way";
     bar.click("Save");
-    const auto status = bar.processor.takeStatus();
+    const auto status = bar.processor.view().status.takeStatus();
     CHECK(status.isError);
     CHECK(status.sentence.back() == '.');
 }
@@ -200,6 +200,6 @@ TEST_CASE("The bar's shortcuts work anywhere in the window") {
     const std::unique_ptr<juce::AudioProcessorEditor> window(processor.createEditor());
     changeDensity(processor, 1000);
     CHECK(window->keyPressed(command('z')));
-    CHECK(processor.editHistory().canRedo());
+    CHECK(processor.windowSession().history.canRedo());
     CHECK_FALSE(window->keyPressed(juce::KeyPress('z')));
 }

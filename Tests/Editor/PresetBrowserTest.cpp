@@ -21,7 +21,7 @@ PresetDetails called(const std::string& name, const std::string& folder = "") {
 struct Browser {
     UserSettings user;
     Processor processor;
-    PresetCollection& shelf = processor.presetShelf();
+    PresetCollection& shelf = processor.view().presets;
     PresetBrowser browser{shelf};
     int closed = 0;
 
@@ -63,7 +63,7 @@ TEST_CASE("The browser shows all presets and selects the current one") {
     CHECK(b.rows() == factoryCount);
     REQUIRE(b.list().selected() != nullptr);
     CHECK(b.list().selected()->name == factoryPresets()[0].name);
-    CHECK(b.processor.takeStatus().isError == false);
+    CHECK(b.processor.view().status.takeStatus().isError == false);
 }
 
 TEST_CASE("Search words narrow the list; an empty search shows all") {
@@ -87,15 +87,15 @@ TEST_CASE("Arrows play presets, Return keeps one as one step, Escape restores th
         b.press(juce::KeyPress::returnKey);
         CHECK(b.closed == 1);
         CHECK(b.processor.getCurrentProgram() == 2);
-        b.processor.editHistory().undo();
+        b.processor.windowSession().history.undo();
         CHECK(saved(b.processor) == before);
-        CHECK_FALSE(b.processor.editHistory().canUndo());
+        CHECK_FALSE(b.processor.windowSession().history.canUndo());
     }
     SECTION("Escape") {
         b.press(juce::KeyPress::escapeKey);
         CHECK(b.closed == 1);
         CHECK(saved(b.processor) == before);
-        CHECK_FALSE(b.processor.editHistory().canUndo());
+        CHECK_FALSE(b.processor.windowSession().history.canUndo());
     }
     SECTION("up to the first preset and further") {
         for (int i = 0; i < 5; ++i)
@@ -163,7 +163,7 @@ TEST_CASE("Saving under a new name adds a preset; overwriting another one asks f
     CHECK(b.shelf.presets().back().tags == std::vector<std::string>{"bright", "short", "x"});
     CHECK(b.list().selected()->name == "Mine");
 
-    b.processor.changeParameter(ParameterId::tau, 7);
+    b.processor.view().parameters.change(ParameterId::tau, 7);
     b.click("Save as...");
     b.click("Save");
     CHECK(b.shelf.soundIsChanged());
@@ -178,7 +178,7 @@ TEST_CASE("Saving under a new name adds a preset; overwriting another one asks f
 TEST_CASE("The save shortcut does not overwrite the old preset while the form is open") {
     Browser b;
     REQUIRE(b.shelf.savePreset(called("Mine"), false));
-    b.processor.changeParameter(ParameterId::tau, 7);
+    b.processor.view().parameters.change(ParameterId::tau, 7);
     b.click("Save as...");
     b.fill("Name", "Other");
     const juce::KeyPress save('s', juce::ModifierKeys::commandModifier, 19);
@@ -317,7 +317,7 @@ TEST_CASE("Closing the window with the browser open keeps the sound as one step"
         browser->keyPressed(juce::KeyPress(juce::KeyPress::downKey));
     }
     CHECK(processor.getCurrentProgram() == 1);
-    processor.editHistory().undo();
+    processor.windowSession().history.undo();
     CHECK(processor.getCurrentProgram() == 0);
-    CHECK_FALSE(processor.editHistory().canUndo());
+    CHECK_FALSE(processor.windowSession().history.canUndo());
 }

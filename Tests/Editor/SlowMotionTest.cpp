@@ -82,7 +82,7 @@ TEST_CASE("A mode keeps its phase while other modes start and stop") {
 
 TEST_CASE("A bar's lowest bending mode moves its middle and its ends in opposite directions") {
     Processor processor;
-    const auto played = processor.playedObjects();
+    const auto played = processor.view().instrument.playedObjects();
     REQUIRE_FALSE(played.empty());
     const auto& object = played.front().object;
     const SurfaceMotion motion(object);
@@ -120,12 +120,12 @@ TEST_CASE("A bar's lowest bending mode moves its middle and its ends in opposite
 
 TEST_CASE("The struck places lie on the surface, in the order of the keys") {
     Processor processor;
-    const auto played = processor.playedObjects();
-    const auto places = processor.struckPlaces(0);
+    const auto played = processor.view().instrument.playedObjects();
+    const auto places = processor.view().instrument.struckPlaces(0);
     REQUIRE(places.size() > 2);
     for (std::size_t i = 1; i < places.size(); ++i)
         CHECK(places[i][0] > places[i - 1][0]);
-    CHECK(processor.struckPlaces(played.size()).empty());
+    CHECK(processor.view().instrument.struckPlaces(played.size()).empty());
     const ObjectScene scene(played);
     for (const auto& place : places) {
         auto from = scene.placeOf(0, place);

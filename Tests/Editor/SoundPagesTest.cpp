@@ -23,11 +23,11 @@ Kind* childOf(juce::Component& page, const juce::String& title) {
 
 /// Plays a note and updates the page, as the window does on each timer tick.
 void playAndShow(Processor& processor, DeckPage& page, int note) {
-    processor.takeSoundFrame();
+    processor.view().sound.takeSoundFrame();
     juce::MidiBuffer midi;
     midi.addEvent(juce::MidiMessage::noteOn(1, note, static_cast<juce::uint8>(100)), 0);
     render(processor, 4800, 480, midi);
-    const auto* frame = processor.takeSoundFrame();
+    const auto* frame = processor.view().sound.takeSoundFrame();
     REQUIRE(frame != nullptr);
     page.showSound(*frame);
     page.refresh();
@@ -45,7 +45,7 @@ struct Prepared {
 
 TEST_CASE("The modes page shows the object played last, or the chosen one") {
     Prepared prepared;
-    ModesPage page(prepared.processor);
+    ModesPage page(prepared.processor.view());
     page.setSize(DeckPage::minimumWidth, DeckPage::minimumHeight);
     auto* list = childOf<juce::ComboBox>(page, "Object");
     auto* spectrum = childOf<ModeSpectrum>(page, "Modes");
@@ -56,7 +56,7 @@ TEST_CASE("The modes page shows the object played last, or the chosen one") {
     CHECK(list->getNumItems() == 1 + highestTestNote - lowestTestNote + 1);
     CHECK(list->getText() == "Played last");
     list->setSelectedId(4, juce::sendNotificationSync);
-    CHECK(prepared.processor.watchedObject() == 2);
+    CHECK(prepared.processor.view().sound.watchedObject() == 2);
     playAndShow(prepared.processor, page, 69);
     CHECK(spectrum->frameShown().object == 2);
     restore(prepared.processor, testState("other"));
@@ -68,7 +68,7 @@ TEST_CASE("The modes page shows the object played last, or the chosen one") {
 TEST_CASE("The buttons mute and solo the chosen mode, and restore all modes") {
     Prepared prepared;
     auto& processor = prepared.processor;
-    ModesPage page(processor);
+    ModesPage page(processor.view());
     page.setSize(DeckPage::minimumWidth, DeckPage::minimumHeight);
     page.setVisible(true);
     auto* mute = childOf<juce::TextButton>(page, "Mute mode");
@@ -101,14 +101,14 @@ TEST_CASE("The buttons mute and solo the chosen mode, and restore all modes") {
 
 TEST_CASE("The quality page counts modes and shows each object's share of the budget") {
     Prepared prepared;
-    QualityPage page(prepared.processor);
+    QualityPage page(prepared.processor.view());
     page.setSize(DeckPage::minimumWidth, DeckPage::minimumHeight);
     auto* ramp = childOf<BudgetRamp>(page, "Shares of the budget");
     auto* meters = childOf<SoundMeters>(page, "Level and load");
     REQUIRE(ramp != nullptr);
     REQUIRE(meters != nullptr);
-    prepared.processor.changeParameter(ParameterId::modeBudget, 16);
-    prepared.processor.changeParameter(ParameterId::letRing, 1);
+    prepared.processor.view().parameters.change(ParameterId::modeBudget, 16);
+    prepared.processor.view().parameters.change(ParameterId::letRing, 1);
     for (const int note : {60, 64, 67, 72})
         playAndShow(prepared.processor, page, note);
     CHECK(ramp->description() == "16 of 16 modes for 4 objects");
@@ -122,7 +122,7 @@ TEST_CASE("The quality page counts modes and shows each object's share of the bu
 
 TEST_CASE("The mallet's figures come first on the page, above speed and velocity curve") {
     Prepared prepared;
-    StrikePage page(prepared.processor);
+    StrikePage page(prepared.processor.view());
     page.setSize(DeckPage::minimumWidth, DeckPage::minimumHeight);
     int above = 0;
     for (const auto parameter :

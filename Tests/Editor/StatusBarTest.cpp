@@ -26,7 +26,7 @@ juce::String saidOf(juce::Component& component) {
 TEST_CASE("A screen reader can read the status line, including errors") {
     StatusBar bar;
     CHECK(bar.getTitle() == "Status");
-    ProcessorView::Status status;
+    StatusView::Status status;
     status.sentence = "A wok.";
     status.modesMixed = 1;
     bar.show(status);
@@ -42,7 +42,7 @@ TEST_CASE("A screen reader can read the status line, including errors") {
 TEST_CASE("A screen reader can read the counts of the quality page") {
     Processor processor;
     Look look;
-    QualityPage page(processor);
+    QualityPage page(processor.view());
     page.setLookAndFeel(&look);
     SoundFrame frame;
     frame.modesMixed = 12;
@@ -62,7 +62,7 @@ TEST_CASE("The status line draws only the visible part of a very long sentence")
     bar.setLookAndFeel(&look);
     bar.setSize(900, 24);
     const auto drawn = [&](const std::string& sentence) {
-        ProcessorView::Status status;
+        StatusView::Status status;
         status.sentence = sentence;
         bar.show(status);
         return bar.createComponentSnapshot(bar.getLocalBounds());

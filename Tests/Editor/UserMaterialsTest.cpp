@@ -64,28 +64,28 @@ TEST_CASE("A chosen user material sets the custom material's figures and shows i
     auto* list = materialList(*window);
     list->setSelectedItemIndex(list->getNumItems() - 1, juce::sendNotificationSync);
     using enum ParameterId;
-    CHECK(processor.parameterValue(material) == double{customMaterial});
-    CHECK(processor.parameterValue(youngsModulus) == Approx(110));
-    CHECK(processor.parameterValue(density) == 3300);
-    CHECK(processor.parameterValue(fluidDamping) == 3);
-    CHECK(processor.parameterValue(viscoelasticDamping) == Approx(0.02));
-    CHECK(processor.parameterValue(lossFactor) == 1e-4);
-    CHECK(processor.userMaterialIndex() == 0);
+    CHECK(processor.view().parameters.value(material) == double{customMaterial});
+    CHECK(processor.view().parameters.value(youngsModulus) == Approx(110));
+    CHECK(processor.view().parameters.value(density) == 3300);
+    CHECK(processor.view().parameters.value(fluidDamping) == 3);
+    CHECK(processor.view().parameters.value(viscoelasticDamping) == Approx(0.02));
+    CHECK(processor.view().parameters.value(lossFactor) == 1e-4);
+    CHECK(processor.view().materials.userMaterialIndex() == 0);
     CHECK(list->getText() == "Jade");
 
     // The project stores the figures, so the file is no longer needed.
     const auto project = saved(processor);
     Processor reopened;
     restoreBytes(reopened, project);
-    CHECK(reopened.parameterValue(lossFactor) == 1e-4);
-    reopened.readUserMaterials();
-    CHECK(reopened.userMaterialIndex() == 0);
+    CHECK(reopened.view().parameters.value(lossFactor) == 1e-4);
+    reopened.view().materials.readUserMaterials();
+    CHECK(reopened.view().materials.userMaterialIndex() == 0);
 
-    processor.changeParameter(density, 3301);
-    CHECK(processor.userMaterialIndex() == -1);
-    processor.chooseUserMaterial(1);
-    processor.chooseUserMaterial(-1);
-    CHECK(processor.parameterValue(density) == 3301);
+    processor.view().parameters.change(density, 3301);
+    CHECK(processor.view().materials.userMaterialIndex() == -1);
+    processor.view().materials.chooseUserMaterial(1);
+    processor.view().materials.chooseUserMaterial(-1);
+    CHECK(processor.view().parameters.value(density) == 3301);
 }
 
 TEST_CASE("A closed list of materials shows changes that another list has read") {
@@ -99,7 +99,7 @@ TEST_CASE("A closed list of materials shows changes that another list has read")
     const int count = list->getNumItems();
     folder.write("Amber.json", R"({"youngs_modulus_pa": 3e9, "density_kg_per_m3": 1080,
                                    "poisson_ratio": 0.3, "loss_factor": 0.02})");
-    processor.readUserMaterials();
+    processor.view().materials.readUserMaterials();
     list->refresh();
     CHECK(list->getNumItems() == count + 1);
     CHECK(list->getText() == "Jade");
@@ -111,8 +111,8 @@ TEST_CASE("The status reports an invalid material file, and other materials rema
     folder.write("broken.json", R"({"name": "Broken"})");
     Processor processor;
     const auto before = saved(processor);
-    CHECK(processor.readUserMaterials() == std::vector<std::string>{"Jade"});
-    const auto status = processor.takeStatus();
+    CHECK(processor.view().materials.readUserMaterials() == std::vector<std::string>{"Jade"});
+    const auto status = processor.view().status.takeStatus();
     CHECK(status.isError);
     CHECK_THAT(status.sentence, ContainsSubstring("broken.json"));
     CHECK_THAT(status.sentence, ContainsSubstring("'youngs_modulus_pa'"));

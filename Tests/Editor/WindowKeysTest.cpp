@@ -24,7 +24,7 @@ TEST_CASE("A turn of the wheel or a held arrow key is one gesture and one step")
     REQUIRE(pad != nullptr);
     GestureLog host;
     processor.addListener(&host);
-    const double before = processor.parameterValue(ParameterId::level);
+    const double before = processor.view().parameters.value(ParameterId::level);
     auto* level = find<juce::Slider>(*window, "Level");
     REQUIRE(level != nullptr);
     const auto source = juce::Desktop::getInstance().getMainMouseSource();
@@ -50,23 +50,23 @@ TEST_CASE("A turn of the wheel or a held arrow key is one gesture and one step")
                                .isReversed = false,
                                .isSmooth = false,
                                .isInertial = false});
-    CHECK(processor.parameterValue(ParameterId::level) < before);
+    CHECK(processor.view().parameters.value(ParameterId::level) < before);
     CHECK(host.text.startsWith("(="));
     CHECK_FALSE(host.text.contains(")"));
     runTimersUntil([&] { return host.text.endsWithChar(')'); });
     CHECK(host.text.retainCharacters("()") == "()");
     processor.removeListener(&host);
-    processor.editHistory().undo();
-    CHECK(processor.parameterValue(ParameterId::level) == before);
-    CHECK_FALSE(processor.editHistory().canUndo());
+    processor.windowSession().history.undo();
+    CHECK(processor.view().parameters.value(ParameterId::level) == before);
+    CHECK_FALSE(processor.windowSession().history.canUndo());
 
-    const double densityBefore = processor.effectiveValue(ParameterId::density);
+    const double densityBefore = processor.view().parameters.effectiveValue(ParameterId::density);
     for (int press = 0; press < 3; ++press)
         pad->keyPressed(juce::KeyPress(juce::KeyPress::rightKey));
-    CHECK(processor.effectiveValue(ParameterId::density) != densityBefore);
-    processor.editHistory().undo();
-    CHECK(processor.effectiveValue(ParameterId::density) == densityBefore);
-    CHECK_FALSE(processor.editHistory().canUndo());
+    CHECK(processor.view().parameters.effectiveValue(ParameterId::density) != densityBefore);
+    processor.windowSession().history.undo();
+    CHECK(processor.view().parameters.effectiveValue(ParameterId::density) == densityBefore);
+    CHECK_FALSE(processor.windowSession().history.canUndo());
 }
 
 TEST_CASE("Changing a figure that makes the material custom is one step, and undo restores it") {
@@ -74,18 +74,18 @@ TEST_CASE("Changing a figure that makes the material custom is one step, and und
     auto window = open(processor);
     auto* slider = find<juce::Slider>(*window, "Density");
     REQUIRE(slider != nullptr);
-    const double before = processor.effectiveValue(ParameterId::density);
+    const double before = processor.view().parameters.effectiveValue(ParameterId::density);
     for (int press = 0; press < 3; ++press)
         slider->keyPressed(juce::KeyPress(juce::KeyPress::upKey));
-    const double after = processor.effectiveValue(ParameterId::density);
+    const double after = processor.view().parameters.effectiveValue(ParameterId::density);
     CHECK(after > before);
-    auto& history = processor.editHistory();
+    auto& history = processor.windowSession().history;
     history.undo(); // in the middle of the burst
-    CHECK(processor.effectiveValue(ParameterId::density) == before);
+    CHECK(processor.view().parameters.effectiveValue(ParameterId::density) == before);
     CHECK_FALSE(history.canUndo());
     history.redo();
-    CHECK(processor.effectiveValue(ParameterId::density) == after);
-    CHECK(processor.parameterValue(ParameterId::material) == double{customMaterial});
+    CHECK(processor.view().parameters.effectiveValue(ParameterId::density) == after);
+    CHECK(processor.view().parameters.value(ParameterId::material) == double{customMaterial});
 }
 
 TEST_CASE("Tab reaches each enabled control once, and arrows move the focused one") {
@@ -109,7 +109,7 @@ TEST_CASE("Tab reaches each enabled control once, and arrows move the focused on
         auto* slider = find<juce::Slider>(*window, info.name);
         REQUIRE(slider != nullptr);
         const auto placeNow = [&] {
-            return info.toNormalised(processor.effectiveValue(parameter));
+            return info.toNormalised(processor.view().parameters.effectiveValue(parameter));
         };
         const double before = placeNow();
         CHECK(slider->keyPressed(juce::KeyPress(juce::KeyPress::upKey)));

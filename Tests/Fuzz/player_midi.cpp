@@ -103,7 +103,7 @@ public:
             midi.addEvent(bytes.data(), static_cast<int>(bytes.size()), at - sample);
             follow(bytes);
         }
-        pieces.begin(midi, noNotes, length);
+        pieces.begin(midi, length);
         while (const auto piece = pieces.next()) {
             if (!piece->systemExclusive.empty()) {
                 tuner.retune(piece->systemExclusive);
@@ -151,7 +151,6 @@ private:
 
     ParameterValues values;
     BlockPieces pieces;
-    NoteQueue noNotes;
     Tuner tuner;
     Player player{instrument(), rateHz};
     std::bitset<16 * 128> keysDown;

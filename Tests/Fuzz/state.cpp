@@ -52,7 +52,7 @@ void claimKept(const State& given, const std::string& bytes) {
 bool restored(Processor& processor, const std::string& bytes) {
     const auto before = saved(processor);
     processor.setStateInformation(bytes.data(), static_cast<int>(bytes.size()));
-    const auto status = processor.takeStatus();
+    const auto status = processor.view().status.takeStatus();
     if (!status.isError)
         return true;
     claimSentence({status.sentence});
@@ -61,7 +61,7 @@ bool restored(Processor& processor, const std::string& bytes) {
 }
 
 void claimPlays(Processor& processor) {
-    const auto keys = processor.keyRange();
+    const auto keys = processor.view().instrument.keyRange();
     juce::AudioBuffer<float> buffer(2, blockSamples);
     for (int block = 0; block < blocks; ++block) {
         juce::MidiBuffer midi;

@@ -1,5 +1,6 @@
 #include "Plugin/BlockPieces.h"
 
+#include <array>
 #include <catch2/catch_test_macros.hpp>
 #include <vector>
 
@@ -14,9 +15,11 @@ struct Cut {
     bool inside = true;
 };
 
-Cut cut(const juce::MidiBuffer& midi, int samples, NoteQueue& queue) {
+Cut cut(const juce::MidiBuffer& midi, int samples, std::span<const MidiEvent> added = {}) {
     BlockPieces pieces;
-    pieces.begin(midi, queue, samples);
+    pieces.begin(midi, samples);
+    for (const auto& event : added)
+        pieces.add(event);
     Cut result;
     int position = 0;
     while (const auto piece = pieces.next()) {
@@ -34,11 +37,6 @@ Cut cut(const juce::MidiBuffer& midi, int samples, NoteQueue& queue) {
     }
     result.contiguous = result.contiguous && position == samples;
     return result;
-}
-
-Cut cut(const juce::MidiBuffer& midi, int samples) {
-    NoteQueue queue;
-    return cut(midi, samples, queue);
 }
 
 juce::MidiMessage note(int number) {
@@ -111,15 +109,14 @@ TEST_CASE("More events on one sample than fit a piece keep their sample and thei
 
 TEST_CASE("Events of blocks without samples are kept in order for the next block") {
     BlockPieces pieces;
-    NoteQueue queue;
     juce::MidiBuffer first, second;
     first.addEvent(note(60), 0);
     second.addEvent(note(61), 0);
     for (const auto* midi : {&first, &second}) {
-        pieces.begin(*midi, queue, 0);
+        pieces.begin(*midi, 0);
         CHECK_FALSE(pieces.next());
     }
-    pieces.begin(second, queue, 64);
+    pieces.begin(second, 64);
     const auto piece = pieces.next();
     REQUIRE(piece);
     REQUIRE(piece->events.size() == 3);
@@ -131,23 +128,22 @@ TEST_CASE("Events of blocks without samples are kept in order for the next block
 
 TEST_CASE("Kept events are handed on before the store is full, and reset discards them") {
     BlockPieces pieces;
-    NoteQueue queue;
     juce::MidiBuffer midi, none;
     for (int i = 0; i < 3000; ++i)
         midi.addEvent(note(i % 128), 0);
     std::size_t handedOn = 0;
     for (int block = 0; block < 10; ++block) {
-        pieces.begin(midi, queue, 0);
+        pieces.begin(midi, 0);
         while (const auto piece = pieces.next())
             handedOn += piece->events.size();
     }
     CHECK(handedOn > 0);
-    pieces.begin(none, queue, 64);
+    pieces.begin(none, 64);
     CHECK(handedOn + pieces.next()->events.size() == 30000);
-    pieces.begin(midi, queue, 0);
+    pieces.begin(midi, 0);
     CHECK_FALSE(pieces.next());
     pieces.reset();
-    pieces.begin(none, queue, 64);
+    pieces.begin(none, 64);
     CHECK(pieces.next()->events.empty());
 }
 
@@ -170,46 +166,16 @@ TEST_CASE("Events stamped outside their block move to its ends") {
     CHECK(result.notes == std::vector<std::pair<int, int>>{{0, 60}, {63, 61}});
 }
 
-TEST_CASE("Notes of the on-screen keyboard come first, at the first sample") {
-    NoteQueue queue;
-    CHECK(queue.push(70, 90));
-    CHECK(queue.push(70, 0));
+TEST_CASE("Added events come first, at the first sample, and take room") {
     juce::MidiBuffer midi;
     midi.addEvent(note(60), 0);
-    const auto result = cut(midi, 64, queue);
+    const std::array added{MidiEvent{.sampleOffset = 0, .bytes = {0x90, 70, 90}},
+                           MidiEvent{.sampleOffset = 0, .bytes = {0x80, 70, 0}}};
+    const auto result = cut(midi, 64, added);
     CHECK(result.notes == std::vector<std::pair<int, int>>{{0, 70}, {0, 70}, {0, 60}});
-    CHECK(cut({}, 64, queue).notes.empty());
-}
-
-TEST_CASE("A full keyboard queue refuses notes and works again after it was read") {
-    NoteQueue queue;
-    int pushed = 0;
-    while (queue.push(pushed % 128, 100))
-        ++pushed;
-    CHECK(pushed >= NoteQueue::capacity - 1);
-    CHECK(cut({}, 64, queue).notes.size() == static_cast<std::size_t>(pushed));
-    CHECK(queue.push(60, 100));
-}
-
-TEST_CASE("If a key release does not fit the keyboard queue, all held keys are released") {
-    NoteQueue queue;
-    queue.push(70, 100);
-    queue.push(71, 100);
-    queue.push(71, 0);
-    while (queue.push(60, 100)) {
-    }
-    CHECK_FALSE(queue.push(60, 0));
-    std::vector<int> released;
-    const auto read = [&] {
-        released.clear();
-        queue.read([&](const MidiEvent& event) {
-            if (!event.isNoteOn())
-                released.push_back(event.bytes[1]);
-        });
-    };
-    read();
-    CHECK(released == std::vector{71, 60, 70});
-    queue.push(61, 100);
-    read();
-    CHECK(released.empty());
+    BlockPieces pieces;
+    const auto room = pieces.room();
+    pieces.begin(midi, 64);
+    pieces.add(added[0]);
+    CHECK(pieces.room() == room - 1);
 }

@@ -32,7 +32,7 @@ TEST_CASE("A host's late echo of a controller change is ignored") {
     processor.addListener(&host);
     auto& parameter = *processor.getParameters()[static_cast<int>(ParameterId::density)];
     const auto turn = [&](int value) { return turned(processor, parameter, value); };
-    processor.midiLearn().learnController(ParameterId::density);
+    processor.windowSession().controllers.learnController(ParameterId::density);
     const float first = turn(20);
     pollOften(processor);
     REQUIRE(host.heard == std::vector{first});
@@ -65,17 +65,17 @@ TEST_CASE("A controller that moves a parameter held by the mouse leaves that ges
     Processor processor;
     processor.prepareToPlay(rateHz, blockSize);
     auto& parameter = *processor.getParameters()[static_cast<int>(ParameterId::density)];
-    processor.midiLearn().learnController(ParameterId::density);
+    processor.windowSession().controllers.learnController(ParameterId::density);
     turned(processor, parameter, 20);
     pollOften(processor);
     GestureLog host;
     processor.addListener(&host);
-    processor.beginParameterChange(ParameterId::density);
-    processor.changeParameter(ParameterId::density, 1000);
+    processor.view().parameters.beginChange(ParameterId::density);
+    processor.view().parameters.change(ParameterId::density, 1000);
     turned(processor, parameter, 90);
     pollOften(processor);
     CHECK(host.text == "(==");
-    processor.endParameterChange(ParameterId::density);
+    processor.view().parameters.endChange(ParameterId::density);
     CHECK(host.text == "(==)");
     turned(processor, parameter, 20);
     pollOften(processor);
@@ -95,13 +95,13 @@ TEST_CASE("Learning or forgetting a controller marks the project as changed in t
     processor.prepareToPlay(rateHz, blockSize);
     processor.addListener(&host);
     auto& parameter = *processor.getParameters()[static_cast<int>(ParameterId::density)];
-    processor.midiLearn().learnController(ParameterId::density);
+    processor.windowSession().controllers.learnController(ParameterId::density);
     pollOften(processor);
     CHECK(host.timesChanged == 0);
     turned(processor, parameter, 20);
     pollOften(processor);
     CHECK(host.timesChanged == 1);
-    processor.midiLearn().forgetController(ParameterId::density);
+    processor.windowSession().controllers.forgetController(ParameterId::density);
     pollOften(processor);
     processor.removeListener(&host);
     CHECK(host.timesChanged == 2);
@@ -111,7 +111,7 @@ TEST_CASE("Automation during a bounce is never taken for an echo of an earlier c
     Processor processor;
     processor.prepareToPlay(rateHz, blockSize);
     auto& parameter = *processor.getParameters()[static_cast<int>(ParameterId::density)];
-    processor.midiLearn().learnController(ParameterId::density);
+    processor.windowSession().controllers.learnController(ParameterId::density);
     const float told = turned(processor, parameter, 20);
     pollOften(processor);
     processor.setNonRealtime(true);
@@ -133,14 +133,14 @@ TEST_CASE(
     processor.prepareToPlay(rateHz, blockSize);
     processor.addListener(&host);
     auto& parameter = *processor.getParameters()[static_cast<int>(ParameterId::density)];
-    processor.midiLearn().learnController(ParameterId::density);
+    processor.windowSession().controllers.learnController(ParameterId::density);
     const float told = turned(processor, parameter, 20);
-    const double exact = processor.parameterValue(ParameterId::density);
+    const double exact = processor.view().parameters.value(ParameterId::density);
     pollOften(processor);
     const auto state = saved(processor);
     const std::function<void()> moves[] = {
         [&] { restoreBytes(processor, state); },
-        [&] { processor.changeParameter(ParameterId::density, exact); }};
+        [&] { processor.view().parameters.change(ParameterId::density, exact); }};
     for (const auto& move : moves) {
         turned(processor, parameter, 90);
         move();

@@ -38,7 +38,7 @@ struct Instance {
     }
     void send(const juce::MidiBuffer& midi) { render(processor, blockSize, blockSize, midi); }
     HostSound playBent() { return render(processor, 9600, blockSize, bentNotes()); }
-    double value(ParameterId parameter) const { return processor.parameterValue(parameter); }
+    double value(ParameterId parameter) { return processor.view().parameters.value(parameter); }
 
     Processor processor;
 };
@@ -107,7 +107,7 @@ TEST_CASE("A bend range set by MIDI holds in the next preset and changes none of
         instance.processor.setCurrentProgram(marimba);
         instance.send(after);
         CHECK(instance.value(ParameterId::bendRange) == 2);
-        CHECK_FALSE(instance.processor.loadedLabel().isChanged);
+        CHECK_FALSE(instance.processor.soundSession().loadedLabel().isChanged);
         return render(instance.processor, 9600, blockSize, bent);
     };
     const auto sound = played(setup, {});

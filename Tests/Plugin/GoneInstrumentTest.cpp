@@ -93,10 +93,11 @@ std::shared_ptr<const Instrument> stageOf(std::size_t slots) {
 
 TEST_CASE("A strike on an instrument that has gone does not reach another one at its address") {
     OneAddress address;
-    SurfaceHand hand;
+    WindowEvents events;
+    SurfaceHand hand(events);
     hand.strike(address.place(*keys()), 0, {0, 0, 0}, 100);
     Player player(address.place(*keys()), sampleRateHz);
-    hand.playOn(&player);
+    events.read(&player, [](const MidiEvent&) {});
     CHECK(player.silent());
 }
 

@@ -12,18 +12,18 @@ namespace idiophone::test {
 
 inline void
 drag(Processor& processor, ParameterId parameter, std::initializer_list<double> values) {
-    processor.beginParameterChange(parameter);
+    processor.view().parameters.beginChange(parameter);
     for (const double value : values)
-        processor.changeParameter(parameter, value);
-    processor.endParameterChange(parameter);
+        processor.view().parameters.change(parameter, value);
+    processor.view().parameters.endChange(parameter);
 }
 
-inline ParameterValues valuesOf(const Processor& processor) {
-    return processor.loadedSound().parameters;
+inline ParameterValues valuesOf(Processor& processor) {
+    return processor.soundSession().loadedSound().parameters;
 }
 
 inline void load(Processor& processor, std::size_t preset) {
-    REQUIRE(processor.presetShelf().loadPreset(factoryPresetId(factoryPresets()[preset].name)));
+    REQUIRE(processor.view().presets.loadPreset(factoryPresetId(factoryPresets()[preset].name)));
 }
 
 } // namespace idiophone::test

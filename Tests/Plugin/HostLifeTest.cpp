@@ -69,9 +69,9 @@ TEST_CASE(
         restore(processor, overTubes(testState()));
         processor.setPlayHead(&host);
         processor.prepareToPlay(rateHz, blockSize);
-        processor.changeParameter(ParameterId::motorDepth, 90);
-        processor.changeParameter(ParameterId::motorSpeed, speed);
-        processor.changeParameter(ParameterId::motorSync, sync);
+        processor.view().parameters.change(ParameterId::motorDepth, 90);
+        processor.view().parameters.change(ParameterId::motorSpeed, speed);
+        processor.view().parameters.change(ParameterId::motorSync, sync);
         return render(processor, 48000, blockSize, testMusic(48000));
     };
     host.beatsPerMinute = 150;
@@ -92,7 +92,7 @@ TEST_CASE("A parameter that moves within a callback acts from the next one on") 
         : juce::AudioPlayHead { // the callback asks for the position after it takes the values
         juce::Optional<PositionInfo> getPosition() const override {
             if (moves)
-                processor.changeParameter(ParameterId::level, -60);
+                processor.view().parameters.change(ParameterId::level, -60);
             return {};
         }
         explicit Moving(Processor& moved) : processor(moved) {}
@@ -124,7 +124,7 @@ TEST_CASE("Two hundred notes a second for 30 s stay bounded, and silence follows
     constexpr int samples = 30 * static_cast<int>(rateHz), spacing = 240;
     juce::MidiBuffer midi;
     std::mt19937 random(11);
-    const auto keys = processor.keyRange();
+    const auto keys = processor.view().instrument.keyRange();
     const auto keyCount = static_cast<unsigned>(keys.highest - keys.lowest + 1);
     for (int stamp = 0; stamp < samples; stamp += spacing) {
         const int note = keys.lowest + static_cast<int>(random() % keyCount);
@@ -138,12 +138,12 @@ TEST_CASE("Two hundred notes a second for 30 s stay bounded, and silence follows
         return 20 * std::log10(rms(std::span(sound).subspan(from, 10 * second)));
     };
     REQUIRE(allFinite({sound, {}}));
-    REQUIRE(processor.timesNotFinite() == 0);
+    REQUIRE(processor.engineReport().notFinite == 0);
     CHECK(levelDb(0) > -60);
     INFO(levelDb(0) << " dB, " << levelDb(10) << " dB, " << levelDb(20) << " dB");
     CHECK(std::abs(levelDb(10) - levelDb(0)) < 0.5); // nothing piles up or gets lost
     CHECK(std::abs(levelDb(20) - levelDb(10)) < 0.5);
-    processor.changeParameter(ParameterId::letRing, 0);
+    processor.view().parameters.change(ParameterId::letRing, 0);
     render(processor, 3 * static_cast<int>(rateHz), blockSize, {});
     CHECK(loudest(render(processor, blockSize, blockSize, {})) == 0);
 }
@@ -151,7 +151,7 @@ TEST_CASE("Two hundred notes a second for 30 s stay bounded, and silence follows
 TEST_CASE("Automation with NaN, infinite or extreme values leaves the sound finite") {
     Processor processor; // its channels differ
     processor.prepareToPlay(rateHz, 64);
-    const auto music = testMusic(2048, 97, processor.keyRange());
+    const auto music = testMusic(2048, 97, processor.view().instrument.keyRange());
     using Float = std::numeric_limits<float>;
     for (auto* parameter : processor.getParameters()) {
         for (const float value : {Float::quiet_NaN(), Float::signaling_NaN(), Float::infinity(),
@@ -160,7 +160,7 @@ TEST_CASE("Automation with NaN, infinite or extreme values leaves the sound fini
             parameter->setValue(value);
             INFO(parameter->getName(100) << " at " << value);
             REQUIRE(allFinite(render(processor, 2048, 64, music)));
-            REQUIRE(processor.timesNotFinite() == 0);
+            REQUIRE(processor.engineReport().notFinite == 0);
         }
         const float kept = parameter->getValue();
         REQUIRE((kept >= 0 && kept <= 1));
@@ -188,9 +188,9 @@ TEST_CASE("The faintest sound in the longest room tail ends in silence") {
     restore(processor, testState());
     processor.prepareToPlay(rateHz, blockSize);
     for (const auto parameter : {ParameterId::tau, ParameterId::level})
-        processor.changeParameter(parameter, parameterInfo(parameter).minimum);
+        processor.view().parameters.change(parameter, parameterInfo(parameter).minimum);
     for (const auto parameter : {ParameterId::room, ParameterId::roomDecay})
-        processor.changeParameter(parameter, parameterInfo(parameter).maximum);
+        processor.view().parameters.change(parameter, parameterInfo(parameter).maximum);
     juce::MidiBuffer note;
     note.addEvent(juce::MidiMessage::noteOn(1, lowestTestNote, juce::uint8{1}), 0);
     const auto sound = render(processor, 60 * static_cast<int>(rateHz), blockSize, note);
@@ -217,9 +217,9 @@ TEST_CASE("Two hundred instances play in one process and share their objects") {
     WARN("each further instance takes " << each << " KiB");
     if (!IDIOPHONE_SANITIZED) // 88 keys with one bank each
         CHECK(each < 9 * 1024);
-    const auto& first = instances.front()->loadedInstrument()->slots().front().object;
+    const auto& first = instances.front()->soundSession().instrument()->slots().front().object;
     for (const auto& instance : instances)
-        REQUIRE(instance->loadedInstrument()->slots().front().object == first);
+        REQUIRE(instance->soundSession().instrument()->slots().front().object == first);
 }
 
 TEST_CASE("A plugin may be destroyed on a host thread while the message thread polls it") {

@@ -1,5 +1,6 @@
 #include "Plugin/HostParameter.h"
 
+#include "Plugin/BareHost.h"
 #include "Support/TestSound.h"
 
 #include <catch2/catch_test_macros.hpp>
@@ -7,6 +8,7 @@
 #include <thread>
 
 using namespace idiophone;
+using namespace idiophone::test;
 
 namespace {
 
@@ -105,24 +107,7 @@ TEST_CASE("The host's bypass is the parameter of the table") {
 }
 
 TEST_CASE("A parameter snapshot never mixes two loads") {
-    struct Empty final : juce::AudioProcessor {
-        const juce::String getName() const override { return "Empty"; }
-        void prepareToPlay(double, int) override {}
-        void releaseResources() override {}
-        void processBlock(juce::AudioBuffer<float>&, juce::MidiBuffer&) override {}
-        double getTailLengthSeconds() const override { return 0; }
-        bool acceptsMidi() const override { return false; }
-        bool producesMidi() const override { return false; }
-        juce::AudioProcessorEditor* createEditor() override { return nullptr; }
-        bool hasEditor() const override { return false; }
-        int getNumPrograms() override { return 1; }
-        int getCurrentProgram() override { return 0; }
-        void setCurrentProgram(int) override {}
-        const juce::String getProgramName(int) override { return {}; }
-        void changeProgramName(int, const juce::String&) override {}
-        void getStateInformation(juce::MemoryBlock&) override {}
-        void setStateInformation(const void*, int) override {}
-    } host;
+    BareHost host;
     HostParameters parameters(host);
     ParameterValues low, high;
     for (const auto& info : parameterTable()) {
@@ -130,7 +115,7 @@ TEST_CASE("A parameter snapshot never mixes two loads") {
         high.set(info.parameter, info.maximum);
     }
     parameters.load(low);
-    auto previous = parameters.snapshot();
+    auto previous = parameters.values(), now = previous;
     REQUIRE(previous == low);
     std::atomic<bool> stop{false};
     std::atomic<int> changes{0};
@@ -143,7 +128,7 @@ TEST_CASE("A parameter snapshot never mixes two loads") {
     });
     bool whole = true;
     while (changes < 1000) {
-        const auto now = parameters.snapshot();
+        parameters.read(now);
         whole = whole && (now == low || now == high);
         if (!(now == previous))
             ++changes;

@@ -44,7 +44,7 @@ struct PlayedSong {
         processor.setCurrentProgram(playing == Playing::onStage ? dice : vibraphone);
         processor.setNonRealtime(playing == Playing::onStage); // so that no strike comes late
         const auto set = [this](ParameterId id, double value) {
-            processor.changeParameter(id, value);
+            processor.view().parameters.change(id, value);
         };
         set(ParameterId::letRing, 0);
         set(ParameterId::releaseTime, 0.05);
@@ -159,7 +159,7 @@ TEST_CASE("A pass that starts while something rings strikes at the same points a
     const auto farthest = [&](double second) {
         PlayedSong struck, ringing;
         for (auto* each : {&struck, &ringing})
-            each->processor.changeParameter(ParameterId::motorDepth, 0);
+            each->processor.view().parameters.change(ParameterId::motorDepth, 0);
         const auto first = struck.passFrom(16, impact, length);
         REQUIRE((ringing.passFrom(16, impact, length) == first));
         const auto both = struck.passFrom(second, impact, length);
@@ -180,7 +180,7 @@ TEST_CASE("The motor's phase depends on the song position only, not on where pla
         juce::MidiBuffer impact;
         played.passFrom(from, {}, before);
         // The strike counter depends on where playback started.
-        played.processor.changeParameter(ParameterId::strikeSpread, 0);
+        played.processor.view().parameters.change(ParameterId::strikeSpread, 0);
         impact.addEvent(juce::MidiMessage::noteOn(1, 64, juce::uint8{90}), 64);
         return played.pass(impact, 24000);
     };
@@ -258,7 +258,7 @@ TEST_CASE("A pass begins where the host starts or goes back, and nowhere else") 
 TEST_CASE("A host that leaves out silent callbacks changes no strike") {
     PlayedSong called, leftOut;
     for (auto* each : {&called, &leftOut})
-        each->processor.changeParameter(ParameterId::room, 0);
+        each->processor.view().parameters.change(ParameterId::room, 0);
     constexpr int silence = 96000, cells = 24000; // whole blocks and cells
     for (auto* each : {&called, &leftOut})
         each->passFrom(0, chords(), cells);

@@ -53,8 +53,8 @@ TEST_CASE("A tempo reported once holds until the next prepare") {
         restore(processor, overTubes(testState()));
         processor.setPlayHead(&host);
         processor.prepareToPlay(rateHz, blockSize);
-        processor.changeParameter(ParameterId::motorDepth, 90);
-        processor.changeParameter(ParameterId::motorSync, eighth);
+        processor.view().parameters.change(ParameterId::motorDepth, 90);
+        processor.view().parameters.change(ParameterId::motorSync, eighth);
         if (told != Told::never)
             host.tell(150);
         render(processor, blockSize, blockSize, {});
@@ -218,9 +218,9 @@ TEST_CASE("Clicks during a pause of the host are not heard afterwards") {
         processor.prepareToPlay(rateHz, blockSize);
         render(processor, blockSize, blockSize, {});
         for (int impact = 0; impact < 20; ++impact) {
-            processor.playNote(72, 100);
-            processor.strikeObject(0, {}, 100);
-            processor.scrapeObject(0, {}, 1);
+            processor.view().instrument.playNote(72, 100);
+            processor.view().instrument.strikeObject(0, {}, 100);
+            processor.view().instrument.scrapeObject(0, {}, 1);
         }
         pause(processor);
         return loudest(render(processor, 4800, blockSize, {}));
@@ -249,12 +249,13 @@ TEST_CASE("While no callbacks come, strikes and scrapes are ignored, but release
             return soundFor(0.1) > 0.05f * tapped;
         };
     const auto pause = [&] {
-        waitUntil([&] { return !processor.isProcessing(); }, [&] { processor.poll(); });
+        waitUntil([&] { return !processor.windowSession().instrument.isProcessing(); },
+                  [&] { processor.poll(); });
     };
     const std::function<void(bool)> grips[] = {
-        [&](bool isDown) { processor.playNote(key, isDown ? 100 : 0); },
-        [&](bool isDown) { processor.strikeObject(bar, {}, isDown ? 100 : 0); },
-        [&](bool isDown) { processor.scrapeObject(bar, {}, isDown ? 1 : 0); },
+        [&](bool isDown) { processor.view().instrument.playNote(key, isDown ? 100 : 0); },
+        [&](bool isDown) { processor.view().instrument.strikeObject(bar, {}, isDown ? 100 : 0); },
+        [&](bool isDown) { processor.view().instrument.scrapeObject(bar, {}, isDown ? 1 : 0); },
     };
     for (const auto& grip : grips) {
         CHECK_FALSE(ringsOn());

@@ -118,7 +118,7 @@ TEST_CASE("A change of level in either direction is never louder than the two so
         const float last = atEndOf(ringing);
         restore(processor, next);
         float heard = loudest(render(processor, 32, 32, {}));
-        processor.changeParameter(level, before);
+        processor.view().parameters.change(level, before);
         heard = std::max(heard, loudest(render(processor, shortly, 32, {})));
         CHECK(heard <= margin * last);
     }
@@ -133,7 +133,7 @@ TEST_CASE("A change of level in either direction is never louder than the two so
         CHECK(loudest(render(processor, shortly, blockSize, {})) <= margin * last);
     }
     SECTION("comparison with B, undo and redo") {
-        auto& history = processor.editHistory();
+        auto& history = processor.windowSession().history;
         const auto sound = [&](const State& state) {
             auto built = buildInstrument(state.preset.keyMap, state.objects);
             REQUIRE(built);
@@ -145,7 +145,7 @@ TEST_CASE("A change of level in either direction is never louder than the two so
                          .stored = state.parameters};
         };
         history.compare(); // A and B are equal
-        history.record("Load", [&] { processor.playSound(sound(next)); });
+        history.record("Load", [&] { processor.soundSession().playSound(sound(next)); });
         float allowed = nextAlone;
         bool playsNext = true;
         const auto goOver = [&](const std::function<void()>& change) {
@@ -184,9 +184,10 @@ TEST_CASE("Many parameters that change at once make neither ringing nor struck s
     };
     const std::array values{loud, soft};
     const std::array most{alone(loud), alone(soft)};
-    auto& history = processor.editHistory();
+    auto& history = processor.windowSession().history;
     const auto change = [&](std::size_t to) {
-        processor.changeParameters(processor.loadedSound(), values[to]);
+        processor.soundSession().changeParameters(processor.soundSession().loadedSound(),
+                                                  values[to]);
     };
     history.record("First", [&] { change(0); });
     history.compare();
@@ -219,8 +220,8 @@ TEST_CASE("Factory presets tens of decibels apart are no louder in sequence than
                  Pair{"Wooden Table", "Tubular Bells"}, Pair{"Marimba", "Wooden Table"},
                  Pair{"Tubular Bells", "Wooden Table"});
     CAPTURE(former, next);
-    const auto struck = [](const Processor& processor, int stamp = 0) {
-        const auto keys = processor.keyRange();
+    const auto struck = [](Processor& processor, int stamp = 0) {
+        const auto keys = processor.view().instrument.keyRange();
         juce::MidiBuffer midi;
         midi.addEvent(
             juce::MidiMessage::noteOn(1, (keys.lowest + keys.highest) / 2, juce::uint8{100}),
@@ -270,7 +271,9 @@ TEST_CASE("A scene that rings in its room gets no louder when a preset of a high
     processor.setCurrentProgram(programOf("Thrown Shells"));
     processor.prepareToPlay(rateHz, blockSize);
     juce::MidiBuffer thrown;
-    thrown.addEvent(juce::MidiMessage::noteOn(1, processor.keyRange().lowest, juce::uint8{120}), 0);
+    thrown.addEvent(juce::MidiMessage::noteOn(1, processor.view().instrument.keyRange().lowest,
+                                              juce::uint8{120}),
+                    0);
     const auto scene = render(processor, 2 * static_cast<int>(rateHz), blockSize, thrown);
     const float last = atEndOf(scene);
     REQUIRE(last > 1e-3f);
@@ -283,19 +286,20 @@ TEST_CASE("A change of values alone stops neither a scrape nor the moving bodies
     processor.setNonRealtime(true);
     processor.prepareToPlay(rateHz, blockSize);
     const auto heardAfter = [&](double levelChangeDb) {
-        const int number = processor.instrumentNumber();
-        auto values = processor.loadedSound().parameters;
+        const int number = processor.view().instrument.instrumentNumber();
+        auto values = processor.soundSession().loadedSound().parameters;
         values.set(level, values[level] + levelChangeDb);
         SECTION("by comparison or undo") {
-            auto sound = processor.loadedSound();
+            auto sound = processor.soundSession().loadedSound();
             sound.parameters = values;
-            REQUIRE(processor.playSound(sound));
+            REQUIRE(processor.soundSession().playSound(sound));
         }
         SECTION("by a mutation") {
-            processor.changeParameters(processor.loadedSound(), values);
+            processor.soundSession().changeParameters(processor.soundSession().loadedSound(),
+                                                      values);
         }
-        CHECK(processor.loadedSound().parameters[level] == values[level]);
-        CHECK(processor.instrumentNumber() == number);
+        CHECK(processor.soundSession().loadedSound().parameters[level] == values[level]);
+        CHECK(processor.view().instrument.instrumentNumber() == number);
         render(processor, shortly, blockSize, {});
         return loudest(render(processor, static_cast<int>(rateHz), blockSize, {}));
     };
@@ -312,7 +316,8 @@ TEST_CASE("A change of values alone stops neither a scrape nor the moving bodies
     SECTION("in a scene") {
         processor.setCurrentProgram(programOf("Falling Cylinder"));
         juce::MidiBuffer dropped;
-        dropped.addEvent(juce::MidiMessage::noteOn(1, processor.keyRange().lowest, juce::uint8{90}),
+        dropped.addEvent(juce::MidiMessage::noteOn(1, processor.view().instrument.keyRange().lowest,
+                                                   juce::uint8{90}),
                          0);
         render(processor, static_cast<int>(rateHz), blockSize, dropped);
         CHECK(heardAfter(20) > 1e-4f);

@@ -40,15 +40,15 @@ State crowd(KeyMapKind kind, int lowestNote, int highestNote) {
 void restoreTest(Processor& processor) {
     restore(processor, testState());
     processor.prepareToPlay(48000, blockSamples);
-    REQUIRE_FALSE(processor.takeStatus().isError);
+    REQUIRE_FALSE(processor.view().status.takeStatus().isError);
 }
 
 /// Checks that the sound of `restoreTest` plays on and is saved, and that the status says why.
 void checkKept(Processor& processor, const std::string& sentence) {
-    const auto status = processor.takeStatus();
+    const auto status = processor.view().status.takeStatus();
     CHECK(status.isError);
     CHECK_THAT(status.sentence, ContainsSubstring(sentence));
-    CHECK(processor.loadedLabel().name == "Test keyboard");
+    CHECK(processor.soundSession().loadedLabel().name == "Test keyboard");
     CHECK(saved(processor) == encodeState(testState()));
     CHECK(loudest(firstBlock(processor)) > 1e-4f);
 }
@@ -75,28 +75,28 @@ TEST_CASE("An object with many modes on many keys is refused, and the current so
                    R"({"format":"idiophone-preset","version":1,"name":"Crowded","keyMap":{"kind":)"
                    R"("scaled","lowestNote":0,"highestNote":127,"object":"crowd.modal"}})");
         REQUIRE(writeModalObject(objectOf(manyModes), user.folder() / "Presets/crowd.modal"));
-        const auto loaded = processor.presetShelf().loadPreset("Crowd.json");
+        const auto loaded = processor.view().presets.loadPreset("Crowd.json");
         REQUIRE_FALSE(loaded);
         CHECK_THAT(loaded.error().message, ContainsSubstring("Crowded cannot be played: 'crowd"));
         CHECK_THAT(loaded.error().message, ContainsSubstring(fault));
-        processor.reportError(loaded.error().message);
+        processor.view().status.reportError(loaded.error().message);
         checkKept(processor, fault);
     }
     SECTION("opened in the window, for a key map with as many modes") {
         const auto file = testFolder() / "Crowd.modal";
         REQUIRE(writeModalObject(objectOf(mostObjectModes), file));
-        processor.openFile(file);
+        processor.view().workshop.openFile(file);
         finish(processor);
         checkKept(processor, "Crowd cannot be played: 'imported/Crowd");
     }
     SECTION("not refused where one bank plays all keys") {
         restore(processor, crowd(KeyMapKind::zones, 0, 127));
-        CHECK_FALSE(processor.takeStatus().isError);
-        CHECK(processor.loadedLabel().name == "Crowded");
-        processor.setKeyLayout(KeyLayout::scaled);
-        CHECK_THAT(processor.takeStatus().sentence,
+        CHECK_FALSE(processor.view().status.takeStatus().isError);
+        CHECK(processor.soundSession().loadedLabel().name == "Crowded");
+        processor.view().workshop.setKeyLayout(KeyLayout::scaled);
+        CHECK_THAT(processor.view().status.takeStatus().sentence,
                    ContainsSubstring("The keys cannot be changed: 'crowd' " + fault));
-        CHECK(processor.keyLayout() == KeyLayout::zones);
+        CHECK(processor.view().workshop.keyLayout() == KeyLayout::zones);
     }
 }
 
@@ -114,8 +114,8 @@ TEST_CASE("A sound that needs too much memory is refused, and the current sound 
         }
         checkKept(processor, "Crowded" + noMemory);
         restoreBytes(processor, bytes);
-        CHECK_FALSE(processor.takeStatus().isError);
-        CHECK(processor.loadedLabel().name == "Crowded");
+        CHECK_FALSE(processor.view().status.takeStatus().isError);
+        CHECK(processor.soundSession().loadedLabel().name == "Crowded");
     }
     SECTION("of a state that cannot even be read") {
         restoreTest(processor);
@@ -133,13 +133,13 @@ TEST_CASE("A sound that needs too much memory is refused, and the current sound 
         restoreTest(processor);
         {
             const MemoryLimit limit(mostBytes);
-            REQUIRE(processor.presetShelf().loadPreset("Crowd.json"));
+            REQUIRE(processor.view().presets.loadPreset("Crowd.json"));
         }
         checkKept(processor, "Crowded" + noMemory);
-        CHECK_FALSE(processor.editHistory().canUndo());
+        CHECK_FALSE(processor.windowSession().history.canUndo());
         {
             const MemoryLimit limit(100'000);
-            const auto loaded = processor.presetShelf().loadPreset("Crowd.json");
+            const auto loaded = processor.view().presets.loadPreset("Crowd.json");
             REQUIRE_FALSE(loaded);
             CHECK_THAT(loaded.error().message, ContainsSubstring("Crowded cannot be played: "));
             CHECK_THAT(loaded.error().message, ContainsSubstring("too large for this machine"));
@@ -150,7 +150,7 @@ TEST_CASE("A sound that needs too much memory is refused, and the current sound 
         REQUIRE(writeModalObject(objectOf(2000), file)); // on 61 keys
         for (const int most : {200'000, 20'000}) {
             restoreTest(processor);
-            processor.openFile(file);
+            processor.view().workshop.openFile(file);
             {
                 const MemoryLimit limit(static_cast<std::size_t>(most));
                 finish(processor);
@@ -160,12 +160,12 @@ TEST_CASE("A sound that needs too much memory is refused, and the current sound 
     }
     SECTION("when the host prepares") {
         restoreBytes(processor, bytes);
-        CHECK_FALSE(processor.takeStatus().isError);
+        CHECK_FALSE(processor.view().status.takeStatus().isError);
         {
             const MemoryLimit limit(mostBytes);
             processor.prepareToPlay(48000, blockSamples);
         }
-        CHECK(processor.takeStatus().sentence == "Crowded" + noMemory);
+        CHECK(processor.view().status.takeStatus().sentence == "Crowded" + noMemory);
         CHECK(loudest(firstBlock(processor)) == 0);
         CHECK(saved(processor) == bytes);
         processor.prepareToPlay(48000, blockSamples);
@@ -179,7 +179,7 @@ TEST_CASE("A picture that needs too much memory is not drawn, and the current so
     const UserSettings user;
     Processor processor;
     restoreTest(processor);
-    ObjectView view(processor);
+    ObjectView view(processor.view());
     view.setSize(300, 300);
     auto object = syntheticObject({440});
     for (int face = 0; face < 100'000; ++face)
@@ -187,7 +187,7 @@ TEST_CASE("A picture that needs too much memory is not drawn, and the current so
     auto state = crowd(KeyMapKind::zones, 60, 72);
     state.objects = {{.name = "crowd", .modal = encodeModalObject(object)}};
     restore(processor, state);
-    REQUIRE_FALSE(processor.takeStatus().isError);
+    REQUIRE_FALSE(processor.view().status.takeStatus().isError);
     {
         const MemoryLimit limit(mostBytes);
         view.refresh();

@@ -71,7 +71,7 @@ private:
             processor.processBlock(sound, midi);
             for (int i = 0; i < blockSize; ++i) {
                 const float now = sound.getSample(0, i);
-                finite = finite && std::isfinite(now) && processor.timesNotFinite() == 0;
+                finite = finite && std::isfinite(now) && processor.engineReport().notFinite == 0;
                 loudest = std::max(loudest, std::abs(now));
                 sharpest = std::max(sharpest, std::abs(now - 2 * before + beforeThat));
                 beforeThat = before;
@@ -122,16 +122,16 @@ TEST_CASE("Windows, presets, dropped meshes and undo during playback make no cli
         window->createComponentSnapshot(window->getLocalBounds());
         waitFor(listener, 20);
         // The import is cancelled at once, so the current sound plays on.
-        processor.openFile(mesh);
+        processor.view().workshop.openFile(mesh);
         waitFor(listener, 5);
-        processor.cancelImport();
+        processor.view().workshop.cancelImport();
         restore(processor, round % 2 == 0 ? other : first);
         waitFor(listener, 20);
-        processor.beginParameterChange(ParameterId::level);
-        processor.changeParameter(ParameterId::level, -0.5 * (round % 3));
-        processor.endParameterChange(ParameterId::level);
+        processor.view().parameters.beginChange(ParameterId::level);
+        processor.view().parameters.change(ParameterId::level, -0.5 * (round % 3));
+        processor.view().parameters.endChange(ParameterId::level);
         waitFor(listener, 5);
-        processor.editHistory().undo();
+        processor.windowSession().history.undo();
     }
     listener.finish();
     CHECK(listener.finite);
@@ -149,16 +149,16 @@ TEST_CASE("Every sample stays finite while a dropped mesh is analysed and played
     processor.prepareToPlay(rateHz, blockSize);
     Listener listener(processor);
     const std::unique_ptr<juce::AudioProcessorEditor> window(processor.createEditor());
-    const int before = processor.instrumentNumber();
-    processor.openFile(mesh);
-    waitUntil([&] { return !processor.importStatus().isWorking(); },
+    const int before = processor.view().instrument.instrumentNumber();
+    processor.view().workshop.openFile(mesh);
+    waitUntil([&] { return !processor.view().workshop.importStatus().isWorking(); },
               [] { juce::Timer::callPendingTimersSynchronously(); });
     processor.poll(); // takes the last product
-    CHECK(processor.importStatus().stage == ImportStatus::Stage::done);
+    CHECK(processor.view().workshop.importStatus().stage == ImportStatus::Stage::done);
     waitFor(listener, 200);
     listener.finish();
-    CHECK(processor.instrumentNumber() > before);
-    CHECK(processor.playedObjects().size() == 1);
+    CHECK(processor.view().instrument.instrumentNumber() > before);
+    CHECK(processor.view().instrument.playedObjects().size() == 1);
     CHECK(listener.finite);
     CHECK(listener.loudest > 0.01f);
     CHECK(listener.loudest < 1.5f);

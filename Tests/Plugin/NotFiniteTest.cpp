@@ -76,20 +76,20 @@ juce::MidiBuffer struck(int note) {
 
 TEST_CASE("A sound that is not finite becomes silence and is reported, and the next note sounds") {
     Processor processor;
-    REQUIRE(processor.playSound(breakingSound()));
+    REQUIRE(processor.soundSession().playSound(breakingSound()));
     processor.prepareToPlay(rateHz, blockSize);
     CHECK(loudest(render(processor, 4800, blockSize, struck(goodNote))) > 0.05f);
-    CHECK(processor.timesNotFinite() == 0);
+    CHECK(processor.engineReport().notFinite == 0);
     processor.poll();
-    CHECK_FALSE(processor.takeStatus().isError);
+    CHECK_FALSE(processor.view().status.takeStatus().isError);
 
     CHECK(loudest(render(processor, blockSize, blockSize, struck(badNote))) == 0);
-    CHECK(processor.timesNotFinite() == 1);
+    CHECK(processor.engineReport().notFinite == 1);
     CHECK(loudest(render(processor, 4800, blockSize, {})) == 0);
-    CHECK(processor.timesNotFinite() == 1); // the player has started anew
+    CHECK(processor.engineReport().notFinite == 1); // the player has started anew
     CHECK(loudest(render(processor, 4800, blockSize, struck(goodNote))) > 0.05f);
-    CHECK(processor.timesNotFinite() == 1);
+    CHECK(processor.engineReport().notFinite == 1);
 
     processor.poll();
-    CHECK(processor.takeStatus().sentence.find("not finite") != std::string::npos);
+    CHECK(processor.view().status.takeStatus().sentence.find("not finite") != std::string::npos);
 }

@@ -25,7 +25,7 @@ TEST_CASE("An object from a file is saved in the state and outlives the file") {
 
     Processor first;
     restore(first, state);
-    REQUIRE(first.loadedInstrument()->keyMap() == state.preset.keyMap);
+    REQUIRE(first.soundSession().instrument()->keyMap() == state.preset.keyMap);
     const auto bytes = saved(first);
     std::filesystem::remove(file);
     const auto embedded = parseState(bytes);
@@ -35,8 +35,8 @@ TEST_CASE("An object from a file is saved in the state and outlives the file") {
 
     Processor second;
     restoreBytes(second, bytes);
-    REQUIRE(second.loadedInstrument() != nullptr);
-    CHECK(second.loadedInstrument()->keyMap() == state.preset.keyMap);
+    REQUIRE(second.soundSession().instrument() != nullptr);
+    CHECK(second.soundSession().instrument()->keyMap() == state.preset.keyMap);
     CHECK(saved(second) == bytes);
 }
 
@@ -161,16 +161,16 @@ TEST_CASE("Objects too large for a state are refused before they play") {
     state.objects.clear();
     state.preset.keyMap = map;
     restore(processor, state);
-    CHECK_THAT(processor.takeStatus().sentence, ContainsSubstring(sentence));
+    CHECK_THAT(processor.view().status.takeStatus().sentence, ContainsSubstring(sentence));
 
     state.preset.keyMap.highestNote = map.highestNote = 99;
     CHECK(buildPresetInstrument(map, preset));
     restore(processor, state);
-    CHECK_FALSE(processor.takeStatus().isError);
+    CHECK_FALSE(processor.view().status.takeStatus().isError);
     const auto bytes = saved(processor);
     restore(processor, testState());
     restoreBytes(processor, bytes);
-    CHECK_FALSE(processor.takeStatus().isError);
+    CHECK_FALSE(processor.view().status.takeStatus().isError);
     CHECK(saved(processor) == bytes);
 }
 

@@ -65,7 +65,7 @@ struct Ringing {
 TEST_CASE("The former sound fades out under a raised cosine of 5 ms") {
     Ringing ringing;
     const auto alone = continuation(600);
-    ringing.sound.changeTo(testPlayer("other").release());
+    ringing.sound.changeTo(testPlayer("other").release(), values);
     std::vector<float> output(600);
     play(ringing.sound, output, {}, values);
     for (std::size_t i = 0; i < output.size(); ++i) {
@@ -77,14 +77,14 @@ TEST_CASE("The former sound fades out under a raised cosine of 5 ms") {
 
 TEST_CASE("A fading sound is scaled to the level of each new player") {
     Ringing plain, levelled, twice;
-    plain.sound.changeTo(testPlayer("other").release());
-    levelled.sound.changeTo(testPlayer("other").release(), 0.25f);
-    twice.sound.changeTo(testPlayer("other").release(), 0.5f);
+    plain.sound.changeTo(testPlayer("other").release(), values);
+    levelled.sound.changeTo(testPlayer("other").release(), values, 0.25f);
+    twice.sound.changeTo(testPlayer("other").release(), values, 0.5f);
     std::vector<float> fade(600), once(600), again(600);
     play(plain.sound, fade, {}, values);
     play(levelled.sound, once, {}, values);
     play(twice.sound, std::span(again).first(100), {}, values);
-    twice.sound.changeTo(testPlayer("third").release(), 8.0f);
+    twice.sound.changeTo(testPlayer("third").release(), values, 8.0f);
     play(twice.sound, std::span(again).subspan(100), {}, values);
     for (std::size_t i = 0; i < fade.size(); ++i) {
         REQUIRE(once[i] == fade[i] / 4);
@@ -94,8 +94,8 @@ TEST_CASE("A fading sound is scaled to the level of each new player") {
 
 TEST_CASE("The fade does not depend on the block size") {
     Ringing whole, pieces;
-    whole.sound.changeTo(testPlayer("other").release());
-    pieces.sound.changeTo(testPlayer("other").release());
+    whole.sound.changeTo(testPlayer("other").release(), values);
+    pieces.sound.changeTo(testPlayer("other").release(), values);
     std::vector<float> expected(600), output(600);
     play(whole.sound, expected, {}, values);
     for (std::size_t start = 0; start < 600; start += 7)
@@ -108,8 +108,8 @@ TEST_CASE("A fading sound keeps its parameters") {
     Ringing kept, changed;
     auto bent = values;
     bent.set(ParameterId::size, 0.5);
-    kept.sound.changeTo(testPlayer("other").release());
-    changed.sound.changeTo(testPlayer("other").release());
+    kept.sound.changeTo(testPlayer("other").release(), values);
+    changed.sound.changeTo(testPlayer("other").release(), values);
     std::vector<float> expected(600), output(600);
     play(kept.sound, expected, {}, values);
     play(changed.sound, output, {}, bent);
@@ -120,7 +120,7 @@ TEST_CASE("A new player that is struck at once sounds from its first sample with
     Handoff<Player> handoff;
     PlayerCrossfade sound(handoff);
     sound.install(testPlayer());
-    sound.changeTo(testPlayer("other", 1.5).release());
+    sound.changeTo(testPlayer("other", 1.5).release(), values);
     auto alone = testPlayer("other", 1.5);
     std::vector<float> expected(600), output(600);
     const std::array events{strikeNote()};
@@ -132,12 +132,12 @@ TEST_CASE("A new player that is struck at once sounds from its first sample with
 
 TEST_CASE("A second change during a fade lets the first sound fade on") {
     Ringing once, twice;
-    once.sound.changeTo(testPlayer("other").release());
-    twice.sound.changeTo(testPlayer("other").release());
+    once.sound.changeTo(testPlayer("other").release(), values);
+    twice.sound.changeTo(testPlayer("other").release(), values);
     std::vector<float> expected(600), output(600);
     play(once.sound, expected, {}, values);
     play(twice.sound, std::span(output).first(100), {}, values);
-    twice.sound.changeTo(testPlayer("third").release());
+    twice.sound.changeTo(testPlayer("third").release(), values);
     play(twice.sound, std::span(output).subspan(100), {}, values);
     CHECK(output == expected);
 }
@@ -155,7 +155,7 @@ TEST_CASE("Pedal and pitch wheel stay in place when the player changes") {
     std::vector<float> expected(9600), output(9600);
     const std::array before{pedal, wheel};
     play(sound, std::span(output).first(64), before, damped);
-    sound.changeTo(testPlayer("other").release());
+    sound.changeTo(testPlayer("other").release(), values);
     const std::array tap{strikeNote(), release};
     for (std::size_t start = 0; start < 9600; start += 960)
         play(sound, std::span(output).subspan(start, 960),
@@ -194,7 +194,7 @@ TEST_CASE("Zones and bend ranges set by MIDI hold for every later player") {
     sound.install(testPlayer());
     play(sound, before, setup, values);
     SECTION("in the middle of the sound") {
-        sound.changeTo(testPlayer("other").release());
+        sound.changeTo(testPlayer("other").release(), values);
     }
     SECTION("from its start") {
         sound.install(testPlayer("other"));
@@ -216,7 +216,7 @@ TEST_CASE("Speed and place of each channel stay in place when the player changes
     std::vector<float> expected(4800), output(4800);
     const std::array before{speed, place, otherSpeed, otherPlace};
     play(sound, std::span(output).first(64), before, scraping);
-    sound.changeTo(testPlayer("other").release());
+    sound.changeTo(testPlayer("other").release(), values);
     const std::array hold{strikeNote()};
     for (std::size_t start = 0; start < 4800; start += 960)
         play(sound, std::span(output).subspan(start, 960),
@@ -232,7 +232,7 @@ TEST_CASE("Speed and place of each channel stay in place when the player changes
 
 TEST_CASE("A reset is silent at once, also in a fade") {
     Ringing ringing;
-    ringing.sound.changeTo(testPlayer("other").release());
+    ringing.sound.changeTo(testPlayer("other").release(), values);
     ringing.sound.reset();
     std::vector<float> output(600, 1.0f);
     play(ringing.sound, output, {}, values);

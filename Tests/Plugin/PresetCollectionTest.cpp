@@ -48,7 +48,7 @@ HostSound firstSecond(Processor& processor) {
 TEST_CASE("Factory presets are listed in the order of the programs") {
     const UserSettings user;
     Processor processor;
-    auto& shelf = processor.presetShelf();
+    auto& shelf = processor.view().presets;
     shelf.readPresets();
     REQUIRE(shelf.presets().size() == factoryPresets().size());
     for (std::size_t i = 0; i < factoryPresets().size(); ++i) {
@@ -64,12 +64,12 @@ TEST_CASE("Factory presets are listed in the order of the programs") {
 TEST_CASE("A saved preset loads unchanged and plays the same samples") {
     const UserSettings user;
     Processor processor;
-    auto& shelf = processor.presetShelf();
+    auto& shelf = processor.view().presets;
     processor.setCurrentProgram(3);
-    processor.changeParameter(ParameterId::density, 1234.5);
-    processor.changeParameter(ParameterId::size, 1.5);
+    processor.view().parameters.change(ParameterId::density, 1234.5);
+    processor.view().parameters.change(ParameterId::size, 1.5);
     CHECK(shelf.soundIsChanged());
-    const auto values = processor.loadedSound().parameters;
+    const auto values = processor.soundSession().loadedSound().parameters;
     REQUIRE(shelf.savePreset(called("Mine", "Tests"), false));
     CHECK_FALSE(shelf.soundIsChanged());
     CHECK(shelf.chosenPreset() == "Tests/Mine.json");
@@ -77,7 +77,7 @@ TEST_CASE("A saved preset loads unchanged and plays the same samples") {
     const auto expected = firstSecond(processor);
 
     Processor other;
-    auto& otherShelf = other.presetShelf();
+    auto& otherShelf = other.view().presets;
     otherShelf.readPresets();
     const auto* mine = find(otherShelf, "Mine");
     REQUIRE(mine != nullptr);
@@ -86,7 +86,7 @@ TEST_CASE("A saved preset loads unchanged and plays the same samples") {
     CHECK(mine->tags == std::vector<std::string>{"test", "small"});
     CHECK_FALSE(mine->isFactory);
     REQUIRE(otherShelf.loadPreset(mine->id));
-    CHECK(other.loadedSound().parameters == values);
+    CHECK(other.soundSession().loadedSound().parameters == values);
     CHECK(otherShelf.soundDetails().folder == "Tests");
     CHECK(firstSecond(other) == expected);
 }
@@ -97,12 +97,12 @@ TEST_CASE("A preset saved while foreign objects play opens later and elsewhere")
     {
         Processor processor;
         restore(processor, testState("stones"));
-        REQUIRE(processor.presetShelf().savePreset(called("Stones", "Found"), false));
+        REQUIRE(processor.view().presets.savePreset(called("Stones", "Found"), false));
         expected = firstSecond(processor);
         REQUIRE(loudest(expected) > 0.001f);
     }
     Processor processor;
-    auto& shelf = processor.presetShelf();
+    auto& shelf = processor.view().presets;
     REQUIRE(shelf.loadPreset("Found/Stones.json"));
     CHECK(firstSecond(processor) == expected);
 
@@ -112,7 +112,7 @@ TEST_CASE("A preset saved while foreign objects play opens later and elsewhere")
     std::filesystem::remove_all(user.folder() / "Presets");
     Processor reopened;
     restoreBytes(reopened, project);
-    CHECK_FALSE(reopened.takeStatus().isError);
+    CHECK_FALSE(reopened.view().status.takeStatus().isError);
     CHECK(firstSecond(reopened) == expected);
 }
 
@@ -130,15 +130,15 @@ TEST_CASE("A folder made by idiophone tune plays from inside the preset folder")
                    {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
     }
     Processor processor;
-    auto& shelf = processor.presetShelf();
+    auto& shelf = processor.view().presets;
     shelf.readPresets();
     const auto* tuned = find(shelf, "Tuned marimba");
     REQUIRE(tuned != nullptr);
     REQUIRE(shelf.loadPreset(tuned->id));
-    CHECK_FALSE(processor.takeStatus().isError);
+    CHECK_FALSE(processor.view().status.takeStatus().isError);
     CHECK(shelf.chosenPreset() == "My bars/marimba.json");
     for (const int note : {59, 60, 61, 62})
-        CHECK(processor.loadedInstrument()->hasOwn(note) == (note == 60 || note == 61));
+        CHECK(processor.soundSession().instrument()->hasOwn(note) == (note == 60 || note == 61));
 }
 
 TEST_CASE("A preset saved with loudness matching is as loud when it is loaded") {
@@ -146,15 +146,15 @@ TEST_CASE("A preset saved with loudness matching is as loud when it is loaded") 
     Processor processor;
     restore(processor, testState());
     using enum ParameterId;
-    processor.changeParameter(matchLoudness, 1);
-    processor.changeParameter(material, customMaterial);
-    processor.changeParameter(density, 3000);
-    processor.changeParameter(malletHardness, 3000);
+    processor.view().parameters.change(matchLoudness, 1);
+    processor.view().parameters.change(material, customMaterial);
+    processor.view().parameters.change(density, 3000);
+    processor.view().parameters.change(malletHardness, 3000);
     const auto expected = firstSecond(processor);
-    REQUIRE(processor.presetShelf().savePreset(called("Loud"), false));
+    REQUIRE(processor.view().presets.savePreset(called("Loud"), false));
     Processor other;
-    REQUIRE(other.presetShelf().loadPreset("Loud.json"));
-    CHECK(other.parameterValue(level) != processor.parameterValue(level));
+    REQUIRE(other.view().presets.loadPreset("Loud.json"));
+    CHECK(other.view().parameters.value(level) != processor.view().parameters.value(level));
     CHECK(loudest(firstSecond(other)) == Approx(loudest(expected)).epsilon(0.001));
     // Saving leaves the current sound as it is.
     CHECK(firstSecond(processor) == expected);
@@ -168,29 +168,29 @@ TEST_CASE("A matched gain beyond the maximum level is kept when a preset is load
     for (auto* values : {&state.preset.parameters, &state.parameters})
         values->set(level, 20);
     restore(processor, state);
-    processor.changeParameter(matchLoudness, 1);
-    processor.changeParameter(malletHardness, 300);
-    processor.changeParameter(density, 20000);
-    processor.changeParameter(material, customMaterial);
+    processor.view().parameters.change(matchLoudness, 1);
+    processor.view().parameters.change(malletHardness, 300);
+    processor.view().parameters.change(density, 20000);
+    processor.view().parameters.change(material, customMaterial);
     const auto expected = firstSecond(processor);
-    REQUIRE(processor.presetShelf().savePreset(called("Loud"), false));
+    REQUIRE(processor.view().presets.savePreset(called("Loud"), false));
     CHECK(user.read("Presets/Loud.json").find("matchedTo") != std::string::npos);
     Processor other;
-    auto& shelf = other.presetShelf();
+    auto& shelf = other.view().presets;
     REQUIRE(shelf.loadPreset("Loud.json"));
-    CHECK(other.parameterValue(level) == 20);
+    CHECK(other.view().parameters.value(level) == 20);
     CHECK_FALSE(shelf.soundIsChanged());
     CHECK(firstSecond(other) == expected);
     // It survives another save. Once the level parameter suffices, that takes over the gain.
     REQUIRE(shelf.saveChosenPreset());
     Processor third;
-    REQUIRE(third.presetShelf().loadPreset("Loud.json"));
+    REQUIRE(third.view().presets.loadPreset("Loud.json"));
     CHECK(firstSecond(third) == expected);
-    third.changeParameter(level, -20);
-    REQUIRE(third.presetShelf().saveChosenPreset());
+    third.view().parameters.change(level, -20);
+    REQUIRE(third.view().presets.saveChosenPreset());
     CHECK(user.read("Presets/Loud.json").find("matchedTo") == std::string::npos);
     Processor fourth;
-    REQUIRE(fourth.presetShelf().loadPreset("Loud.json"));
+    REQUIRE(fourth.view().presets.loadPreset("Loud.json"));
     CHECK(loudest(firstSecond(fourth)) == Approx(loudest(firstSecond(third))).epsilon(0.001));
 }
 
@@ -202,7 +202,7 @@ TEST_CASE("Saving never cuts ringing sound") {
         each->prepareToPlay(48000, 480);
         render(*each, 4800, 480, testMusic(4800, 500));
     }
-    REQUIRE(processor.presetShelf().savePreset(called("Ringing"), false));
+    REQUIRE(processor.view().presets.savePreset(called("Ringing"), false));
     CHECK(render(processor, 4800, 480, {}) == render(untouched, 4800, 480, {}));
 }
 
@@ -210,14 +210,15 @@ TEST_CASE("Renaming a sound leaves automation alone") {
     const UserSettings user;
     Processor processor;
     AutomatedHolder holder(processor, ParameterId::width);
-    PresetCollection shelf(holder, processor.editHistory(), juce::File(user.folder().string()));
+    PresetCollection shelf(holder, processor.windowSession().history, processor.view().workshop,
+                           juce::File(user.folder().string()));
     REQUIRE(shelf.savePreset(called("One"), false));
     CHECK(holder.isWhereItWasMoved());
     CHECK(shelf.soundIsChanged());
     REQUIRE(shelf.renamePreset("One.json", "Two"));
     CHECK(holder.isWhereItWasMoved());
-    CHECK(processor.loadedLabel().name == "Two");
-    CHECK(processor.loadedLabel().author == "Anna");
+    CHECK(processor.soundSession().loadedLabel().name == "Two");
+    CHECK(processor.soundSession().loadedLabel().author == "Anna");
     CHECK(shelf.chosenPreset() == "Two.json");
 }
 
@@ -232,9 +233,9 @@ TEST_CASE("A scene preset names its scene by a path without machine-specific fol
     preset.keyMap = {.kind = KeyMapKind::scene, .object = "Scenes/dice.json"};
     user.write("Presets/dice.json", encodePreset(preset));
     Processor processor;
-    auto& shelf = processor.presetShelf();
+    auto& shelf = processor.view().presets;
     REQUIRE(shelf.loadPreset("dice.json"));
-    processor.changeParameter(ParameterId::tau, 5);
+    processor.view().parameters.change(ParameterId::tau, 5);
     REQUIRE(shelf.saveChosenPreset());
     REQUIRE(shelf.savePreset(called("Other dice", "Thrown"), false));
     for (const auto* file : {"Presets/dice.json", "Presets/Thrown/Other dice.json"}) {
@@ -243,25 +244,25 @@ TEST_CASE("A scene preset names its scene by a path without machine-specific fol
         CHECK(text.find(user.folder().string()) == std::string::npos);
     }
     REQUIRE(shelf.loadPreset("Thrown/Other dice.json"));
-    CHECK_FALSE(processor.takeStatus().isError);
-    CHECK(processor.hasStage());
+    CHECK_FALSE(processor.view().status.takeStatus().isError);
+    CHECK(processor.view().stage.hasStage());
 }
 
 TEST_CASE("A load is one step of the history") {
     const UserSettings user;
     Processor processor;
-    auto& shelf = processor.presetShelf();
+    auto& shelf = processor.view().presets;
     const auto before = saved(processor);
     REQUIRE(shelf.loadPreset(factoryPresetId("Wok")));
-    CHECK(processor.editHistory().undoName() == "Wok");
-    processor.editHistory().undo();
+    CHECK(processor.windowSession().history.undoName() == "Wok");
+    processor.windowSession().history.undo();
     CHECK(saved(processor) == before);
     REQUIRE(shelf.loadInitialSound());
     CHECK(shelf.soundDetails().name == "Init");
     CHECK(shelf.chosenPreset().empty());
     CHECK_FALSE(shelf.soundIsChanged());
     CHECK(loudest(firstSecond(processor)) > 0.01f);
-    processor.editHistory().undo();
+    processor.windowSession().history.undo();
     CHECK(saved(processor) == before);
 }
 
@@ -275,7 +276,7 @@ TEST_CASE("Broken presets stay listed with an error, and loading them changes no
         return encodePreset(preset);
     }());
     Processor processor;
-    auto& shelf = processor.presetShelf();
+    auto& shelf = processor.view().presets;
     shelf.readPresets();
     const auto* broken = find(shelf, "broken");
     REQUIRE(broken != nullptr);
@@ -291,20 +292,20 @@ TEST_CASE("Broken presets stay listed with an error, and loading them changes no
     }
     shelf.endAudition();
     CHECK(saved(processor) == before);
-    CHECK_FALSE(processor.editHistory().canUndo());
+    CHECK_FALSE(processor.windowSession().history.canUndo());
 
     REQUIRE(shelf.loadPreset("lost.json"));
-    const auto status = processor.takeStatus();
+    const auto status = processor.view().status.takeStatus();
     CHECK(status.isError);
     CHECK_THAT(status.sentence, ContainsSubstring("Lost: Objects/lost-12.modal is missing"));
-    CHECK(processor.loadedLabel().name == "Lost");
+    CHECK(processor.soundSession().loadedLabel().name == "Lost");
     CHECK(shelf.chosenPreset().empty()); // saving it needs confirmation
 }
 
 TEST_CASE("Favourites stay with the machine and follow a renamed preset") {
     const UserSettings user;
     Processor processor;
-    auto& shelf = processor.presetShelf();
+    auto& shelf = processor.view().presets;
     REQUIRE(shelf.savePreset(called("One"), false));
     REQUIRE(shelf.setFavourite("One.json", true));
     REQUIRE(shelf.setFavourite(factoryPresetId("Wok"), true));
@@ -312,8 +313,8 @@ TEST_CASE("Favourites stay with the machine and follow a renamed preset") {
     CHECK(shelf.chosenPreset() == "Two.json");
     CHECK(shelf.soundDetails().name == "Two");
     Processor other;
-    other.presetShelf().readPresets();
-    for (const auto& preset : other.presetShelf().presets())
+    other.view().presets.readPresets();
+    for (const auto& preset : other.view().presets.presets())
         CHECK(preset.isFavourite == (preset.name == "Two" || preset.name == "Wok"));
     CHECK_FALSE(shelf.renamePreset(factoryPresetId("Wok"), "Pan"));
     CHECK_FALSE(shelf.deletePreset(factoryPresetId("Wok")));
@@ -325,14 +326,14 @@ TEST_CASE("A deleted preset plays on, goes to the bin and is no longer a favouri
     const std::string home = std::getenv("HOME") != nullptr ? std::getenv("HOME") : "";
     setenv("HOME", (testFolder() / "home").string().c_str(), 1);
     Processor processor;
-    auto& shelf = processor.presetShelf();
+    auto& shelf = processor.view().presets;
     REQUIRE(shelf.savePreset(called("One"), false));
     REQUIRE(shelf.setFavourite("One.json", true));
-    const auto instrument = processor.loadedInstrument();
+    const auto instrument = processor.soundSession().instrument();
     REQUIRE(shelf.deletePreset("One.json"));
     setenv("HOME", home.c_str(), 1);
     CHECK(find(shelf, "One") == nullptr);
-    CHECK(processor.loadedInstrument() == instrument);
+    CHECK(processor.soundSession().instrument() == instrument);
     CHECK(shelf.chosenPreset().empty());
     CHECK(user.read("favourites.json").find("One") == std::string::npos);
     CHECK(std::filesystem::exists(testFolder() / "home/.local/share/Trash/files/One.json"));
@@ -341,7 +342,8 @@ TEST_CASE("A deleted preset plays on, goes to the bin and is no longer a favouri
 
 TEST_CASE("Without a settings folder the factory presets are listed and saving fails") {
     Processor processor;
-    PresetCollection shelf(processor, processor.editHistory(), juce::File());
+    PresetCollection shelf(processor.soundSession(), processor.windowSession().history,
+                           processor.view().workshop, juce::File());
     shelf.readPresets();
     CHECK(shelf.presets().size() == factoryPresets().size());
     REQUIRE(shelf.loadPreset(shelf.presets()[2].id));

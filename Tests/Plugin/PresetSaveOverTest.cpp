@@ -30,38 +30,38 @@ public:
 TEST_CASE("Overwriting a preset needs confirmation, and setup parameters are not saved") {
     const UserSettings user;
     Processor processor;
-    auto& shelf = processor.presetShelf();
+    auto& shelf = processor.view().presets;
     REQUIRE(shelf.savePreset(called("Twice"), false));
     CHECK(shelf.presetExists(called("Twice")));
     CHECK_FALSE(shelf.presetExists(called("Thrice")));
     CHECK_FALSE(shelf.presetExists(called("")));
     const auto before = user.read("Presets/Twice.json");
-    processor.changeParameter(ParameterId::tau, 5);
-    processor.changeParameter(ParameterId::bypass, 1);
-    processor.changeParameter(ParameterId::concertPitch, 415);
+    processor.view().parameters.change(ParameterId::tau, 5);
+    processor.view().parameters.change(ParameterId::bypass, 1);
+    processor.view().parameters.change(ParameterId::concertPitch, 415);
     const auto refused = shelf.savePreset(called("Twice"), false);
     REQUIRE_FALSE(refused);
     CHECK(user.read("Presets/Twice.json") == before);
     REQUIRE(shelf.savePreset(called("Twice"), true));
     Processor other;
-    REQUIRE(other.presetShelf().loadPreset("Twice.json"));
-    CHECK(other.parameterValue(ParameterId::tau) == 5);
-    CHECK(other.parameterValue(ParameterId::bypass) == 0);
-    CHECK(other.parameterValue(ParameterId::concertPitch) == 440);
+    REQUIRE(other.view().presets.loadPreset("Twice.json"));
+    CHECK(other.view().parameters.value(ParameterId::tau) == 5);
+    CHECK(other.view().parameters.value(ParameterId::bypass) == 0);
+    CHECK(other.view().parameters.value(ParameterId::concertPitch) == 440);
 }
 
 TEST_CASE("A preset that another window has saved is not overwritten without confirmation") {
     const UserSettings user;
     using enum ParameterId;
     Processor one, two;
-    auto& shelf = one.presetShelf();
-    auto& otherShelf = two.presetShelf();
+    auto& shelf = one.view().presets;
+    auto& otherShelf = two.view().presets;
     REQUIRE(shelf.savePreset(called("Bell"), false));
     REQUIRE(otherShelf.loadPreset("Bell.json"));
-    two.changeParameter(tau, 5);
+    two.view().parameters.change(tau, 5);
 
     SECTION("the other window changed it") {
-        one.changeParameter(tau, 3);
+        one.view().parameters.change(tau, 3);
         REQUIRE(shelf.saveChosenPreset());
         const auto theirs = user.read("Presets/Bell.json");
         switch (GENERATE(0, 1, 2)) {
@@ -73,7 +73,7 @@ TEST_CASE("A preset that another window has saved is not overwritten without con
         default: // after an audition
             REQUIRE(otherShelf.auditionPreset("Bell.json"));
             otherShelf.endAudition();
-            CHECK(two.parameterValue(tau) == 5);
+            CHECK(two.view().parameters.value(tau) == 5);
         }
         const auto refused = otherShelf.saveChosenPreset();
         REQUIRE_FALSE(refused);
@@ -89,13 +89,13 @@ TEST_CASE("A preset that another window has saved is not overwritten without con
             break;
         case 1:
             REQUIRE(otherShelf.loadPreset("Gong.json"));
-            CHECK(two.parameterValue(tau) == 3);
+            CHECK(two.view().parameters.value(tau) == 3);
             break;
         default:
             REQUIRE(otherShelf.auditionPreset("Gong.json"));
             otherShelf.keepAudition();
         }
-        two.changeParameter(tau, 7);
+        two.view().parameters.change(tau, 7);
         REQUIRE(otherShelf.saveChosenPreset());
     }
     SECTION("the other window renamed it") {
@@ -108,10 +108,10 @@ TEST_CASE("A preset that another window has saved is not overwritten without con
     }
     SECTION("this window saves it twice") {
         REQUIRE(otherShelf.saveChosenPreset());
-        two.changeParameter(tau, 7);
+        two.view().parameters.change(tau, 7);
         REQUIRE(otherShelf.saveChosenPreset());
         REQUIRE(otherShelf.renamePreset("Bell.json", "Gong"));
-        two.changeParameter(tau, 5);
+        two.view().parameters.change(tau, 5);
         REQUIRE(otherShelf.saveChosenPreset());
     }
 }
@@ -120,13 +120,13 @@ TEST_CASE("A save overwrites only the file version that the current sound came f
     const UserSettings user;
     using enum ParameterId;
     Processor one, two;
-    auto& shelf = one.presetShelf();
-    auto& otherShelf = two.presetShelf();
+    auto& shelf = one.view().presets;
+    auto& otherShelf = two.view().presets;
     REQUIRE(shelf.savePreset(called("Bell"), false));
     // The value changes the file's size, so that a list notices it at any clock resolution.
     std::string theirs;
     const auto saveTheirs = [&] {
-        one.changeParameter(tau, 3.0625);
+        one.view().parameters.change(tau, 3.0625);
         REQUIRE(shelf.saveChosenPreset());
         theirs = user.read("Presets/Bell.json");
     };
@@ -139,39 +139,39 @@ TEST_CASE("A save overwrites only the file version that the current sound came f
         }
     };
     const auto checkSaved = [&](double wanted) {
-        two.changeParameter(tau, wanted);
+        two.view().parameters.change(tau, wanted);
         REQUIRE(otherShelf.saveChosenPreset());
         Processor third;
-        REQUIRE(third.presetShelf().loadPreset(otherShelf.chosenPreset()));
-        CHECK(third.parameterValue(tau) == wanted);
+        REQUIRE(third.view().presets.loadPreset(otherShelf.chosenPreset()));
+        CHECK(third.view().parameters.value(tau) == wanted);
     };
 
     SECTION("after an undo") {
         REQUIRE(otherShelf.loadPreset("Bell.json"));
-        two.changeParameter(tau, 5);
+        two.view().parameters.change(tau, 5);
         saveTheirs();
         checkRefused();
         REQUIRE(otherShelf.loadPreset("Bell.json"));
-        CHECK(two.parameterValue(tau) == 3.0625);
-        two.editHistory().undo();
-        CHECK(two.parameterValue(tau) == 5);
+        CHECK(two.view().parameters.value(tau) == 3.0625);
+        two.windowSession().history.undo();
+        CHECK(two.view().parameters.value(tau) == 5);
         checkRefused();
-        two.editHistory().redo();
+        two.windowSession().history.redo();
         checkSaved(7);
         // The file now has the other window's change, which the older sound does not know.
         theirs = user.read("Presets/Bell.json");
-        two.editHistory().undo();
+        two.windowSession().history.undo();
         checkRefused();
     }
     SECTION("after a comparison") {
         REQUIRE(otherShelf.loadPreset("Bell.json"));
-        two.soundVariants().copyToOther();
+        two.view().variants.copyToOther();
         saveTheirs();
         otherShelf.readPresets();
         REQUIRE(otherShelf.loadPreset("Bell.json"));
-        two.soundVariants().compare();
+        two.view().variants.compare();
         checkRefused();
-        two.soundVariants().compare();
+        two.view().variants.compare();
         checkSaved(7);
     }
     SECTION("during an audition") {
@@ -186,7 +186,7 @@ TEST_CASE("A save overwrites only the file version that the current sound came f
         saveTheirs();
         REQUIRE(otherShelf.setFavourite("Bell.json", true));
         otherShelf.keepAudition();
-        two.changeParameter(tau, 7);
+        two.view().parameters.change(tau, 7);
         checkRefused();
     }
     SECTION("during an audition of the newer file") {
@@ -194,7 +194,7 @@ TEST_CASE("A save overwrites only the file version that the current sound came f
         saveTheirs();
         otherShelf.readPresets();
         REQUIRE(otherShelf.auditionPreset("Bell.json"));
-        CHECK(two.parameterValue(tau) == 3.0625);
+        CHECK(two.view().parameters.value(tau) == 3.0625);
         checkSaved(7);
     }
 }
@@ -204,18 +204,20 @@ TEST_CASE("A preset that was read but did not play is not overwritten") {
     using enum ParameterId;
     Processor one, two;
     ReluctantHolder holder(two);
-    SoundHistory history(holder);
-    PresetCollection shelf(holder, history, juce::File(user.folder().string()));
-    REQUIRE(one.presetShelf().savePreset(called("Bell"), false));
+    HostLoads noLoads;
+    SoundHistory history(holder, two.parameters(), noLoads);
+    PresetCollection shelf(holder, history, two.view().workshop,
+                           juce::File(user.folder().string()));
+    REQUIRE(one.view().presets.savePreset(called("Bell"), false));
     REQUIRE(shelf.loadPreset("Bell.json"));
-    two.changeParameter(tau, 5);
-    one.changeParameter(tau, 3.0625);
-    REQUIRE(one.presetShelf().saveChosenPreset());
+    two.view().parameters.change(tau, 5);
+    one.view().parameters.change(tau, 3.0625);
+    REQUIRE(one.view().presets.saveChosenPreset());
     const auto theirs = user.read("Presets/Bell.json");
     shelf.readPresets();
     holder.plays = false;
     REQUIRE(shelf.loadPreset("Bell.json"));
-    CHECK(two.parameterValue(tau) == 5);
+    CHECK(two.view().parameters.value(tau) == 5);
     CHECK_FALSE(shelf.saveChosenPreset());
     CHECK(user.read("Presets/Bell.json") == theirs);
 }
@@ -224,33 +226,33 @@ TEST_CASE("Sounds kept in this window follow its saves and renames") {
     const UserSettings user;
     using enum ParameterId;
     Processor processor;
-    auto& shelf = processor.presetShelf();
+    auto& shelf = processor.view().presets;
     REQUIRE(shelf.savePreset(called("Bell"), false));
     REQUIRE(shelf.loadPreset(factoryPresetId("Wok")));
     REQUIRE(shelf.loadPreset("Bell.json"));
-    processor.soundVariants().copyToOther();
-    processor.changeParameter(tau, 5);
+    processor.view().variants.copyToOther();
+    processor.view().parameters.change(tau, 5);
     REQUIRE(shelf.saveChosenPreset());
     const std::string name = GENERATE("Bell", "Gong");
     if (name != "Bell")
         REQUIRE(shelf.renamePreset("Bell.json", name));
     SECTION("compared sounds") {
-        processor.soundVariants().compare();
+        processor.view().variants.compare();
     }
     SECTION("sounds restored by undo") {
         for (int step = 0; step < 3; ++step)
-            processor.editHistory().undo();
-        CHECK(processor.editHistory().redoName() == "Wok");
+            processor.windowSession().history.undo();
+        CHECK(processor.windowSession().history.redoName() == "Wok");
     }
-    CHECK(processor.parameterValue(tau) != 5);
+    CHECK(processor.view().parameters.value(tau) != 5);
     CHECK(shelf.soundDetails().name == name);
     CHECK(shelf.chosenPreset() == name + ".json");
     CHECK(shelf.soundIsChanged()); // compared with the file's new content
-    processor.changeParameter(tau, 5);
+    processor.view().parameters.change(tau, 5);
     CHECK_FALSE(shelf.soundIsChanged());
-    processor.changeParameter(tau, 7);
+    processor.view().parameters.change(tau, 7);
     REQUIRE(shelf.saveChosenPreset());
     Processor other;
-    REQUIRE(other.presetShelf().loadPreset(name + ".json"));
-    CHECK(other.parameterValue(tau) == 7);
+    REQUIRE(other.view().presets.loadPreset(name + ".json"));
+    CHECK(other.view().parameters.value(tau) == 7);
 }

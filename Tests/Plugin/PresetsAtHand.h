@@ -6,7 +6,6 @@
 #include "Plugin/Processor.h"
 
 #include <algorithm>
-#include <optional>
 #include <string>
 
 namespace idiophone::test {
@@ -24,29 +23,22 @@ inline const ShelvedPreset* find(const PresetShelf& shelf, const std::string& na
     return found == shelf.presets().end() ? nullptr : &*found;
 }
 
-/// Forwards to a processor. Tests override it to act between the processor and its presets.
+/// Forwards to a session. Tests override it to act between the session and its presets.
 class ForwardingHolder : public SoundHolder {
 public:
-    explicit ForwardingHolder(Processor& held) : processor(held) {}
+    explicit ForwardingHolder(Processor& held) : session(held.soundSession()) {}
 
-    Sound loadedSound() const override { return processor.loadedSound(); }
-    SoundLabel loadedLabel() const override { return processor.loadedLabel(); }
-    bool playSound(const Sound& sound) override { return processor.playSound(sound); }
-    void relabel(const Sound& sound) override { processor.relabel(sound); }
-    bool playsPreview() const override { return processor.playsPreview(); }
-    void reportError(const std::string& sentence) override { processor.reportError(sentence); }
-    int hostLoads() const override { return processor.hostLoads(); }
-    std::optional<Sound> takeSoundBeforePrograms() override {
-        return processor.takeSoundBeforePrograms();
-    }
-    double parameterValue(ParameterId id) const override { return processor.parameterValue(id); }
+    Sound loadedSound() const override { return session.loadedSound(); }
+    SoundLabel loadedLabel() const override { return session.loadedLabel(); }
+    bool playSound(const Sound& sound) override { return session.playSound(sound); }
+    void relabel(const Sound& sound) override { session.relabel(sound); }
+    void reportError(const std::string& sentence) override { session.reportError(sentence); }
     void changeParameters(const Sound& of, const ParameterValues& wanted) override {
-        processor.changeParameters(of, wanted);
+        session.changeParameters(of, wanted);
     }
-    void setValue(ParameterId id, double value) override { processor.setValue(id, value); }
 
 private:
-    Processor& processor;
+    SoundSession& session;
 };
 
 } // namespace idiophone::test

@@ -42,7 +42,8 @@ TEST_CASE("A bounce of every factory preset except scenes equals its real-time s
             processor.setCurrentProgram(static_cast<int>(program));
             processor.setNonRealtime(offline);
             processor.prepareToPlay(48000, 480);
-            return render(processor, 14400, 480, testMusic(14400, 701, processor.keyRange()));
+            return render(processor, 14400, 480,
+                          testMusic(14400, 701, processor.view().instrument.keyRange()));
         };
         if (presets[program].keyMap.kind == KeyMapKind::scene)
             continue;
@@ -102,8 +103,8 @@ TEST_CASE("A mono bus gets the mean of both stereo channels") {
         layout.outputBuses.add(channels);
         REQUIRE(processor.setBusesLayout(layout));
         processor.setCurrentProgram(0);
-        processor.changeParameter(ParameterId::radiation, 60);
-        processor.changeParameter(ParameterId::strikeAcross, 80);
+        processor.view().parameters.change(ParameterId::radiation, 60);
+        processor.view().parameters.change(ParameterId::strikeAcross, 80);
         processor.prepareToPlay(48000, 4800);
         juce::AudioBuffer<float> buffer(channels.size(), 4800);
         juce::MidiBuffer midi;
@@ -175,13 +176,13 @@ TEST_CASE("Five thousand events on one sample are all played") {
 TEST_CASE("Automation of every parameter to both ends stays finite") {
     Processor processor; // its channels differ
     processor.prepareToPlay(48000, 256);
-    const auto midi = testMusic(256, 64, processor.keyRange());
+    const auto midi = testMusic(256, 64, processor.view().instrument.keyRange());
     std::mt19937 random(5);
     bool finite = true;
     const auto renderBlocks = [&](int blocks) {
         for (int block = 0; block < blocks; ++block)
             finite = finite && allFinite(render(processor, 256, 256, midi)) &&
-                     processor.timesNotFinite() == 0;
+                     processor.engineReport().notFinite == 0;
     };
     renderBlocks(8);
     const auto sound = render(processor, 256, 256, midi);

@@ -24,7 +24,7 @@ TEST_CASE("A state restored into another instance is saved as the same bytes") {
     CHECK(saved(second) == bytes);
     for (std::size_t i = 0; i < parameterCount; ++i) {
         const auto id = static_cast<ParameterId>(i);
-        CHECK(first.parameterValue(id) == second.parameterValue(id));
+        CHECK(first.view().parameters.value(id) == second.view().parameters.value(id));
     }
 }
 
@@ -85,13 +85,14 @@ TEST_CASE("Every sound that can be loaded can be saved and restored") {
     const UserSettings user;
     Processor first;
     const auto comesBack = [&] {
-        INFO(first.loadedLabel().name);
-        CHECK_FALSE(first.takeStatus().isError);
+        INFO(first.soundSession().loadedLabel().name);
+        CHECK_FALSE(first.view().status.takeStatus().isError);
         const auto bytes = saved(first);
         Processor second;
         restoreBytes(second, bytes);
-        CHECK(second.takeStatus().sentence == first.takeStatus().sentence);
-        CHECK_FALSE(second.takeStatus().isError);
+        CHECK(second.view().status.takeStatus().sentence ==
+              first.view().status.takeStatus().sentence);
+        CHECK_FALSE(second.view().status.takeStatus().isError);
         CHECK(saved(second) == bytes);
     };
     SECTION("every program") {
@@ -106,12 +107,12 @@ TEST_CASE("Every sound that can be loaded can be saved and restored") {
             object.name = name;
             const auto file = testFolder() / "nameless.modal";
             REQUIRE(writeModalObject(object, file));
-            first.openFile(file);
+            first.view().workshop.openFile(file);
             finish(first);
-            CHECK((first.loadedLabel().name == "nameless") == object.name.empty());
+            CHECK((first.soundSession().loadedLabel().name == "nameless") == object.name.empty());
             comesBack();
             for (const auto layout : {KeyLayout::zones, KeyLayout::scaled}) {
-                first.setKeyLayout(layout);
+                first.view().workshop.setKeyLayout(layout);
                 comesBack();
             }
         }
@@ -126,15 +127,15 @@ TEST_CASE("Every sound that can be loaded can be saved and restored") {
         state.preset.keyMap.object = "without";
         state.objects = {{.name = "without", .modal = encodeModalObject(object)}};
         restore(first, state);
-        first.analyseAgain();
+        first.view().workshop.analyseAgain();
         finish(first);
-        CHECK(first.loadedLabel().name == "Object");
+        CHECK(first.soundSession().loadedLabel().name == "Object");
         comesBack();
     }
     SECTION("scales with any bytes") {
         std::string text = "from 1995\n2\n600.\n1200.\n! ";
         text.resize(ScalaTuning::largestFileBytes, '\xe9');
-        first.openTuning(writtenFile("any.scl", text));
+        first.view().tuning.openTuning(writtenFile("any.scl", text));
         comesBack();
     }
     SECTION("the longest preset") {
@@ -143,7 +144,7 @@ TEST_CASE("Every sound that can be loaded can be saved and restored") {
                            R"("description":")";
         text.resize(largestPresetBytes - 2, 'x');
         user.write("Presets/Long.json", text + R"("})");
-        REQUIRE(first.presetShelf().loadPreset("Long.json"));
+        REQUIRE(first.view().presets.loadPreset("Long.json"));
         comesBack();
     }
 }
@@ -161,7 +162,7 @@ TEST_CASE("States are restored and saved from several threads while the audio ru
     std::thread audio([&] {
         while (!stop)
             if (!allFinite(render(processor, 256, 256, testMusic(256, 50))) ||
-                processor.timesNotFinite() > 0)
+                processor.engineReport().notFinite > 0)
                 finite = false;
     });
     const auto hammer = [&](const std::string& bytes) {
@@ -190,8 +191,8 @@ TEST_CASE(
     first.setCurrentProgram(1);
     restoreBytes(second, saved(first));
     CHECK(second.getCurrentProgram() == 1);
-    CHECK(second.presetShelf().chosenPreset() == factoryPresetId(factoryPresets()[1].name));
+    CHECK(second.view().presets.chosenPreset() == factoryPresetId(factoryPresets()[1].name));
     restore(second, testState());
-    CHECK(second.presetShelf().chosenPreset().empty());
+    CHECK(second.view().presets.chosenPreset().empty());
     CHECK(second.getCurrentProgram() == 0); // hosts know no other program
 }

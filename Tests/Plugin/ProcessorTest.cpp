@@ -80,14 +80,14 @@ TEST_CASE("Every factory preset is a program that has a name and sounds") {
         CHECK(processor.getProgramName(program).isNotEmpty());
         processor.setCurrentProgram(program);
         CHECK(processor.getCurrentProgram() == program);
-        const auto status = processor.takeStatus();
+        const auto status = processor.view().status.takeStatus();
         CHECK_FALSE(status.isError);
         const auto delay = static_cast<int>((status.delaySeconds + 0.3) * 48000);
         const auto output =
             render(processor, status.delaySeconds > 0 ? delay : 4800, 480, hardNote);
         CHECK(loudest(output) > 0.001f);
         CHECK(allFinite(output));
-        CHECK(processor.timesNotFinite() == 0);
+        CHECK(processor.engineReport().notFinite == 0);
     }
     CHECK(processor.getProgramName(-1).isEmpty());
     CHECK(processor.getProgramName(1000).isEmpty());
@@ -99,8 +99,8 @@ TEST_CASE("Every factory preset is a program that has a name and sounds") {
 TEST_CASE("A new instance plays the first factory preset") {
     Processor processor;
     CHECK(processor.getCurrentProgram() == 0);
-    CHECK(processor.presetShelf().chosenPreset() == factoryPresetId(factoryPresets()[0].name));
-    CHECK_FALSE(processor.takeStatus().isError);
+    CHECK(processor.view().presets.chosenPreset() == factoryPresetId(factoryPresets()[0].name));
+    CHECK_FALSE(processor.view().status.takeStatus().isError);
     processor.prepareToPlay(44100, 512);
     CHECK(loudest(render(processor, 4096, 512, hardNote)) > 0.001f);
 }
@@ -114,7 +114,7 @@ TEST_CASE("A program sets every parameter but bypass, concert pitch and MPE") {
         INFO(info.id);
         const double expected =
             info.isSetup ? info.maximum : factoryPresets()[1].parameters[info.parameter];
-        CHECK(processor.parameterValue(info.parameter) == expected);
+        CHECK(processor.view().parameters.value(info.parameter) == expected);
     }
 }
 
@@ -162,7 +162,7 @@ TEST_CASE("A preset change while notes ring makes no step larger than the sound'
 
 TEST_CASE("Instances share the objects they play") {
     Processor first, second;
-    const auto a = first.loadedInstrument(), b = second.loadedInstrument();
+    const auto a = first.soundSession().instrument(), b = second.soundSession().instrument();
     REQUIRE(a != nullptr);
     REQUIRE(b != nullptr);
     REQUIRE(a->slots().size() == b->slots().size());
@@ -224,7 +224,7 @@ TEST_CASE("The tail is that of the slowest possible mode and is bounded") {
     CHECK_THAT(tail(), WithinRel(std::log(65536) / (5 + 1e-6 * omega * omega), 1e-12));
     for (const auto parameter : {fluidDamping, viscoelasticDamping})
         state.parameters.set(parameter, parameterInfo(parameter).minimum);
-    CHECK(tail() == Processor::longestTailSeconds);
+    CHECK(tail() == TailLength::maximumSeconds);
     // Damping at the minimum values, plus χω/2 of a loss factor.
     const auto rayleigh = [](double frequency) {
         return parameterInfo(fluidDamping).minimum / 2 +
@@ -399,19 +399,19 @@ TEST_CASE("Blocks before the first prepare are silent for every sound") {
 TEST_CASE("Notes of the on-screen keyboard sound") {
     Processor processor;
     processor.prepareToPlay(48000, 480);
-    processor.playNote(72, 127);
+    processor.view().instrument.playNote(72, 127);
     CHECK(loudest(render(processor, 4800, 480, {})) > 0.001f);
-    CHECK(processor.takeStatus().peak > 0.001f);
+    CHECK(processor.view().status.takeStatus().peak > 0.001f);
 }
 
 TEST_CASE("A change in the window is sent to the host as one gesture with the exact value") {
     GestureLog listener;
     Processor processor;
     processor.addListener(&listener);
-    processor.beginParameterChange(ParameterId::density);
-    processor.changeParameter(ParameterId::density, 1000.1);
-    processor.endParameterChange(ParameterId::density);
+    processor.view().parameters.beginChange(ParameterId::density);
+    processor.view().parameters.change(ParameterId::density, 1000.1);
+    processor.view().parameters.endChange(ParameterId::density);
     processor.removeListener(&listener);
     CHECK(listener.text == "(=)");
-    CHECK(processor.parameterValue(ParameterId::density) == 1000.1);
+    CHECK(processor.view().parameters.value(ParameterId::density) == 1000.1);
 }

@@ -59,14 +59,15 @@ TEST_CASE("A key pressed while the host is notified of a new preset is struck on
         Processor processor;
         processor.prepareToPlay(rateHz, blockSize);
         render(processor, blockSize, blockSize, programChange(vibraphone));
-        const double former = processor.parameterValue(ParameterId::level);
+        const double former = processor.view().parameters.value(ParameterId::level);
         HostSound sound;
         const auto strike = [&] { sound = render(processor, blockSize, blockSize, struck(key)); };
         BusyHost host(when == Struck::whileTold ? strike : std::function<void()>());
         processor.addListener(&host);
         if (when == Struck::asSoonAsLoaded) {
             const AtAllocations look([&] {
-                if (sound.left.empty() && processor.parameterValue(ParameterId::level) != former)
+                if (sound.left.empty() &&
+                    processor.view().parameters.value(ParameterId::level) != former)
                     strike();
             });
             pollForProgram(processor, vibraphone);
@@ -98,28 +99,30 @@ TEST_CASE("Until the new sound is there, the former one plays on with its own va
     const Load loads[] = {
         [&](Processor& processor, const Sound&) { restoreBytes(processor, bytes); },
         [](Processor& processor, const Sound&) { processor.setCurrentProgram(vibraphone); },
-        [](Processor& processor, const Sound& before) { processor.playSound(before); },
+        [](Processor& processor, const Sound& before) {
+            processor.soundSession().playSound(before);
+        },
     };
     for (const auto& load : loads) {
         const auto played = [&](bool meanwhile) {
             Processor processor;
             processor.prepareToPlay(rateHz, 64);
-            const auto before = processor.loadedSound();
+            const auto before = processor.soundSession().loadedSound();
             auto first = testState();
             first.parameters.set(ParameterId::level, -5);
             restore(processor, first);
             render(processor, blockSize, 64, struck(64));
-            const double former = processor.parameterValue(ParameterId::level);
+            const double former = processor.view().parameters.value(ParameterId::level);
             HostSound sound;
             {
                 const AtAllocations look([&] {
                     if (meanwhile && sound.left.empty() &&
-                        processor.parameterValue(ParameterId::level) != former)
+                        processor.view().parameters.value(ParameterId::level) != former)
                         sound = render(processor, 64, 64, {});
                 });
                 load(processor, before);
             }
-            REQUIRE(processor.parameterValue(ParameterId::level) != former);
+            REQUIRE(processor.view().parameters.value(ParameterId::level) != former);
             if (sound.left.empty())
                 sound = render(processor, 64, 64, {});
             sound.append(render(processor, blockSize, 64, {}));
@@ -186,7 +189,7 @@ TEST_CASE("If a program cannot be built, keys that already sound are not struck 
         if (asks) {
             const MemoryLimit limit(20'000);
             processor.poll();
-            CHECK(processor.takeStatus().isError);
+            CHECK(processor.view().status.takeStatus().isError);
             CHECK(processor.getCurrentProgram() == 0);
         }
         sound.append(render(processor, 24000, blockSize, {}));
@@ -206,8 +209,8 @@ TEST_CASE("After a reset loudness is matched as after a prepare with the same va
     auto state = testState();
     state.parameters.set(ParameterId::matchLoudness, 1);
     const auto change = [](Processor& processor) {
-        processor.changeParameter(ParameterId::material, firstLibraryMaterial + 5);
-        processor.changeParameter(ParameterId::mallet, firstRackMallet);
+        processor.view().parameters.change(ParameterId::material, firstLibraryMaterial + 5);
+        processor.view().parameters.change(ParameterId::mallet, firstRackMallet);
     };
     Processor fresh;
     restore(fresh, state);
@@ -256,10 +259,10 @@ TEST_CASE("A state restored after a MIDI program change is the one that plays") 
     processor.prepareToPlay(rateHz, blockSize);
     render(processor, blockSize, blockSize, programChange(9));
     restore(processor, testState());
-    const auto name = processor.loadedSound().preset.name;
+    const auto name = processor.soundSession().loadedSound().preset.name;
     for (int polls = 0; polls < 6; ++polls)
         processor.poll();
-    CHECK(processor.loadedSound().preset.name == name);
+    CHECK(processor.soundSession().loadedSound().preset.name == name);
     render(processor, blockSize, blockSize, programChange(9)); // a new request still works
     pollForProgram(processor, 9);
 }
@@ -308,7 +311,7 @@ TEST_CASE("Parameters moved after a program change keep their values, in a bounc
             processor.prepareToPlay(rateHz, blockSize);
             ControllerAssignments assignments;
             assignments[level] = volume;
-            processor.midiLearn().assign(assignments);
+            processor.windowSession().controllers.assign(assignments);
             const auto block = [&](const std::vector<juce::MidiMessage>& messages) {
                 juce::MidiBuffer midi;
                 for (const auto& message : messages)
@@ -319,12 +322,13 @@ TEST_CASE("Parameters moved after a program change keep their values, in a bounc
                 block({moved(100, 0)});
             block(inBlock);
             if (byHost)
-                processor.setValue(level, controlledValue(parameterInfo(level), 100));
+                processor.parameters()[level].changeByHand(
+                    controlledValue(parameterInfo(level), 100));
             block(inNext);
             pollForProgram(processor, program);
-            CHECK(processor.parameterValue(malletSpeed) ==
+            CHECK(processor.view().parameters.value(malletSpeed) ==
                   factoryPresets()[program].parameters[malletSpeed]);
-            return processor.parameterValue(level);
+            return processor.view().parameters.value(level);
         };
         const double expected = staysMoved ? controlledValue(parameterInfo(level), 100)
                                            : factoryPresets()[program].parameters[level];
@@ -338,16 +342,17 @@ TEST_CASE("Values of another sound loaded while a program is pending do not chan
     constexpr int program = 3;
     Processor processor;
     processor.prepareToPlay(rateHz, blockSize);
-    auto other = processor.loadedSound(); // the same player with other values
+    auto other = processor.soundSession().loadedSound(); // the same player with other values
     other.parameters.set(ParameterId::malletSpeed, 4.5);
     const std::function<void()> loads[] = {[&] { processor.setCurrentProgram(vibraphone); },
-                                           [&] { processor.playSound(other); }};
+                                           [&] { processor.soundSession().playSound(other); }};
     for (const auto& load : loads) {
         processor.setCurrentProgram(0);
         render(processor, blockSize, blockSize, programChange(program));
         load();
         pollForProgram(processor, program);
-        CHECK(processor.loadedSound().parameters == factoryPresets()[program].parameters);
+        CHECK(processor.soundSession().loadedSound().parameters ==
+              factoryPresets()[program].parameters);
     }
 }
 
@@ -363,7 +368,7 @@ TEST_CASE(
         processor.prepareToPlay(rateHz, blockSize);
         ControllerAssignments assignments;
         assignments[ParameterId::level] = volume;
-        processor.midiLearn().assign(assignments);
+        processor.windowSession().controllers.assign(assignments);
         render(processor, blockSize, blockSize, programChange(vibraphone));
         int allocations = 0;
         const AtAllocations look([&] {
@@ -371,7 +376,7 @@ TEST_CASE(
                 render(processor, blockSize, blockSize, overtaking);
         });
         pollForProgram(processor, last);
-        return std::pair(allocations, processor.parameterValue(ParameterId::level));
+        return std::pair(allocations, processor.view().parameters.value(ParameterId::level));
     };
     const auto [allocations, level] = loaded(0, vibraphone);
     const double moved = controlledValue(parameterInfo(ParameterId::level), 100);
@@ -386,14 +391,14 @@ TEST_CASE("Undo after a program change restores the values before it, not those 
     processor.prepareToPlay(rateHz, blockSize);
     ControllerAssignments assignments;
     assignments[ParameterId::level] = volume;
-    processor.midiLearn().assign(assignments);
-    const auto before = processor.loadedSound().parameters;
+    processor.windowSession().controllers.assign(assignments);
+    const auto before = processor.soundSession().loadedSound().parameters;
     auto midi = programChange(program);
     midi.addEvent(juce::MidiMessage::controllerEvent(1, volume, 20), 1);
     render(processor, blockSize, blockSize, midi);
     pollForProgram(processor, program);
-    CHECK(processor.parameterValue(ParameterId::level) != before[ParameterId::level]);
-    REQUIRE(processor.editHistory().canUndo());
-    processor.editHistory().undo();
-    CHECK(processor.loadedSound().parameters == before);
+    CHECK(processor.view().parameters.value(ParameterId::level) != before[ParameterId::level]);
+    REQUIRE(processor.windowSession().history.canUndo());
+    processor.windowSession().history.undo();
+    CHECK(processor.soundSession().loadedSound().parameters == before);
 }

@@ -15,7 +15,7 @@ namespace {
 
 /// Holds keys over the whole range for half a second while pressure, controllers and pitch wheel
 /// sweep. Then it releases them and lets them ring for 0.1 s.
-juce::MidiBuffer heldKeys(const ProcessorView::KeyRange& keys) {
+juce::MidiBuffer heldKeys(const InstrumentView::KeyRange& keys) {
     constexpr int released = 24000, keyCount = 6;
     juce::MidiBuffer midi;
     const auto keyAt = [&](int i) {
@@ -101,10 +101,11 @@ TEST_CASE("No factory preset allocates, locks or calls the system, whatever note
     WatchedHost host(512);
     for (int program = 0; program < host.processor.getNumPrograms(); ++program) {
         host.choose(program);
-        const auto music = testMusic(512, 30, host.processor.keyRange());
+        const auto music = testMusic(512, 30, host.processor.view().instrument.keyRange());
         for (int block = 0; block < 40; ++block)
             host.block(music, 512);
-        if (!host.processor.hasStage()) // its worker needs time; the next test waits for it
+        if (!host.processor.view()
+                 .stage.hasStage()) // its worker needs time; the next test waits for it
             host.checkHeard(leastStruck);
     }
 }
@@ -134,15 +135,15 @@ TEST_CASE("Strikes, scrapes and rolls with every controller stay real-time safe 
     WatchedHost host(512);
     for (int program = 0; program < host.processor.getNumPrograms(); ++program) {
         host.choose(program);
-        if (host.processor.hasStage())
+        if (host.processor.view().stage.hasStage())
             continue; // its bodies make their own contacts
-        const auto midi = heldKeys(host.processor.keyRange());
+        const auto midi = heldKeys(host.processor.view().instrument.keyRange());
         for (const auto& way :
              {Way{strikeContact, 0, leastStruck}, Way{scrapeContact, 0, leastPressed},
               Way{rollContact, 0, leastPressed}, Way{rollContact, 100, leastPressed}}) {
             host.choose(program);
-            host.processor.changeParameter(ParameterId::contact, way.contact);
-            host.processor.changeParameter(ParameterId::rollCoupling, way.coupling);
+            host.processor.view().parameters.change(ParameterId::contact, way.contact);
+            host.processor.view().parameters.change(ParameterId::rollCoupling, way.coupling);
             host.what += ", contact " + std::to_string(way.contact) + ", coupling " +
                          std::to_string(way.coupling);
             play(host, {}, 512, 512); // the former sound fades out
@@ -159,7 +160,7 @@ TEST_CASE("Every parameter at either end stays real-time safe in every factory p
     WatchedHost host(256);
     for (int program = 0; program < host.processor.getNumPrograms(); ++program) {
         host.choose(program);
-        const auto [lowest, highest] = host.processor.keyRange();
+        const auto [lowest, highest] = host.processor.view().instrument.keyRange();
         juce::MidiBuffer music;
         for (int i = 0; i < 6; ++i) {
             const int note = lowest + (highest - lowest) * i / 5;
@@ -178,7 +179,7 @@ TEST_CASE("Every parameter at either end stays real-time safe in every factory p
             }
             parameter->setValue(own);
         }
-        if (host.processor.hasStage())
+        if (host.processor.view().stage.hasStage())
             moveAllWhileStageIsHeard(host);
         else
             host.checkHeard(leastStruck);
@@ -193,13 +194,14 @@ TEST_CASE(
     WatchedHost host(256);
     for (int program = 0; program < host.processor.getNumPrograms(); ++program) {
         host.choose(program);
-        if (host.processor.hasStage())
+        if (host.processor.view().stage.hasStage())
             continue; // its loudness is not matched
-        host.processor.changeParameter(ParameterId::matchLoudness, 1);
-        const auto music = testMusic(256, 100, host.processor.keyRange());
+        host.processor.view().parameters.change(ParameterId::matchLoudness, 1);
+        const auto music = testMusic(256, 100, host.processor.view().instrument.keyRange());
         for (const char* material : {"Glass", "Plastic"}) {
             const auto choice = std::ranges::find(materials, material) - materials.begin();
-            host.processor.changeParameter(ParameterId::material, static_cast<double>(choice));
+            host.processor.view().parameters.change(ParameterId::material,
+                                                    static_cast<double>(choice));
             host.what = host.processor.getProgramName(program).toStdString() + " of " + material;
             for (int block = 0; block < 100; ++block) // 400 cells
                 host.block(block % 10 == 0 ? music : juce::MidiBuffer(), 256);
@@ -215,23 +217,25 @@ TEST_CASE(
     WatchedHost host(512);
     for (int program = 0; program < host.processor.getNumPrograms(); ++program) {
         host.choose(program);
-        const bool isStage = host.processor.hasStage(); // notes would start the scene anew
-        const auto music =
-            isStage ? juce::MidiBuffer() : testMusic(512, 60, host.processor.keyRange());
+        const bool isStage =
+            host.processor.view().stage.hasStage(); // notes would start the scene anew
+        const auto music = isStage
+                               ? juce::MidiBuffer()
+                               : testMusic(512, 60, host.processor.view().instrument.keyRange());
         if (isStage)
             soundStage(host);
         host.loudestSample = 0;
         int frames = 0;
-        const auto objects = host.processor.playedObjects();
+        const auto objects = host.processor.view().instrument.playedObjects();
         for (int block = 0; block < 40; ++block) {
             const auto object = static_cast<std::size_t>(block) % objects.size();
-            frames += host.processor.takeSoundFrame() != nullptr ? 1 : 0;
-            host.processor.muteMode(object, block % 7, block % 3 != 0);
-            host.processor.hearModeAlone(object, block % 5, block % 8 == 0);
+            frames += host.processor.view().sound.takeSoundFrame() != nullptr ? 1 : 0;
+            host.processor.view().sound.muteMode(object, block % 7, block % 3 != 0);
+            host.processor.view().sound.hearModeAlone(object, block % 5, block % 8 == 0);
             if (block % 10 == 0)
-                host.processor.watchObject(object);
-            host.processor.scrapeObject(object, {0.01 * block, 0.002 * block, 0},
-                                        block % 16 == 15 ? 0 : 1);
+                host.processor.view().sound.watchObject(object);
+            host.processor.view().instrument.scrapeObject(object, {0.01 * block, 0.002 * block, 0},
+                                                          block % 16 == 15 ? 0 : 1);
             host.stageBlock(music, 512);
         }
         CHECK(frames > 5);

@@ -75,7 +75,7 @@ TEST_CASE("The real-time trap catches every kind of planted fault in a callback"
     juce::MidiBuffer midi;
     CHECK(plantedIn(processor, [&] { keyboard.processNextMidiBuffer(midi, 0, 64, true); }).locks >
           0);
-    CHECK(plantedIn(processor, [&] { processor.takeStatus(); }).locks > 0);
+    CHECK(plantedIn(processor, [&] { processor.view().status.takeStatus(); }).locks > 0);
 }
 
 #if defined(__linux__) && defined(__GLIBC__)
@@ -197,7 +197,7 @@ TEST_CASE("Learning controllers and moving every parameter with them stays real-
         SKIP("the trap needs Linux with glibc and no sanitizer");
     WatchedHost host(256);
     restore(host.processor, testState());
-    auto& learn = host.processor.midiLearn();
+    auto& learn = host.processor.windowSession().controllers;
     host.what = "learning";
     for (const auto& info : parameterTable()) {
         learn.learnController(info.parameter);
@@ -232,7 +232,7 @@ TEST_CASE("Crowded, overlong and empty blocks, resets and program changes stay r
     for (const int samples : {20000, 1, 0, 7, 8192, 8193})
         for (int round = 0; round < 3; ++round) {
             host.what = std::to_string(samples) + " samples";
-            host.processor.playNote(72, 100);
+            host.processor.view().instrument.playNote(72, 100);
             host.block(crowded, samples);
             host.processor.reset();
             host.block(crowded, samples);
@@ -249,7 +249,7 @@ TEST_CASE("Many player hand-overs in a row never make the callback allocate, loc
     std::thread message([&] {
         for (int i = 0; i < 60; ++i) {
             restoreBytes(host.processor, i % 2 == 0 ? a : b);
-            host.processor.takeStatus();
+            host.processor.view().status.takeStatus();
             saved(host.processor);
         }
         stop = true;

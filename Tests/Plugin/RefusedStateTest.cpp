@@ -33,16 +33,16 @@ TEST_CASE("A state that cannot be restored changes nothing and gives one sentenc
         Processor processor;
         restore(processor, testState());
         processor.prepareToPlay(48000, blockSamples);
-        REQUIRE(processor.muteMode(0, 1, true));
+        REQUIRE(processor.view().sound.muteMode(0, 1, true));
         restoreBytes(processor, bytes);
-        const auto status = processor.takeStatus();
+        const auto status = processor.view().status.takeStatus();
         CHECK(status.isError);
         CHECK_THAT(status.sentence, ContainsSubstring(sentence));
-        processor.editHistory().undo(); // the steps stay too
+        processor.windowSession().history.undo(); // the steps stay too
         CHECK(saved(processor) == encodeState(testState()));
         CHECK(firstBlock(processor) == expected);
         restore(processor, testState());
-        CHECK_FALSE(processor.takeStatus().isError);
+        CHECK_FALSE(processor.view().status.takeStatus().isError);
     }
 }
 
@@ -51,7 +51,7 @@ TEST_CASE("An empty state is an error") {
     const auto before = saved(processor);
     processor.setStateInformation(nullptr, 0);
     processor.setStateInformation(nullptr, -1);
-    CHECK(processor.takeStatus().isError);
+    CHECK(processor.view().status.takeStatus().isError);
     CHECK(saved(processor) == before);
 }
 
@@ -67,59 +67,59 @@ TEST_CASE(
     Processor processor;
     processor.prepareToPlay(48000, blockSamples);
     restoreBytes(processor, bytes);
-    const auto status = processor.takeStatus();
+    const auto status = processor.view().status.takeStatus();
     CHECK(status.isError);
     CHECK(status.sentence ==
           "Test keyboard: test/60 is missing; until it is back a steel ring plays in its place.");
     CHECK(loudest(firstBlock(processor)) > 1e-4f);
-    CHECK(processor.keyRange().lowest == lowestTestNote);
-    CHECK(processor.parameterValue(ParameterId::size) == 1.2345678901234567);
-    CHECK(processor.midiLearn().controllerOf(ParameterId::tau) == 21);
-    CHECK(processor.tuningStatus().scale == "two");
+    CHECK(processor.view().instrument.keyRange().lowest == lowestTestNote);
+    CHECK(processor.view().parameters.value(ParameterId::size) == 1.2345678901234567);
+    CHECK(processor.windowSession().controllers.controllerOf(ParameterId::tau) == 21);
+    CHECK(processor.view().tuning.tuningStatus().scale == "two");
     CHECK(saved(processor) == bytes);
 
     SECTION("with changes made while the ring plays") {
         auto changed = state;
         changed.parameters.set(ParameterId::size, 2);
-        processor.changeParameter(ParameterId::size, 2);
+        processor.view().parameters.change(ParameterId::size, 2);
         CHECK(saved(processor) == encodeState(changed));
         processor.setCurrentProgram(0);
         CHECK(parseState(saved(processor))->preset.keyMap == factoryPresets()[0].keyMap);
     }
     SECTION("the keys cannot be changed") {
-        const auto number = processor.instrumentNumber();
+        const auto number = processor.view().instrument.instrumentNumber();
         const auto isKept = [&] {
-            const auto now = processor.takeStatus();
+            const auto now = processor.view().status.takeStatus();
             CHECK(now.isError);
             CHECK_THAT(now.sentence, ContainsSubstring("keys cannot be changed"));
             CHECK_THAT(now.sentence, ContainsSubstring("test/60"));
-            CHECK(processor.instrumentNumber() == number);
+            CHECK(processor.view().instrument.instrumentNumber() == number);
             CHECK(saved(processor) == bytes);
-            processor.reportError({});
+            processor.view().status.reportError({});
         };
-        processor.setKeyLayout(KeyLayout::zones);
+        processor.view().workshop.setKeyLayout(KeyLayout::zones);
         isKept();
-        processor.setStrikePath(0, processor.struckPlaces(0));
+        processor.view().workshop.setStrikePath(0, processor.view().instrument.struckPlaces(0));
         isKept();
     }
     SECTION("without a preset name") {
         state.preset.name.clear();
         restore(processor, state);
-        CHECK(processor.takeStatus().sentence ==
+        CHECK(processor.view().status.takeStatus().sentence ==
               "test/60 is missing; until it is back a steel ring plays in its place.");
         CHECK(saved(processor) == encodeState(state));
     }
     SECTION("after an undo") {
-        REQUIRE(processor.presetShelf().loadPreset(factoryPresetId("Wok")));
+        REQUIRE(processor.view().presets.loadPreset(factoryPresetId("Wok")));
         REQUIRE(saved(processor) != bytes);
-        processor.editHistory().undo();
+        processor.windowSession().history.undo();
         CHECK(saved(processor) == bytes);
     }
     SECTION("complete once the object is back") {
         auto back = *parseState(saved(processor));
         back.objects = parseState(whole)->objects;
         restore(processor, back);
-        CHECK_FALSE(processor.takeStatus().isError);
+        CHECK_FALSE(processor.view().status.takeStatus().isError);
         CHECK(saved(processor) == whole);
     }
 }

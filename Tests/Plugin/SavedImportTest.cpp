@@ -25,19 +25,21 @@ TEST_CASE("A preview cannot be saved in place of the final object") {
     const UserSettings user;
     Processor processor;
     processor.prepareToPlay(48000, blockSamples);
-    processor.openFile(meshFile("block.obj", boxMesh({0.3, 0.2, 0.1}, {24, 16, 8})));
-    waitUntil([&] { return processor.playsPreview(); },
+    processor.view().workshop.openFile(
+        meshFile("block.obj", boxMesh({0.3, 0.2, 0.1}, {24, 16, 8})));
+    waitUntil([&] { return processor.view().workshop.playsPreview(); },
               [&] {
-                  REQUIRE(processor.importStatus().isWorking());
+                  REQUIRE(processor.view().workshop.importStatus().isWorking());
                   processor.poll();
               });
-    auto& shelf = processor.presetShelf();
+    auto& shelf = processor.view().presets;
     const auto refused = shelf.savePreset(called("Block"), false);
     REQUIRE_FALSE(refused);
     CHECK_THAT(refused.error().message, ContainsSubstring("preview"));
     CHECK_FALSE(shelf.presetExists(called("Block")));
-    CHECK_THAT(processor.loadedSound().preset.description, ContainsSubstring("preview"));
-    processor.cancelImport();
+    CHECK_THAT(processor.soundSession().loadedSound().preset.description,
+               ContainsSubstring("preview"));
+    processor.view().workshop.cancelImport();
     CHECK(shelf.savePreset(called("Block"), false)); // after the cancel it is the final object
 }
 
@@ -48,10 +50,10 @@ TEST_CASE("An object with a very long name is saved in a state that opens again"
     processor.prepareToPlay(48000, blockSamples);
     const auto file = testFolder() / "long.modal";
     REQUIRE(writeModalObject(object, file));
-    processor.openFile(file);
+    processor.view().workshop.openFile(file);
     finish(processor);
     Processor other;
     restoreBytes(other, saved(processor));
-    CHECK_FALSE(other.takeStatus().isError);
-    CHECK(other.loadedInstrument()->slots().front().object->name == object.name);
+    CHECK_FALSE(other.view().status.takeStatus().isError);
+    CHECK(other.soundSession().instrument()->slots().front().object->name == object.name);
 }

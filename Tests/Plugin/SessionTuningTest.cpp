@@ -73,7 +73,7 @@ struct Instance {
         return sound.getMagnitude(0, blockSize) == 0;
     }
 
-    TuningStatus::Source source() const { return processor.tuningStatus().source; }
+    TuningStatus::Source source() const { return processor.view().tuning.tuningStatus().source; }
 
     Processor processor;
     juce::AudioBuffer<float> sound{2, blockSize};
@@ -127,7 +127,7 @@ TEST_CASE("A master's table tunes the keys from the next callback on and ends wi
         session.semitones[struckNote] = -3;
         CHECK(instance.soundsAt(440 * std::exp2(-3 / 12.0)));
         CHECK(instance.source() == TuningStatus::Source::session);
-        CHECK(instance.processor.tuningStatus().scale == "Of the session");
+        CHECK(instance.processor.view().tuning.tuningStatus().scale == "Of the session");
     }
     session.semitones[struckNote] = 1.5; // ignored without a master
     CHECK(instance.soundsAt(440));
@@ -163,10 +163,10 @@ TEST_CASE("An instance's own tuning precedes the master's until it is forgotten"
     session.filtered.set(60);
     const auto file = testFolder() / "from432.kbm";
     std::ofstream(file) << "0\n0\n127\n60\n69\n432\n0\n";
-    instance.processor.openTuning(file);
+    instance.processor.view().tuning.openTuning(file);
     CHECK(instance.source() == TuningStatus::Source::files);
     CHECK(instance.soundsAt(432));
-    instance.processor.forgetTuning();
+    instance.processor.view().tuning.forgetTuning();
     CHECK(instance.source() == TuningStatus::Source::session);
     CHECK(instance.soundsAt(raisedHz));
 }

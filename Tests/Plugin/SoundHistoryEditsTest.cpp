@@ -13,28 +13,28 @@ using enum ParameterId;
 
 TEST_CASE("A gesture is one step with the parameter's name") {
     Processor processor;
-    auto& history = processor.editHistory();
-    const double before = processor.parameterValue(density);
+    auto& history = processor.windowSession().history;
+    const double before = processor.view().parameters.value(density);
     drag(processor, density, {900, 1000, 1100.5});
     CHECK(history.undoName() == "Density");
     history.undo();
-    CHECK(processor.parameterValue(density) == before);
+    CHECK(processor.view().parameters.value(density) == before);
     CHECK_FALSE(history.canUndo());
     CHECK(history.redoName() == "Density");
     history.redo();
-    CHECK(processor.parameterValue(density) == 1100.5);
+    CHECK(processor.view().parameters.value(density) == 1100.5);
     CHECK_FALSE(history.canRedo());
 }
 
 TEST_CASE("A gesture that ends where it began is no step") {
     Processor processor;
-    drag(processor, density, {900, 1000, processor.parameterValue(density)});
-    CHECK_FALSE(processor.editHistory().canUndo());
+    drag(processor, density, {900, 1000, processor.view().parameters.value(density)});
+    CHECK_FALSE(processor.windowSession().history.canUndo());
 }
 
 TEST_CASE("An edit of several parameters is one step, and so are overlapping gestures") {
     Processor processor;
-    auto& history = processor.editHistory();
+    auto& history = processor.windowSession().history;
     const auto before = valuesOf(processor);
     SECTION("a named edit") {
         history.beginEdit("Steel as measured");
@@ -46,38 +46,38 @@ TEST_CASE("An edit of several parameters is one step, and so are overlapping ges
         CHECK(history.undoName() == "Steel as measured");
     }
     SECTION("overlapping gestures") {
-        processor.beginParameterChange(youngsModulus);
-        processor.changeParameter(youngsModulus, 200);
-        processor.beginParameterChange(density);
-        processor.changeParameter(density, 7850);
-        processor.endParameterChange(youngsModulus);
-        processor.endParameterChange(density);
+        processor.view().parameters.beginChange(youngsModulus);
+        processor.view().parameters.change(youngsModulus, 200);
+        processor.view().parameters.beginChange(density);
+        processor.view().parameters.change(density, 7850);
+        processor.view().parameters.endChange(youngsModulus);
+        processor.view().parameters.endChange(density);
         CHECK(history.undoName() == "2 parameters");
     }
     history.undo();
     CHECK(valuesOf(processor) == before);
     CHECK_FALSE(history.canUndo());
     history.redo();
-    CHECK(processor.parameterValue(youngsModulus) == 200);
-    CHECK(processor.parameterValue(density) == 7850);
+    CHECK(processor.view().parameters.value(youngsModulus) == 200);
+    CHECK(processor.view().parameters.value(density) == 7850);
 }
 
 TEST_CASE("Automation during a gesture and between steps is neither a step nor undone") {
     Processor processor;
-    auto& history = processor.editHistory();
+    auto& history = processor.windowSession().history;
     auto* automated = processor.getParameters()[static_cast<int>(level)];
-    const double before = processor.parameterValue(density);
-    processor.beginParameterChange(density);
-    processor.changeParameter(density, 1000);
+    const double before = processor.view().parameters.value(density);
+    processor.view().parameters.beginChange(density);
+    processor.view().parameters.change(density, 1000);
     automated->setValue(0.25f);
-    processor.endParameterChange(density);
-    const double level25 = processor.parameterValue(level);
+    processor.view().parameters.endChange(density);
+    const double level25 = processor.view().parameters.value(level);
     automated->setValue(0.5f);
-    const double level50 = processor.parameterValue(level);
+    const double level50 = processor.view().parameters.value(level);
     CHECK(level25 != level50);
     history.undo();
-    CHECK(processor.parameterValue(density) == before);
-    CHECK(processor.parameterValue(level) == level50);
+    CHECK(processor.view().parameters.value(density) == before);
+    CHECK(processor.view().parameters.value(level) == level50);
     CHECK_FALSE(history.canUndo());
 }
 
@@ -86,35 +86,35 @@ TEST_CASE("An undone parameter is sent to the host as a gesture") {
     Processor processor;
     drag(processor, density, {1000});
     processor.addListener(&listener);
-    processor.editHistory().undo();
+    processor.windowSession().history.undo();
     processor.removeListener(&listener);
     CHECK(listener.text == "(=)");
 }
 
 TEST_CASE("A state loaded during a gesture or an audition does no harm") {
     Processor processor;
-    auto& history = processor.editHistory();
-    processor.beginParameterChange(density);
-    processor.changeParameter(density, 1000);
+    auto& history = processor.windowSession().history;
+    processor.view().parameters.beginChange(density);
+    processor.view().parameters.change(density, 1000);
     restore(processor, testState());
-    processor.changeParameter(density, 1500);
-    processor.endParameterChange(density);
+    processor.view().parameters.change(density, 1500);
+    processor.view().parameters.endChange(density);
     history.undo();
-    CHECK(processor.parameterValue(density) == testState().parameters[density]);
+    CHECK(processor.view().parameters.value(density) == testState().parameters[density]);
 
-    REQUIRE(processor.presetShelf().auditionPreset(factoryPresetId(factoryPresets()[2].name)));
+    REQUIRE(processor.view().presets.auditionPreset(factoryPresetId(factoryPresets()[2].name)));
     restore(processor, testState());
     const auto before = saved(processor);
-    processor.presetShelf().endAudition();
-    processor.presetShelf().keepAudition();
+    processor.view().presets.endAudition();
+    processor.view().presets.keepAudition();
     CHECK(saved(processor) == before);
 }
 
 TEST_CASE("A window that closes during a gesture leaves one complete step") {
     Processor processor;
-    auto& history = processor.editHistory();
-    processor.beginParameterChange(density);
-    processor.changeParameter(density, 1000);
+    auto& history = processor.windowSession().history;
+    processor.view().parameters.beginChange(density);
+    processor.view().parameters.change(density, 1000);
     history.beginEdit("never ended");
     history.endAllGestures();
     drag(processor, tau, {1});
@@ -129,7 +129,7 @@ TEST_CASE("A window that closes during a gesture leaves one complete step") {
 
 TEST_CASE("A and B are two complete sounds, and B begins as a copy of A") {
     Processor processor;
-    auto& variants = processor.soundVariants();
+    auto& variants = processor.view().variants;
     drag(processor, density, {1000});
     const auto a = valuesOf(processor);
     CHECK_FALSE(variants.playsB());
@@ -149,32 +149,32 @@ TEST_CASE("A and B are two complete sounds, and B begins as a copy of A") {
     variants.copyToOther();
     variants.compare();
     CHECK(saved(processor) == b);
-    processor.editHistory().undo();
-    processor.editHistory().undo(); // the copy
+    processor.windowSession().history.undo();
+    processor.windowSession().history.undo(); // the copy
     variants.compare();
     CHECK(valuesOf(processor) == a);
 }
 
 TEST_CASE("A mutation is one step, repeats with the same seed, and keeps the instrument") {
     Processor processor;
-    const auto instrument = processor.loadedInstrument();
+    const auto instrument = processor.soundSession().instrument();
     const auto before = valuesOf(processor);
-    processor.soundVariants().mutate(0.5, 9);
+    processor.view().variants.mutate(0.5, 9);
     const auto once = valuesOf(processor);
     CHECK_FALSE(once == before);
-    CHECK(processor.loadedInstrument() == instrument);
-    processor.editHistory().undo();
+    CHECK(processor.soundSession().instrument() == instrument);
+    processor.windowSession().history.undo();
     CHECK(valuesOf(processor) == before);
-    processor.soundVariants().mutate(0.5, 9);
+    processor.view().variants.mutate(0.5, 9);
     CHECK(valuesOf(processor) == once);
 }
 
 TEST_CASE("Compare, copy and mutate during an audition keep the auditioned preset first") {
     Processor processor;
-    auto& variants = processor.soundVariants();
+    auto& variants = processor.view().variants;
     const auto audition = [&](std::size_t preset) {
-        REQUIRE(
-            processor.presetShelf().auditionPreset(factoryPresetId(factoryPresets()[preset].name)));
+        REQUIRE(processor.view().presets.auditionPreset(
+            factoryPresetId(factoryPresets()[preset].name)));
     };
     audition(3);
     variants.copyToOther();
@@ -185,19 +185,19 @@ TEST_CASE("Compare, copy and mutate during an audition keep the auditioned prese
     variants.compare();
     CHECK(processor.getCurrentProgram() == 4);
     audition(5);
-    const auto instrument = processor.loadedInstrument();
+    const auto instrument = processor.soundSession().instrument();
     variants.mutate(0.5, 9);
-    CHECK(processor.loadedInstrument() == instrument);
-    processor.editHistory().undo(); // the mutation
+    CHECK(processor.soundSession().instrument() == instrument);
+    processor.windowSession().history.undo(); // the mutation
     CHECK(processor.getCurrentProgram() == 5);
-    processor.editHistory().undo(); // the audition
+    processor.windowSession().history.undo(); // the audition
     CHECK(processor.getCurrentProgram() == 4);
 }
 
 TEST_CASE("Auditioned presets are one step if kept, and no step otherwise") {
     Processor processor;
-    auto& history = processor.editHistory();
-    auto& shelf = processor.presetShelf();
+    auto& history = processor.windowSession().history;
+    auto& shelf = processor.view().presets;
     drag(processor, density, {1000});
     const auto before = saved(processor);
     for (const std::size_t preset : {1, 2, 3})

@@ -32,7 +32,7 @@ float largestStep(const std::vector<float>& samples) {
 
 TEST_CASE("A new instance has nothing to undo or redo") {
     Processor processor;
-    auto& history = processor.editHistory();
+    auto& history = processor.windowSession().history;
     CHECK_FALSE(history.canUndo());
     CHECK_FALSE(history.canRedo());
     CHECK(history.undoName().empty());
@@ -44,7 +44,7 @@ TEST_CASE("A new instance has nothing to undo or redo") {
 
 TEST_CASE("Undo returns every earlier state, and redo every later one") {
     Processor processor;
-    auto& history = processor.editHistory();
+    auto& history = processor.windowSession().history;
     std::vector<std::string> states;
     const auto step = [&](const std::function<void()>& action) {
         action();
@@ -73,7 +73,7 @@ TEST_CASE("Undo returns every earlier state, and redo every later one") {
 
 TEST_CASE("A new step after an undo discards the undone steps") {
     Processor processor;
-    auto& history = processor.editHistory();
+    auto& history = processor.windowSession().history;
     drag(processor, tau, {0.5});
     history.undo();
     drag(processor, density, {1000});
@@ -83,7 +83,7 @@ TEST_CASE("A new step after an undo discards the undone steps") {
 
 TEST_CASE("A state or program loaded by the host clears the steps and the other variant") {
     Processor processor;
-    auto& history = processor.editHistory();
+    auto& history = processor.windowSession().history;
     drag(processor, density, {1000});
     history.compare();
     CHECK(history.playsB());
@@ -105,7 +105,7 @@ TEST_CASE("A state or program loaded by the host clears the steps and the other 
 TEST_CASE("MIDI program changes in a row are one step, whose undo returns the unsaved sound") {
     const UserSettings user;
     Processor processor;
-    auto& history = processor.editHistory();
+    auto& history = processor.windowSession().history;
     const bool isOffline = GENERATE(false, true);
     processor.setNonRealtime(isOffline);
     processor.prepareToPlay(48000, 512);
@@ -154,7 +154,7 @@ TEST_CASE("MIDI program changes in a row are one step, whose undo returns the un
         CHECK(saved(processor) == first);
     }
     SECTION("during an audition") {
-        auto& shelf = processor.presetShelf();
+        auto& shelf = processor.view().presets;
         REQUIRE(shelf.auditionPreset(factoryPresetId("Wok")));
         ask(3);
         shelf.endAudition();
@@ -163,25 +163,25 @@ TEST_CASE("MIDI program changes in a row are one step, whose undo returns the un
         CHECK(saved(processor) == before);
     }
     SECTION("while a parameter is held and moved on") {
-        processor.beginParameterChange(tau);
-        processor.changeParameter(tau, 5);
+        processor.view().parameters.beginChange(tau);
+        processor.view().parameters.change(tau, 5);
         const auto held = saved(processor);
         ask(3);
-        processor.changeParameter(tau, 7);
-        processor.endParameterChange(tau);
+        processor.view().parameters.change(tau, 7);
+        processor.view().parameters.endChange(tau);
         history.undo();
-        CHECK(processor.parameterValue(tau) == factoryPresets()[3].parameters[tau]);
+        CHECK(processor.view().parameters.value(tau) == factoryPresets()[3].parameters[tau]);
         history.undo();
         CHECK(saved(processor) == held);
         history.undo();
         CHECK(saved(processor) == before);
     }
     SECTION("while a parameter is held and then released") {
-        processor.beginParameterChange(tau);
-        processor.changeParameter(tau, 5);
+        processor.view().parameters.beginChange(tau);
+        processor.view().parameters.change(tau, 5);
         const auto held = saved(processor);
         ask(3);
-        processor.endParameterChange(tau);
+        processor.view().parameters.endChange(tau);
         history.undo();
         CHECK(saved(processor) == held);
         history.undo();
@@ -206,21 +206,21 @@ TEST_CASE("MIDI program changes in a row are one step, whose undo returns the un
 
 TEST_CASE("An undone load plays the same objects as before and keeps the setup parameters") {
     Processor processor;
-    const auto first = processor.loadedInstrument();
+    const auto first = processor.soundSession().instrument();
     load(processor, 4);
-    CHECK(processor.loadedInstrument() != first);
-    processor.changeParameter(bypass, 1);
-    processor.changeParameter(concertPitch, 415);
-    processor.editHistory().undo();
-    CHECK(processor.loadedInstrument() == first);
-    CHECK(processor.parameterValue(bypass) == 1);
-    CHECK(processor.parameterValue(concertPitch) == 415);
+    CHECK(processor.soundSession().instrument() != first);
+    processor.view().parameters.change(bypass, 1);
+    processor.view().parameters.change(concertPitch, 415);
+    processor.windowSession().history.undo();
+    CHECK(processor.soundSession().instrument() == first);
+    CHECK(processor.view().parameters.value(bypass) == 1);
+    CHECK(processor.view().parameters.value(concertPitch) == 415);
     CHECK(processor.getCurrentProgram() == 0);
 }
 
 TEST_CASE("The number of steps is bounded, and the newest stay") {
     Processor processor;
-    auto& history = processor.editHistory();
+    auto& history = processor.windowSession().history;
     for (int i = 0; i < 20000; ++i)
         drag(processor, density, {1000.0 + i % 1000});
     int steps = 0;
@@ -234,10 +234,10 @@ TEST_CASE("The number of steps is bounded, and the newest stay") {
 
 TEST_CASE("renewSounds also replaces the sounds in the steps") {
     Processor processor;
-    auto& history = processor.editHistory();
-    const auto preview = processor.loadedInstrument();
+    auto& history = processor.windowSession().history;
+    const auto preview = processor.soundSession().instrument();
     load(processor, 3);
-    auto full = processor.loadedSound();
+    auto full = processor.soundSession().loadedSound();
     history.renewSounds([&](Sound& sound) {
         if (sound.instrument != preview)
             return;
@@ -245,15 +245,15 @@ TEST_CASE("renewSounds also replaces the sounds in the steps") {
         sound.preset.keyMap = full.preset.keyMap;
     });
     history.undo();
-    CHECK(processor.loadedInstrument() == full.instrument);
-    CHECK(processor.loadedSound().preset.keyMap == full.preset.keyMap);
+    CHECK(processor.soundSession().instrument() == full.instrument);
+    CHECK(processor.soundSession().loadedSound().preset.keyMap == full.preset.keyMap);
 }
 
 TEST_CASE("Undo, compare and mutate while notes ring make no step larger than the sound's own") {
     Processor processor;
     restore(processor, testState());
     processor.prepareToPlay(48000, 480);
-    auto& history = processor.editHistory();
+    auto& history = processor.windowSession().history;
     history.compare(); // B has another mallet and material
     drag(processor, malletHardness, {200});
     drag(processor, material, {firstLibraryMaterial});
@@ -283,11 +283,11 @@ TEST_CASE("Undo and redo of loads during audio keep the sound finite and restore
     std::thread audio([&] {
         while (!stop)
             if (!allFinite(render(processor, 256, 256, testMusic(256, 50))) ||
-                processor.timesNotFinite() > 0)
+                processor.engineReport().notFinite > 0)
                 finite = false;
     });
     const auto before = saved(processor);
-    auto& history = processor.editHistory();
+    auto& history = processor.windowSession().history;
     for (std::size_t i = 0; i < 20; ++i) {
         load(processor, i % 4 + 1);
         history.mutate(0.3, static_cast<std::uint32_t>(i));

@@ -22,9 +22,9 @@ juce::MidiBuffer note(int number, int velocity = 100) {
 
 /// Renders `samples` samples and returns the newest frame.
 const SoundFrame* frameAfter(Processor& processor, int samples, const juce::MidiBuffer& midi = {}) {
-    processor.takeSoundFrame();
+    processor.view().sound.takeSoundFrame();
     render(processor, samples, 480, midi);
-    return processor.takeSoundFrame();
+    return processor.view().sound.takeSoundFrame();
 }
 
 struct Prepared {
@@ -46,7 +46,7 @@ TEST_CASE("A frame shows the current state of every mode of the struck object") 
     REQUIRE(frame != nullptr);
     CHECK(frame->object == 69 - lowestTestNote);
     CHECK(frame->note == 69);
-    CHECK(frame->instrumentNumber == processor.instrumentNumber());
+    CHECK(frame->instrumentNumber == processor.view().instrument.instrumentNumber());
     REQUIRE(frame->modes.size() == 12);
     CHECK(frame->modesOmitted == 0);
     CHECK(std::abs(double(frame->modes[0].frequencyHz) - 440) < 0.01);
@@ -64,7 +64,7 @@ TEST_CASE("A frame shows the current state of every mode of the struck object") 
     CHECK(frame->peakLeft > 0);
     CHECK(frame->load >= 0);
 
-    const auto tauStep = processor.parameterValue(ParameterId::tau) * pascalsPerTau;
+    const auto tauStep = processor.view().parameters.value(ParameterId::tau) * pascalsPerTau;
     CHECK(std::abs(frame->tauPascals - tauStep) < 1e-12);
     for (const auto& mode : frame->modes)
         if (mode.standing == ModeStanding::belowTau)
@@ -74,12 +74,12 @@ TEST_CASE("A frame shows the current state of every mode of the struck object") 
 TEST_CASE("Size moves the modes of a frame, sounding or not, unless the pitch is kept") {
     Prepared prepared;
     auto& processor = prepared.processor;
-    processor.watchObject(9);
-    processor.changeParameter(ParameterId::size, 2);
+    processor.view().sound.watchObject(9);
+    processor.view().parameters.change(ParameterId::size, 2);
     const auto* frame = frameAfter(processor, 4800);
     REQUIRE(frame != nullptr);
     CHECK(std::abs(double(frame->modes[0].frequencyHz) - 440) < 0.01);
-    processor.changeParameter(ParameterId::keepPitch, 0);
+    processor.view().parameters.change(ParameterId::keepPitch, 0);
     frame = frameAfter(processor, 4800);
     REQUIRE(frame != nullptr);
     CHECK(frame->object == 9);
@@ -91,17 +91,17 @@ TEST_CASE("Size moves the modes of a frame, sounding or not, unless the pitch is
 TEST_CASE("The window chooses the watched object until the instrument changes") {
     Prepared prepared;
     auto& processor = prepared.processor;
-    processor.watchObject(2);
-    CHECK(processor.watchedObject() == 2);
+    processor.view().sound.watchObject(2);
+    CHECK(processor.view().sound.watchedObject() == 2);
     CHECK(frameAfter(processor, 4800, note(69))->object == 2);
-    processor.watchObject(std::nullopt);
+    processor.view().sound.watchObject(std::nullopt);
     CHECK(frameAfter(processor, 4800)->object == 9);
-    processor.watchObject(1000);
+    processor.view().sound.watchObject(1000);
     CHECK(frameAfter(processor, 4800)->object == 9);
-    processor.watchObject(3);
+    processor.view().sound.watchObject(3);
     restore(processor, testState("other"));
     frameAfter(processor, 4800);
-    CHECK(processor.watchedObject() == std::nullopt);
+    CHECK(processor.view().sound.watchedObject() == std::nullopt);
     CHECK(frameAfter(processor, 4800, note(62))->object == 2);
 }
 
@@ -110,15 +110,15 @@ TEST_CASE("Without sound a silent frame is shown, and no frame comes twice") {
     restore(processor, testState());
     const SoundFrame* frame = nullptr;
     for (int ask = 0; ask < 30 && frame == nullptr; ++ask)
-        frame = processor.takeSoundFrame();
+        frame = processor.view().sound.takeSoundFrame();
     REQUIRE(frame != nullptr);
     CHECK(frame->modes.size() == 12);
     CHECK(frame->modes[0].amplitude == 0);
     processor.prepareToPlay(48000, 480);
-    processor.takeSoundFrame();
-    CHECK(processor.takeSoundFrame() == nullptr);
+    processor.view().sound.takeSoundFrame();
+    CHECK(processor.view().sound.takeSoundFrame() == nullptr);
     CHECK(frameAfter(processor, 4800) != nullptr);
-    CHECK(processor.takeSoundFrame() == nullptr);
+    CHECK(processor.view().sound.takeSoundFrame() == nullptr);
 }
 
 TEST_CASE("Watching leaves the sound bit-identical") {
@@ -127,12 +127,12 @@ TEST_CASE("Watching leaves the sound bit-identical") {
     const auto expected = render(plain.processor, 48000, 480, music);
     HostSound seen;
     int frames = 0;
-    watched.processor.takeSoundFrame();
+    watched.processor.view().sound.takeSoundFrame();
     for (int start = 0; start < 48000; start += 480) {
         juce::MidiBuffer block;
         block.addEvents(music, start, 480, -start);
         seen.append(render(watched.processor, 480, 480, block));
-        frames += watched.processor.takeSoundFrame() != nullptr ? 1 : 0;
+        frames += watched.processor.view().sound.takeSoundFrame() != nullptr ? 1 : 0;
     }
     CHECK(seen == expected);
     CHECK(frames >= 20); // one second in steps of 10 ms
@@ -143,8 +143,8 @@ TEST_CASE("A muted mode is silent and saved with the sound, a solo mode is not s
     Prepared prepared;
     auto& processor = prepared.processor;
     const auto before = saved(processor);
-    CHECK(processor.muteMode(9, 0, true));
-    CHECK(processor.hearModeAlone(8, 3, true));
+    CHECK(processor.view().sound.muteMode(9, 0, true));
+    CHECK(processor.view().sound.hearModeAlone(8, 3, true));
     const auto bytes = saved(processor);
     CHECK(bytes != before);
     const auto state = parseState(bytes);
@@ -164,12 +164,12 @@ TEST_CASE("A muted mode is silent and saved with the sound, a solo mode is not s
 
     Prepared restored(*state);
     CHECK(frameAfter(restored.processor, 4800, note(69))->modes[0].isMuted);
-    CHECK(restored.processor.takeSoundFrame() == nullptr);
+    CHECK(restored.processor.view().sound.takeSoundFrame() == nullptr);
     frame = frameAfter(restored.processor, 4800, note(68));
     CHECK(frame->modes[0].standing != ModeStanding::silenced);
 
-    processor.unmuteModes(9);
-    processor.hearAllModes(8);
+    processor.view().sound.unmuteModes(9);
+    processor.view().sound.hearAllModes(8);
     CHECK(saved(processor) == before);
     frame = frameAfter(processor, 4800, note(69));
     CHECK(frame->modes[0].standing == ModeStanding::sounding);
@@ -178,8 +178,8 @@ TEST_CASE("A muted mode is silent and saved with the sound, a solo mode is not s
 TEST_CASE("Rebuilt players keep mutes and solo modes, another instrument does not") {
     Prepared prepared;
     auto& processor = prepared.processor;
-    processor.muteMode(9, 0, true);
-    processor.hearModeAlone(8, 3, true);
+    processor.view().sound.muteMode(9, 0, true);
+    processor.view().sound.hearModeAlone(8, 3, true);
     processor.prepareToPlay(96000, 480);
     CHECK(frameAfter(processor, 9600, note(69))->modes[0].isMuted);
     CHECK(frameAfter(processor, 9600, note(68))->modes[0].standing == ModeStanding::silenced);
@@ -192,9 +192,9 @@ TEST_CASE("An undo that brings a sound back does not bring its solo modes back")
     Prepared prepared;
     auto& processor = prepared.processor;
     const bool prepares = GENERATE(false, true);
-    processor.hearModeAlone(9, 3, true); // before any callback takes it
-    REQUIRE(processor.presetShelf().loadPreset(factoryPresetId("Wok")));
-    processor.editHistory().undo();
+    processor.view().sound.hearModeAlone(9, 3, true); // before any callback takes it
+    REQUIRE(processor.view().presets.loadPreset(factoryPresetId("Wok")));
+    processor.windowSession().history.undo();
     if (prepares)
         processor.prepareToPlay(48000, 480);
     const auto* frame = frameAfter(processor, 4800, note(69));
@@ -206,32 +206,32 @@ TEST_CASE("An undo that brings a sound back does not bring its solo modes back")
 TEST_CASE("Muting is a step, and its undo and redo change the sound") {
     Prepared prepared;
     auto& processor = prepared.processor;
-    processor.muteMode(9, 0, true);
-    CHECK(processor.editHistory().undoName() == "Mute mode");
-    processor.editHistory().undo();
+    processor.view().sound.muteMode(9, 0, true);
+    CHECK(processor.windowSession().history.undoName() == "Mute mode");
+    processor.windowSession().history.undo();
     const auto* frame = frameAfter(processor, 4800, note(69));
     CHECK_FALSE(frame->modes[0].isMuted);
     CHECK(frame->modes[0].standing == ModeStanding::sounding);
-    processor.editHistory().redo();
+    processor.windowSession().history.redo();
     frame = frameAfter(processor, 4800, note(69));
     CHECK(frame->modes[0].standing == ModeStanding::silenced);
-    processor.unmuteModes(9);
-    processor.editHistory().undo();
+    processor.view().sound.unmuteModes(9);
+    processor.windowSession().history.undo();
     CHECK(frameAfter(processor, 4800, note(69))->modes[0].isMuted);
-    processor.muteMode(9, 99, true); // no such mode, and no step
-    CHECK(processor.editHistory().redoName() == "Unmute modes");
+    processor.view().sound.muteMode(9, 99, true); // no such mode, and no step
+    CHECK(processor.windowSession().history.redoName() == "Unmute modes");
 }
 
 TEST_CASE("Modes and objects that do not exist are not muted") {
     Prepared prepared;
     auto& processor = prepared.processor;
     const auto before = saved(processor);
-    CHECK_FALSE(processor.muteMode(keys, 0, true));
-    CHECK_FALSE(processor.muteMode(0, 12, true));
-    CHECK_FALSE(processor.muteMode(0, -1, true));
-    CHECK_FALSE(processor.hearModeAlone(0, 12, true));
-    processor.unmuteModes(keys);
-    processor.hearAllModes(keys);
+    CHECK_FALSE(processor.view().sound.muteMode(keys, 0, true));
+    CHECK_FALSE(processor.view().sound.muteMode(0, 12, true));
+    CHECK_FALSE(processor.view().sound.muteMode(0, -1, true));
+    CHECK_FALSE(processor.view().sound.hearModeAlone(0, 12, true));
+    processor.view().sound.unmuteModes(keys);
+    processor.view().sound.hearAllModes(keys);
     CHECK(saved(processor) == before);
 }
 
@@ -241,7 +241,7 @@ TEST_CASE("Muting during sound is repeatable and makes no click") {
         HostSound sound;
         for (int block = 0; block < 100; ++block) {
             if (mutes && block >= 20)
-                prepared.processor.muteMode(9, 1, block / 10 % 2 == 0);
+                prepared.processor.view().sound.muteMode(9, 1, block / 10 % 2 == 0);
             sound.append(
                 render(prepared.processor, 480, 480, block == 0 ? note(69) : juce::MidiBuffer()));
         }
@@ -264,9 +264,9 @@ TEST_CASE("Muting during sound is repeatable and makes no click") {
 TEST_CASE("The mode budget is shared among resonators, loudest first") {
     Prepared prepared;
     auto& processor = prepared.processor;
-    processor.changeParameter(ParameterId::modeBudget,
-                              parameterInfo(ParameterId::modeBudget).minimum);
-    processor.changeParameter(ParameterId::qualitySlope, 1);
+    processor.view().parameters.change(ParameterId::modeBudget,
+                                       parameterInfo(ParameterId::modeBudget).minimum);
+    processor.view().parameters.change(ParameterId::qualitySlope, 1);
     juce::MidiBuffer chord;
     for (const int key : {60, 62, 64, 65, 67, 69, 71, 72})
         chord.addEvent(juce::MidiMessage::noteOn(1, key, static_cast<juce::uint8>(key)), 0);
@@ -293,15 +293,15 @@ TEST_CASE("A drag in the window sounds, and the scraped object is shown") {
     auto& processor = prepared.processor;
     float loudestSample = 0;
     for (int event = 0; event < 60; ++event) {
-        processor.scrapeObject(4, {0.015 * event, 0.5, 0}, 1);
+        processor.view().instrument.scrapeObject(4, {0.015 * event, 0.5, 0}, 1);
         loudestSample = std::max(loudestSample, loudest(render(processor, 800, 800, {})));
     }
     CHECK(loudestSample > 1e-5f);
     CHECK(frameAfter(processor, 4800)->object == 4);
-    processor.changeParameter(ParameterId::letRing, 0);
-    processor.changeParameter(ParameterId::releaseTime, 0.05);
-    processor.scrapeObject(4, {}, 0);
-    processor.scrapeObject(99, {}, 1);
+    processor.view().parameters.change(ParameterId::letRing, 0);
+    processor.view().parameters.change(ParameterId::releaseTime, 0.05);
+    processor.view().instrument.scrapeObject(4, {}, 0);
+    processor.view().instrument.scrapeObject(99, {}, 1);
     render(processor, 48000, 480, {});
     CHECK(loudest(render(processor, 480, 480, {})) < 1e-2f * loudestSample);
 }
@@ -310,7 +310,7 @@ TEST_CASE("Factory presets have no muted modes, and mutes do not carry over to t
     Processor processor;
     processor.prepareToPlay(48000, 480);
     processor.setCurrentProgram(1);
-    processor.muteMode(0, 0, true);
+    processor.view().sound.muteMode(0, 0, true);
     processor.setCurrentProgram(2);
     processor.setCurrentProgram(1);
     const auto state = parseState(saved(processor));

@@ -27,7 +27,7 @@ void choose(Processor& processor, const std::string& preset) {
     for (int program = 0; program < processor.getNumPrograms(); ++program)
         if (processor.getProgramName(program).toStdString() == preset)
             processor.setCurrentProgram(program);
-    REQUIRE(processor.loadedLabel().name == preset);
+    REQUIRE(processor.soundSession().loadedLabel().name == preset);
 }
 
 juce::MidiBuffer chord() {
@@ -44,7 +44,7 @@ HostSound bounce(const std::string& state, int blockSize) {
     restoreBytes(processor, state);
     processor.prepareToPlay(rate, blockSize);
     const auto sound = render(processor, rate, blockSize, chord());
-    CHECK(processor.takeStatus().lateEvents == 0);
+    CHECK(processor.view().status.takeStatus().lateEvents == 0);
     return sound;
 }
 
@@ -76,7 +76,7 @@ std::size_t onset(const std::vector<float>& sound) {
 TEST_CASE("A scene preset sounds after the delay that the status reports") {
     Processor processor;
     choose(processor, dice);
-    const double delay = processor.takeStatus().delaySeconds;
+    const double delay = processor.view().status.takeStatus().delaySeconds;
     CHECK(delay > 0.05);
     CHECK(processor.getTailLengthSeconds() > delay);
     const auto sound = bounce(saved(processor), 512);
@@ -84,7 +84,7 @@ TEST_CASE("A scene preset sounds after the delay that the status reports") {
     CHECK_THAT(static_cast<double>(onset(sound.left)) / rate,
                WithinAbs(100.0 / rate + delay, 0.002));
     choose(processor, factoryPresets().front().name);
-    CHECK(processor.takeStatus().delaySeconds == 0);
+    CHECK(processor.view().status.takeStatus().delaySeconds == 0);
 }
 
 TEST_CASE("A scene sounds the same from its state at any block size") {
@@ -107,7 +107,7 @@ TEST_CASE("In real time a scene sounds as in a bounce if its worker is not late"
         processor.waitForSimulation();
         sound.append(render(processor, 480, 480, {}));
     }
-    CHECK(processor.takeStatus().lateEvents == 0);
+    CHECK(processor.view().status.takeStatus().lateEvents == 0);
     CHECK(sound == expected);
 }
 
@@ -116,13 +116,13 @@ TEST_CASE("The impacts of a scene are captured as notes and as impulses") {
     choose(processor, dice);
     processor.setNonRealtime(true);
     processor.prepareToPlay(rate, 480);
-    CHECK_FALSE(processor.hasCaptured());
+    CHECK_FALSE(processor.view().stage.hasCaptured());
     render(processor, rate, 480, chord());
-    REQUIRE(processor.hasCaptured());
+    REQUIRE(processor.view().stage.hasCaptured());
 
-    using enum ProcessorView::CaptureKind;
+    using enum StageView::CaptureKind;
     const auto midiFile = testFolder() / "capture.mid", list = testFolder() / "capture.jsonl";
-    REQUIRE(processor.writeCapture(midi, midiFile));
+    REQUIRE(processor.view().stage.writeCapture(midi, midiFile));
     juce::FileInputStream stream{juce::File(midiFile.string())};
     juce::MidiFile read;
     REQUIRE(read.readFrom(stream));
@@ -142,7 +142,7 @@ TEST_CASE("The impacts of a scene are captured as notes and as impulses") {
     CHECK(firstOfNote[76].second > firstOfNote[72].second);
     CHECK(hardest == 127);
 
-    REQUIRE(processor.writeCapture(impulses, list));
+    REQUIRE(processor.view().stage.writeCapture(impulses, list));
     std::ifstream lines(list);
     std::string line;
     REQUIRE(std::getline(lines, line));
@@ -164,18 +164,18 @@ TEST_CASE("The impacts of a scene are captured as notes and as impulses") {
         const auto size = sizeOf(file);
         const bool written = [&] {
             const FullDisk disk(16);
-            return processor.writeCapture(kind, file);
+            return processor.view().stage.writeCapture(kind, file);
         }();
         CHECK_FALSE(written);
-        CHECK(processor.takeStatus().isError);
+        CHECK(processor.view().status.takeStatus().isError);
         CHECK(sizeOf(file) == size);
     }
 #endif
 
-    processor.resetStage();
-    CHECK_FALSE(processor.hasCaptured());
-    CHECK_FALSE(processor.writeCapture(midi, midiFile));
-    CHECK(processor.takeStatus().isError);
+    processor.view().stage.resetStage();
+    CHECK_FALSE(processor.view().stage.hasCaptured());
+    CHECK_FALSE(processor.view().stage.writeCapture(midi, midiFile));
+    CHECK(processor.view().status.takeStatus().isError);
 }
 
 TEST_CASE("A preset opens a scene file beside it, and opens again from a project elsewhere") {
@@ -192,9 +192,9 @@ TEST_CASE("A preset opens a scene file beside it, and opens again from a project
     state.objects.clear();
     Processor processor;
     restore(processor, state);
-    CHECK_FALSE(processor.takeStatus().isError);
-    CHECK(processor.hasStage());
-    CHECK(processor.stageBodies().size() == 1);
+    CHECK_FALSE(processor.view().status.takeStatus().isError);
+    CHECK(processor.view().stage.hasStage());
+    CHECK(processor.view().stage.stageBodies().size() == 1);
     CHECK(buildPresetInstrument({.kind = KeyMapKind::scene, .object = "gone.json"},
                                 juce::File((folder / "preset.json").string()))
               ->notice.find("gone.json") == 0);
@@ -220,7 +220,7 @@ TEST_CASE("A list of impulses names the files of the scene's objects") {
     processor.prepareToPlay(rate, 480);
     render(processor, rate / 2, 480, chord());
     const auto list = folder / "list.jsonl";
-    REQUIRE(processor.writeCapture(ProcessorView::CaptureKind::impulses, list));
+    REQUIRE(processor.view().stage.writeCapture(StageView::CaptureKind::impulses, list));
     std::set<std::string> objects;
     std::ifstream lines(list);
     for (std::string line; std::getline(lines, line);)
@@ -235,20 +235,20 @@ TEST_CASE("A missing scene is replaced by a ring and plays once the file is back
     REQUIRE(state.preset.mutedModes.set("die", 2, true));
     Processor first;
     restore(first, state);
-    const auto status = first.takeStatus();
+    const auto status = first.view().status.takeStatus();
     CHECK(status.isError);
     CHECK(status.sentence.find(file.string() + " is missing") != std::string::npos);
-    CHECK(first.loadedLabel().name == "Test keyboard");
-    CHECK(first.keyRange().lowest == 48);
-    CHECK(first.parameterValue(ParameterId::size) == 1.5);
+    CHECK(first.soundSession().loadedLabel().name == "Test keyboard");
+    CHECK(first.view().instrument.keyRange().lowest == 48);
+    CHECK(first.view().parameters.value(ParameterId::size) == 1.5);
     const auto bytes = saved(first);
     CHECK(parseState(bytes)->preset == state.preset);
 
     std::ofstream(file) << mine;
     Processor second;
     restoreBytes(second, bytes);
-    CHECK_FALSE(second.takeStatus().isError);
-    CHECK(second.hasStage());
+    CHECK_FALSE(second.view().status.takeStatus().isError);
+    CHECK(second.view().stage.hasStage());
     CHECK(saved(second) == bytes);
 }
 
@@ -274,9 +274,9 @@ TEST_CASE("A missing file of a scene is named, and the rest of the state is rest
     const auto presetFile = juce::File((folder / "preset.json").string());
     Processor whole;
     restoreBytes(whole, bytes);
-    INFO(whole.takeStatus().sentence);
-    REQUIRE_FALSE(whole.takeStatus().isError);
-    REQUIRE(whole.hasStage());
+    INFO(whole.view().status.takeStatus().sentence);
+    REQUIRE_FALSE(whole.view().status.takeStatus().isError);
+    REQUIRE(whole.view().stage.hasStage());
 
     for (const auto& gone : {coin, keys, bar}) {
         const auto kept = gone.string() + ".kept";
@@ -284,11 +284,11 @@ TEST_CASE("A missing file of a scene is named, and the rest of the state is rest
         Processor processor;
         restoreBytes(processor, bytes);
         const auto end = gone.filename().string();
-        const auto sentence = processor.takeStatus().sentence;
+        const auto sentence = processor.view().status.takeStatus().sentence;
         INFO(sentence);
         CHECK(sentence.find("Test keyboard: ") == 0);
         CHECK(sentence.find(end + " is missing; until") != std::string::npos);
-        CHECK(processor.parameterValue(ParameterId::size) == 1.5);
+        CHECK(processor.view().parameters.value(ParameterId::size) == 1.5);
         CHECK(saved(processor) == bytes);
         const auto built = buildPresetInstrument(state.preset.keyMap, presetFile);
         REQUIRE(built);
@@ -297,7 +297,7 @@ TEST_CASE("A missing file of a scene is named, and the rest of the state is rest
     }
     Processor again;
     restoreBytes(again, bytes);
-    CHECK_FALSE(again.takeStatus().isError);
+    CHECK_FALSE(again.view().status.takeStatus().isError);
 
     // A file that exists but cannot be used is an error, also a keyboard that names its own scene.
     for (const auto& text : {preset + R"(1}})", R"({"format":"idiophone-preset","version":1,)"
@@ -307,7 +307,8 @@ TEST_CASE("A missing file of a scene is named, and the rest of the state is rest
         std::ofstream(keys) << text;
         Processor processor;
         restoreBytes(processor, bytes);
-        CHECK(processor.takeStatus().sentence.find("The saved state cannot be played") == 0);
+        CHECK(processor.view().status.takeStatus().sentence.find(
+                  "The saved state cannot be played") == 0);
     }
 }
 
@@ -321,10 +322,11 @@ TEST_CASE("A scene in one user's settings folder is found in another user's") {
     const auto plays = [](const std::string& bytes) {
         Processor processor;
         restoreBytes(processor, bytes);
-        const bool isRefused = processor.takeStatus().sentence.starts_with("The saved state");
+        const bool isRefused =
+            processor.view().status.takeStatus().sentence.starts_with("The saved state");
         CHECK((isRefused ||
                saved(processor) == bytes)); // the state keeps the path of its own machine
-        return processor.hasStage();
+        return processor.view().stage.hasStage();
     };
     const std::string anns[] = {"/home/ann/.config/Idiophone/Scenes/mine.json",
                                 "/home/ann/Idiophone/config/Idiophone/Scenes/mine.json",

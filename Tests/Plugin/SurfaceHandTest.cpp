@@ -18,6 +18,10 @@ std::shared_ptr<const Instrument> instrumentOf(const char* preset) {
     return Instrument::build(findFactoryPreset(preset)->keyMap, ObjectLibrary::shared()).value();
 }
 
+void play(WindowEvents& events, Player* player) {
+    events.read(player, [](const MidiEvent&) {});
+}
+
 float peakOf(Player& player) {
     return peak(renderStereo(player, {}, 4800, 480).left);
 }
@@ -37,16 +41,17 @@ TEST_CASE("ownSlots lists every bar of a keyboard, but an object scaled to all k
 
 TEST_CASE("A strike reaches only the player of its instrument, at the place aimed at") {
     const auto plate = instrumentOf("Steel Plate"), other = instrumentOf("Wok");
-    SurfaceHand hand;
+    WindowEvents events;
+    SurfaceHand hand(events);
     Player onPlate(plate, sampleRateHz), onOther(other, sampleRateHz);
     hand.strike(plate, 0, {0.1, 0.05, 0.1}, 100);
-    hand.playOn(&onOther);
+    play(events, &onOther);
     CHECK(onOther.silent());
-    hand.playOn(&onPlate);
+    play(events, &onPlate);
     CHECK(onPlate.silent()); // the strike was dropped
 
     hand.strike(plate, 0, {0.1, 0.05, 0.1}, 100);
-    hand.playOn(&onPlate);
+    play(events, &onPlate);
     Player expected(plate, sampleRateHz);
     expected.strikeSurface(
         {.slot = 0,
@@ -60,11 +65,12 @@ TEST_CASE("A drag goes straight to the next place in steps no longer than the me
     const auto plate = instrumentOf("Steel Plate");
     const ObjectSurface surface(*plate->slots()[0].object);
     const std::array<double, 3> from{-0.1, -0.05, 0.1}, to{0.1, 0.05, 0.1};
-    SurfaceHand hand;
+    WindowEvents events;
+    SurfaceHand hand(events);
     hand.scrape(plate, 0, from, 1);
     hand.scrape(plate, 0, to, 1);
     Player byHand(plate, sampleRateHz), expected(plate, sampleRateHz);
-    hand.playOn(&byHand);
+    play(events, &byHand);
     const double edge = surface.meanEdgeMetres();
     const int steps = std::min(8, static_cast<int>(std::ceil(std::hypot(0.2, 0.1) / edge)));
     REQUIRE(steps > 1);
@@ -79,27 +85,29 @@ TEST_CASE("A drag goes straight to the next place in steps no longer than the me
 
 TEST_CASE("A lifted hand or a hand on another instrument starts a new drag") {
     const auto plate = instrumentOf("Steel Plate"), other = instrumentOf("Wok");
-    SurfaceHand hand;
+    WindowEvents events;
+    SurfaceHand hand(events);
     hand.scrape(plate, 0, {-0.1, 0, 0.1}, 1);
     hand.scrape(other, 0, {0.1, 0, 0.1}, 1);
     Player onPlate(plate, sampleRateHz), onOther(other, sampleRateHz);
-    hand.playOn(&onOther);
+    play(events, &onOther);
     CHECK(onPlate.silent());
     CHECK(peak(renderStereo(onOther, {}, 9600, 480).left) == 0); // the contact arrived and rests
     hand.scrape(other, 0, {0.1, 0, 0.1}, 0);
     hand.scrape(other, 0, {-0.1, 0, 0.1}, 1);
-    hand.playOn(&onOther);
+    play(events, &onOther);
     CHECK(peak(renderStereo(onOther, {}, 9600, 480).left) == 0);
 }
 
 TEST_CASE("A hand is lifted even if the queue is full") {
     const auto plate = instrumentOf("Steel Plate");
-    SurfaceHand hand;
+    WindowEvents events;
+    SurfaceHand hand(events);
     Player player(plate, sampleRateHz);
     for (int i = 0; i < 400; ++i)
         hand.scrape(plate, 0, {0.1, 0.05 + 1e-4 * i, 0.1}, 1);
     hand.scrape(plate, 0, {0.1, 0.05, 0.1}, 0);
-    hand.playOn(&player);
+    play(events, &player);
     renderStereo(player, {}, 48000, 480);
     ParameterValues damped;
     damped.set(ParameterId::letRing, 0);
@@ -110,11 +118,12 @@ TEST_CASE("A hand is lifted even if the queue is full") {
 
 TEST_CASE("Without a player strikes are dropped, and their number is bounded") {
     const auto plate = instrumentOf("Steel Plate");
-    SurfaceHand hand;
+    WindowEvents events;
+    SurfaceHand hand(events);
     for (int i = 0; i < 1000; ++i)
         hand.strike(plate, 0, {0, 0, 0}, 100);
-    hand.playOn(nullptr);
+    play(events, nullptr);
     Player player(plate, sampleRateHz);
-    hand.playOn(&player);
+    play(events, &player);
     CHECK(player.silent());
 }

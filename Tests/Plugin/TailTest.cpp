@@ -18,7 +18,7 @@ constexpr int blockSize = 441;
 /// Strikes four keys over the whole range and returns the time until the sound stays 96 dB below
 /// its peak.
 double ringingSeconds(Processor& processor, double longestSeconds) {
-    const auto keys = processor.keyRange();
+    const auto keys = processor.view().instrument.keyRange();
     juce::MidiBuffer midi;
     for (int i = 0; i < 4; ++i)
         midi.addEvent(juce::MidiMessage::noteOn(
@@ -47,7 +47,7 @@ TEST_CASE("The tail reported for a factory preset covers its decay and is at mos
         processor.setCurrentProgram(factoryProgram(factoryPresetId(name)));
         // From afar the slowest modes may be faint. A tubular bell's lowest mode has 60 Hz and
         // radiates almost nothing.
-        processor.setValue(ParameterId::radiation, 0);
+        processor.parameters()[ParameterId::radiation].changeByHand(0);
         processor.prepareToPlay(rateHz, blockSize);
         const double told = processor.getTailLengthSeconds();
         REQUIRE(told <= 120);

@@ -56,10 +56,10 @@ TEST_CASE("A scene without a thread for its bodies is refused, and the current s
             const NoThreads shortage;
             processor.setCurrentProgram(stage);
         }
-        const auto status = processor.takeStatus();
+        const auto status = processor.view().status.takeStatus();
         CHECK(status.isError);
         CHECK_THAT(status.sentence, ContainsSubstring(noThread));
-        CHECK(processor.loadedLabel().name == "Test keyboard");
+        CHECK(processor.soundSession().loadedLabel().name == "Test keyboard");
         CHECK(loudest(firstBlock(processor)) > 1e-4f);
     }
     SECTION("in a state") {
@@ -71,8 +71,8 @@ TEST_CASE("A scene without a thread for its bodies is refused, and the current s
             const NoThreads shortage;
             restoreBytes(processor, bytes);
         }
-        CHECK_THAT(processor.takeStatus().sentence, ContainsSubstring(noThread));
-        CHECK(processor.loadedLabel().name == "Test keyboard");
+        CHECK_THAT(processor.view().status.takeStatus().sentence, ContainsSubstring(noThread));
+        CHECK(processor.soundSession().loadedLabel().name == "Test keyboard");
     }
     SECTION("when the host prepares") {
         processor.setCurrentProgram(stage);
@@ -80,12 +80,12 @@ TEST_CASE("A scene without a thread for its bodies is refused, and the current s
             const NoThreads shortage;
             processor.prepareToPlay(48000, blockSamples);
         }
-        CHECK_THAT(processor.takeStatus().sentence, ContainsSubstring(noThread));
+        CHECK_THAT(processor.view().status.takeStatus().sentence, ContainsSubstring(noThread));
         CHECK(loudest(firstBlock(processor)) == 0);
     }
     processor.prepareToPlay(48000, blockSamples);
     processor.setCurrentProgram(stage);
-    CHECK_FALSE(processor.takeStatus().isError);
+    CHECK_FALSE(processor.view().status.takeStatus().isError);
 }
 
 TEST_CASE("A file without a thread to read it is refused, and opens once there is one") {
@@ -98,16 +98,16 @@ TEST_CASE("A file without a thread to read it is refused, and opens once there i
     processor.prepareToPlay(48000, blockSamples);
     {
         const NoThreads shortage;
-        processor.openFile(file);
+        processor.view().workshop.openFile(file);
     }
-    CHECK(processor.importStatus().stage == ImportStatus::Stage::failed);
+    CHECK(processor.view().workshop.importStatus().stage == ImportStatus::Stage::failed);
     finish(processor);
-    const auto status = processor.takeStatus();
+    const auto status = processor.view().status.takeStatus();
     CHECK(status.isError);
     CHECK(status.sentence == "plate.obj" + noThread);
-    CHECK(processor.loadedLabel().name == "Test keyboard");
+    CHECK(processor.soundSession().loadedLabel().name == "Test keyboard");
     CHECK(loudest(firstBlock(processor)) > 1e-4f);
-    processor.openFile(file);
+    processor.view().workshop.openFile(file);
     finish(processor);
-    CHECK(processor.loadedLabel().name == "plate");
+    CHECK(processor.soundSession().loadedLabel().name == "plate");
 }

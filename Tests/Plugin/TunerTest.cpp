@@ -70,46 +70,46 @@ struct Prepared {
 TEST_CASE("A scale from a file tunes the keys until it is forgotten") {
     Prepared instance;
     auto& processor = instance.processor;
-    CHECK(processor.tuningStatus().source == TuningStatus::Source::equal);
-    processor.openTuning(written("six.scl", sixSteps));
-    const auto status = processor.tuningStatus();
+    CHECK(processor.view().tuning.tuningStatus().source == TuningStatus::Source::equal);
+    processor.view().tuning.openTuning(written("six.scl", sixSteps));
+    const auto status = processor.view().tuning.tuningStatus();
     CHECK(status.source == TuningStatus::Source::files);
     CHECK(status.scale == "Six steps");
     const double hertz = 440 * std::exp2(9 / 12.0); // nine steps of the scale above middle C
     CHECK(std::abs(cents(struckHz(processor, hertz), hertz)) < 0.5);
-    processor.forgetTuning();
-    CHECK(processor.tuningStatus().source == TuningStatus::Source::equal);
+    processor.view().tuning.forgetTuning();
+    CHECK(processor.view().tuning.tuningStatus().source == TuningStatus::Source::equal);
     CHECK(std::abs(cents(struckHz(processor, 440), 440)) < 0.5);
 }
 
 TEST_CASE("Opening and forgetting a tuning are steps of the history") {
     Prepared instance;
     auto& processor = instance.processor;
-    auto& history = processor.editHistory();
+    auto& history = processor.windowSession().history;
     const auto scale = written("six.scl", sixSteps), mapping = written("from432.kbm", from432);
-    processor.openTuning(scale);
-    processor.openTuning(mapping);
-    const auto tuned = processor.tuningStatus();
+    processor.view().tuning.openTuning(scale);
+    processor.view().tuning.openTuning(mapping);
+    const auto tuned = processor.view().tuning.tuningStatus();
     CHECK(history.undoName() == "from432.kbm");
     history.undo();
-    CHECK(processor.tuningStatus().scale == "Six steps");
-    CHECK(processor.tuningStatus().mappingFile.empty());
+    CHECK(processor.view().tuning.tuningStatus().scale == "Six steps");
+    CHECK(processor.view().tuning.tuningStatus().mappingFile.empty());
     history.undo();
-    CHECK(processor.tuningStatus().source == TuningStatus::Source::equal);
+    CHECK(processor.view().tuning.tuningStatus().source == TuningStatus::Source::equal);
     CHECK(std::abs(cents(struckHz(processor, 440), 440)) < 0.5);
     CHECK_FALSE(history.canUndo());
     history.redo();
     history.redo();
-    CHECK(processor.tuningStatus() == tuned);
+    CHECK(processor.view().tuning.tuningStatus() == tuned);
     CHECK(std::abs(cents(struckHz(processor, 432), 432)) < 0.5);
 
-    processor.forgetTuning();
+    processor.view().tuning.forgetTuning();
     CHECK(history.undoName() == "Forget tuning");
     history.undo();
-    CHECK(processor.tuningStatus() == tuned);
+    CHECK(processor.view().tuning.tuningStatus() == tuned);
     // A change without effect is no step.
-    processor.openTuning(scale);
-    processor.openTuning(written("damaged.scl", "no scale"));
+    processor.view().tuning.openTuning(scale);
+    processor.view().tuning.openTuning(written("damaged.scl", "no scale"));
     CHECK(history.undoName() == "from432.kbm");
     CHECK(history.redoName() == "Forget tuning");
 }
@@ -117,22 +117,22 @@ TEST_CASE("Opening and forgetting a tuning are steps of the history") {
 TEST_CASE("Scale and mapping open from separate files, one after the other") {
     Prepared instance;
     auto& processor = instance.processor;
-    processor.openTuning(written("from432.kbm", from432));
+    processor.view().tuning.openTuning(written("from432.kbm", from432));
     CHECK(std::abs(cents(struckHz(processor, 432), 432)) < 0.5);
-    processor.openTuning(written("six.scl", sixSteps));
+    processor.view().tuning.openTuning(written("six.scl", sixSteps));
     CHECK(std::abs(cents(struckHz(processor, 432), 432)) < 0.5);
-    CHECK(processor.tuningStatus().mappingFile == "from432.kbm");
+    CHECK(processor.view().tuning.tuningStatus().mappingFile == "from432.kbm");
 }
 
 TEST_CASE("A file that cannot be read leaves the tuning and is named in the status") {
     Prepared instance;
     auto& processor = instance.processor;
-    processor.openTuning(written("six.scl", sixSteps));
+    processor.view().tuning.openTuning(written("six.scl", sixSteps));
     const auto before = saved(processor);
     for (const auto& file : {written("bad.scl", "title\n2\nhello\n"), written("none.kbm", ""),
                              testFolder() / "missing.scl"}) {
-        processor.openTuning(file);
-        const auto status = processor.takeStatus();
+        processor.view().tuning.openTuning(file);
+        const auto status = processor.view().status.takeStatus();
         CHECK(status.isError);
         CHECK_THAT(status.sentence, ContainsSubstring(file.filename().string()));
     }
@@ -141,10 +141,10 @@ TEST_CASE("A file that cannot be read leaves the tuning and is named in the stat
 
 TEST_CASE("A tuning stays through programs and is saved unchanged in the state") {
     Prepared first, second;
-    first.processor.openTuning(written("six.scl", sixSteps));
-    first.processor.openTuning(written("from432.kbm", from432));
+    first.processor.view().tuning.openTuning(written("six.scl", sixSteps));
+    first.processor.view().tuning.openTuning(written("from432.kbm", from432));
     first.processor.setCurrentProgram(1);
-    CHECK(first.processor.tuningStatus().source == TuningStatus::Source::files);
+    CHECK(first.processor.view().tuning.tuningStatus().source == TuningStatus::Source::files);
     restore(first.processor, [&] {
         auto state = *parseState(saved(first.processor));
         auto keyboard = testState();
@@ -161,12 +161,13 @@ TEST_CASE("A tuning stays through programs and is saved unchanged in the state")
 
 TEST_CASE("A state whose tuning cannot be read leaves the current sound") {
     Prepared instance;
-    const auto before = instance.processor.loadedSound();
+    const auto before = instance.processor.soundSession().loadedSound();
     auto state = testState();
     state.tuning.scale = {.name = "old.scl", .text = "title\nmany\n"};
     restore(instance.processor, state);
-    CHECK(instance.processor.loadedSound() == before);
-    CHECK_THAT(instance.processor.takeStatus().sentence, ContainsSubstring("old.scl"));
+    CHECK(instance.processor.soundSession().loadedSound() == before);
+    CHECK_THAT(instance.processor.view().status.takeStatus().sentence,
+               ContainsSubstring("old.scl"));
 }
 
 TEST_CASE("MIDI messages tune at their sample, at any block size") {
@@ -214,11 +215,11 @@ TEST_CASE("A message outside the tuning standard tunes nothing") {
     const juce::uint8 reset[] = {0x7e, 0x7f, 0x09, 0x01};
     midi.addEvent(juce::MidiMessage::createSysExMessage(reset, sizeof reset), 0);
     render(instance.processor, 512, 512, midi);
-    CHECK(instance.processor.tuningStatus().source == TuningStatus::Source::equal);
+    CHECK(instance.processor.view().tuning.tuningStatus().source == TuningStatus::Source::equal);
     midi.clear();
     midi.addEvent(singleNoteTuning(60, 61, 0), 0);
     render(instance.processor, 512, 512, midi);
-    CHECK(instance.processor.tuningStatus().source == TuningStatus::Source::messages);
+    CHECK(instance.processor.view().tuning.tuningStatus().source == TuningStatus::Source::messages);
 }
 
 TEST_CASE("MIDI Tuning Standard messages tune keys unless the instance has a tuning") {
@@ -227,9 +228,9 @@ TEST_CASE("MIDI Tuning Standard messages tune keys unless the instance has a tun
     const auto message = singleNoteTuning(struckNote, 70, 8192); // half a semitone above B flat
     const double hertz = 440 * std::exp2(1.5 / 12);
     CHECK(std::abs(cents(struckHz(processor, hertz, &message), hertz)) < 0.5);
-    processor.openTuning(written("from432.kbm", from432));
+    processor.view().tuning.openTuning(written("from432.kbm", from432));
     CHECK(std::abs(cents(struckHz(processor, 432), 432)) < 0.5);
-    processor.forgetTuning();
+    processor.view().tuning.forgetTuning();
     CHECK(std::abs(cents(struckHz(processor, hertz), hertz)) < 0.5);
 }
 
@@ -274,16 +275,16 @@ TEST_CASE("A tuning by messages is not saved, and is reset by forgetTuning and b
     const double hertz = 440 * std::exp2(1.5 / 12);
     const auto isForgottenBy = [&](auto&& forget) {
         CHECK(std::abs(cents(struckHz(processor, hertz, &up), hertz)) < 0.5);
-        CHECK(processor.tuningStatus().source == TuningStatus::Source::messages);
+        CHECK(processor.view().tuning.tuningStatus().source == TuningStatus::Source::messages);
         CHECK(saved(processor) == before);
         forget();
-        CHECK(processor.tuningStatus().source == TuningStatus::Source::equal);
+        CHECK(processor.view().tuning.tuningStatus().source == TuningStatus::Source::equal);
         CHECK(std::abs(cents(struckHz(processor, 440), 440)) < 0.5);
         // The next message does not bring it back.
         CHECK(std::abs(cents(struckHz(processor, 440, &other), 440)) < 0.5);
-        CHECK(processor.tuningStatus().source == TuningStatus::Source::messages);
+        CHECK(processor.view().tuning.tuningStatus().source == TuningStatus::Source::messages);
     };
-    isForgottenBy([&] { processor.forgetTuning(); });
+    isForgottenBy([&] { processor.view().tuning.forgetTuning(); });
     isForgottenBy([&] { restoreBytes(processor, before); });
 }
 
@@ -291,9 +292,9 @@ TEST_CASE("A tuning message between forgetTuning and the next callback takes eff
     Prepared instance;
     const auto up = singleNoteTuning(struckNote, 70, 8192);
     const double hertz = 440 * std::exp2(1.5 / 12);
-    instance.processor.forgetTuning();
+    instance.processor.view().tuning.forgetTuning();
     CHECK(std::abs(cents(struckHz(instance.processor, hertz, &up), hertz)) < 0.5);
-    instance.processor.forgetTuning();
+    instance.processor.view().tuning.forgetTuning();
     CHECK(std::abs(cents(struckHz(instance.processor, hertz, &up), hertz)) < 0.5);
-    CHECK(instance.processor.tuningStatus().source == TuningStatus::Source::messages);
+    CHECK(instance.processor.view().tuning.tuningStatus().source == TuningStatus::Source::messages);
 }

@@ -78,7 +78,7 @@ void RandomMusic::add(juce::MidiBuffer& midi, const Block& block, double expecte
     addDueReleases(midi, block, block.length - 1);
 }
 
-void RandomMusic::slide(juce::MidiBuffer& midi, ProcessorView::KeyRange keys, std::int64_t end) {
+void RandomMusic::slide(juce::MidiBuffer& midi, InstrumentView::KeyRange keys, std::int64_t end) {
     slides = true;
     const std::pair key{channels, keys.lowest + chance.below(keys.highest - keys.lowest + 1)};
     midi.addEvent(juce::MidiMessage::noteOn(key.first, key.second, juce::uint8{20}), 0);

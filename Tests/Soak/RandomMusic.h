@@ -24,7 +24,7 @@ public:
         std::int64_t start; ///< first sample, counted from the start of the music
         int length;         ///< samples
         double rateHz;
-        ProcessorView::KeyRange keys;
+        InstrumentView::KeyRange keys;
     };
 
     explicit RandomMusic(Chance& drawnFrom) : chance(drawnFrom) {}
@@ -34,7 +34,7 @@ public:
 
     /// Holds a key of the last channel softly until the sample `end`. Meanwhile no other note is
     /// long, so that the slide is not cut for a new voice, and no controller ends it.
-    void slide(juce::MidiBuffer& midi, ProcessorView::KeyRange keys, std::int64_t end);
+    void slide(juce::MidiBuffer& midi, InstrumentView::KeyRange keys, std::int64_t end);
     bool isSliding() const { return slides; }
     /// Treats the slide as an ordinary note from now on.
     void endSlide() { slides = false; }

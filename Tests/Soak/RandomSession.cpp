@@ -57,7 +57,7 @@ void RandomSession::load(int program) {
     const int programs = processor.getNumPrograms();
     do
         processor.setCurrentProgram(program++ % programs);
-    while (processor.hasStage());
+    while (processor.view().stage.hasStage());
     prepare(48000);
 }
 
@@ -72,7 +72,7 @@ void RandomSession::play(double seconds, std::uint64_t seed, double notesPerSeco
         const double kind = chance.share() < 0.5 ? scrapeContact : rollContact;
         processor.getParameters()[static_cast<int>(contact)]->setValue(
             static_cast<float>(parameterInfo(contact).toNormalised(kind)));
-        music.slide(midi, processor.keyRange(), end);
+        music.slide(midi, processor.view().instrument.keyRange(), end);
     }
     while (samples < end) {
         constexpr std::array lengths{1, 32, 64, 128, 333, 512, 1024, largestBlock};
@@ -83,10 +83,12 @@ void RandomSession::play(double seconds, std::uint64_t seed, double notesPerSeco
             changeSound();
         if (changes == Changes::all && chance.share() < hostShare)
             changeHost();
-        music.add(
-            midi,
-            {.start = samples, .length = length, .rateHz = rateHz, .keys = processor.keyRange()},
-            notesPerSecond * length / rateHz);
+        music.add(midi,
+                  {.start = samples,
+                   .length = length,
+                   .rateHz = rateHz,
+                   .keys = processor.view().instrument.keyRange()},
+                  notesPerSecond * length / rateHz);
         render(midi, length);
         midi.clear();
         if (changes == Changes::parameters && juce::MessageManager::existsAndIsCurrentThread())
@@ -141,7 +143,7 @@ void RandomSession::render(juce::MidiBuffer& midi, int length) {
     buffer.clear();
     processor.processBlock(buffer, midi);
     samples += length;
-    if (processor.timesNotFinite() > 0) // the output is silent then
+    if (processor.engineReport().notFinite > 0) // the output is silent then
         throw std::runtime_error("What was rendered up to sample " + std::to_string(samples) +
                                  " was not finite.");
     loudest = 0;
@@ -158,18 +160,18 @@ void RandomSession::render(juce::MidiBuffer& midi, int length) {
 void RandomSession::settle() {
     setToDefaults(processor);
     // A stage has no dampers. Otherwise only dampers end the sound.
-    if (!processor.hasStage()) {
-        processor.setValue(letRing, 0);
-        processor.setValue(material, customMaterial);
-        processor.setValue(fluidDamping, 0);
-        processor.setValue(viscoelasticDamping, 0);
+    if (!processor.view().stage.hasStage()) {
+        processor.parameters()[letRing].changeByHand(0);
+        processor.parameters()[material].changeByHand(customMaterial);
+        processor.parameters()[fluidDamping].changeByHand(0);
+        processor.parameters()[viscoelasticDamping].changeByHand(0);
     }
     releaseAll();
     awaitSilence("every key and pedal went up");
-    if (processor.hasStage())
+    if (processor.view().stage.hasStage())
         return;
     juce::MidiBuffer midi;
-    const auto keys = processor.keyRange();
+    const auto keys = processor.view().instrument.keyRange();
     for (int note = keys.lowest; note <= keys.highest; ++note) {
         midi.addEvent(juce::MidiMessage::noteOn(1, note, juce::uint8{100}), 0);
         render(midi, 512);
@@ -195,7 +197,7 @@ void RandomSession::releaseAll() {
 }
 
 void RandomSession::awaitSilence(const char* after) {
-    const double longestSeconds = processor.hasStage() ? 120 : 2;
+    const double longestSeconds = processor.view().stage.hasStage() ? 120 : 2;
     juce::MidiBuffer none;
     for (double waited = 0; waited < longestSeconds; waited += largestBlock / rateHz) {
         render(none, largestBlock);
@@ -209,7 +211,7 @@ void RandomSession::awaitSilence(const char* after) {
 /// Resets parameters, controllers and tuning.
 void RandomSession::putBack() {
     setToDefaults(processor);
-    processor.setValue(strikeSpread, 0);
+    processor.parameters()[strikeSpread].changeByHand(0);
     juce::MidiBuffer midi;
     addDefaults(midi);
     // Let glides and fades end.
@@ -221,7 +223,7 @@ void RandomSession::putBack() {
 
 PlayedPhrase RandomSession::renderPhrase() {
     PlayedPhrase phrase;
-    const auto keys = processor.keyRange();
+    const auto keys = processor.view().instrument.keyRange();
     juce::MidiBuffer midi;
     for (int i = 0; i < 8; ++i)
         midi.addEvent(juce::MidiMessage::noteOn(
@@ -260,10 +262,10 @@ PlayedPhrase RandomSession::phraseAnew() {
 double RandomSession::tremolo() {
     putBack();
     constexpr double turnsPerSecond = 11, seconds = 10;
-    processor.setValue(contact, rollContact);
-    processor.setValue(motorSpeed, turnsPerSecond);
-    processor.setValue(motorDepth, 100);
-    const int note = processor.keyRange().lowest;
+    processor.parameters()[contact].changeByHand(rollContact);
+    processor.parameters()[motorSpeed].changeByHand(turnsPerSecond);
+    processor.parameters()[motorDepth].changeByHand(100);
+    const int note = processor.view().instrument.keyRange().lowest;
     juce::MidiBuffer midi;
     midi.addEvent(juce::MidiMessage::noteOn(1, note, juce::uint8{100}), 0);
     render(midi, largestBlock);

@@ -74,8 +74,8 @@ TEST_CASE("Music plays on one thread while sounds, states and windows change on 
         else if (window == nullptr)
             window.reset(processor.createEditorIfNeeded());
         juce::Timer::callPendingTimersSynchronously();
-        processor.takeSoundFrame();
-        processor.takeStatus();
+        processor.view().sound.takeSoundFrame();
+        processor.view().status.takeStatus();
     }
     audio.join();
     CHECK(fault.empty());

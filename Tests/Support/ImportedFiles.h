@@ -22,7 +22,7 @@ inline void finish(
         processor.poll();
         meanwhile();
     };
-    waitUntil([&] { return !processor.importStatus().isWorking(); }, poll);
+    waitUntil([&] { return !processor.view().workshop.importStatus().isWorking(); }, poll);
     poll();
 }
 

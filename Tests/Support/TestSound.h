@@ -72,8 +72,8 @@ inline void restoreBytes(Processor& processor, const std::string& bytes) {
 /// Returns notes, releases, bends and pedals, stamped from 0 to `samples`; always the same ones.
 inline juce::MidiBuffer testMusic(int samples,
                                   int spacing = 701,
-                                  const ProcessorView::KeyRange& keys = {lowestTestNote,
-                                                                         highestTestNote}) {
+                                  const InstrumentView::KeyRange& keys = {lowestTestNote,
+                                                                          highestTestNote}) {
     std::mt19937 random(7);
     const auto between = [&](int low, int high) {
         return std::uniform_int_distribution<int>(low, high)(random);

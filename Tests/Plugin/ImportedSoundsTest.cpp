@@ -23,10 +23,10 @@ namespace {
 constexpr int blockSamples = 512;
 
 void open(Processor& processor, const std::filesystem::path& file) {
-    processor.openFile(file);
+    processor.view().workshop.openFile(file);
     finish(processor);
-    INFO(processor.importStatus().error);
-    REQUIRE(processor.importStatus().stage == ImportStage::done);
+    INFO(processor.view().workshop.importStatus().error);
+    REQUIRE(processor.view().workshop.importStatus().stage == ImportStage::done);
 }
 
 float impact(Processor& processor, int note, int velocity = 100) {
@@ -49,13 +49,13 @@ std::size_t slotOf(const Instrument& instrument, int note) {
 TEST_CASE("A dropped mesh plays at the pitches of the keys, from the preview on") {
     Processor processor;
     processor.prepareToPlay(48000, blockSamples);
-    const auto before = processor.loadedInstrument();
-    processor.openFile(smallPlateFile("plate.obj", 1));
-    CHECK(processor.loadedInstrument() == before);
+    const auto before = processor.soundSession().instrument();
+    processor.view().workshop.openFile(smallPlateFile("plate.obj", 1));
+    CHECK(processor.soundSession().instrument() == before);
     int played = 0;
     auto last = before;
     finish(processor, [&] {
-        const auto now = processor.loadedInstrument();
+        const auto now = processor.soundSession().instrument();
         if (now == last)
             return;
         last = now;
@@ -67,12 +67,12 @@ TEST_CASE("A dropped mesh plays at the pitches of the keys, from the preview on"
         CHECK(impact(processor, 60) > 0.003f);
     });
     CHECK(played >= 1);
-    CHECK(processor.importStatus().stage == ImportStage::done);
-    CHECK(processor.keyLayout() == KeyLayout::scaled);
-    CHECK(processor.keyRange().lowest == 36);
-    CHECK(processor.keyRange().highest == 96);
-    CHECK(processor.playedObjects().size() == 1);
-    CHECK_THAT(processor.takeStatus().sentence, ContainsSubstring("plate: "));
+    CHECK(processor.view().workshop.importStatus().stage == ImportStage::done);
+    CHECK(processor.view().workshop.keyLayout() == KeyLayout::scaled);
+    CHECK(processor.view().instrument.keyRange().lowest == 36);
+    CHECK(processor.view().instrument.keyRange().highest == 96);
+    CHECK(processor.view().instrument.playedObjects().size() == 1);
+    CHECK_THAT(processor.view().status.takeStatus().sentence, ContainsSubstring("plate: "));
 }
 
 TEST_CASE("The former sound plays until the object is ready, and nothing clicks") {
@@ -91,12 +91,12 @@ TEST_CASE("The former sound plays until the object is ready, and nothing clicks"
     const auto ringing = render(processor, 4800, blockSamples, chord).left;
     const float steepest = stepOf(ringing);
     REQUIRE(steepest > 0);
-    processor.openFile(smallPlateFile("plate.obj", 1));
+    processor.view().workshop.openFile(smallPlateFile("plate.obj", 1));
     std::vector<float> heard;
-    const auto load = processor.instrumentNumber();
+    const auto load = processor.view().instrument.instrumentNumber();
     finish(processor, [&] {
         const auto block = render(processor, blockSamples, blockSamples, {}).left;
-        if (processor.instrumentNumber() == load) {
+        if (processor.view().instrument.instrumentNumber() == load) {
             // Strike again, so that the change happens during sound.
             if (loudest(block) < 0.1f * loudest(ringing))
                 render(processor, blockSamples, blockSamples, chord);
@@ -105,7 +105,7 @@ TEST_CASE("The former sound plays until the object is ready, and nothing clicks"
         }
     });
     CHECK(stepOf(heard) <= steepest);
-    CHECK(processor.importStatus().stage == ImportStage::done);
+    CHECK(processor.view().workshop.importStatus().stage == ImportStage::done);
 }
 
 TEST_CASE("Dropped objects of any size and kind are audible and do not clip") {
@@ -118,12 +118,12 @@ TEST_CASE("Dropped objects of any size and kind are audible and do not clip") {
         processor.prepareToPlay(48000, blockSamples);
         open(processor, meshFile(name + ".obj", mesh));
         for (const auto layout : {KeyLayout::scaled, KeyLayout::zones}) {
-            processor.setKeyLayout(layout);
+            processor.view().workshop.setKeyLayout(layout);
             float loudestKey = 0;
             for (int note = 36; note <= 96; note += 6)
                 loudestKey = std::max(loudestKey, impact(processor, note, 127));
             INFO(name << ", layout " << static_cast<int>(layout) << ", level "
-                      << processor.parameterValue(ParameterId::level) << " dB");
+                      << processor.view().parameters.value(ParameterId::level) << " dB");
             CHECK(loudestKey < 1);
             // At its own size the ball vibrates only above the hearing range.
             const bool isAudible = name != "ball" || layout == KeyLayout::scaled;
@@ -137,56 +137,57 @@ TEST_CASE(
     "Undo of a key layout during a preview keeps the analysis, and redo plays its final object") {
     Processor processor;
     processor.prepareToPlay(48000, blockSamples);
-    processor.openFile(meshFile("ball.obj", icosphereMesh(0.05, 3)));
+    processor.view().workshop.openFile(meshFile("ball.obj", icosphereMesh(0.05, 3)));
     bool switched = false;
     finish(processor, [&] {
-        const auto status = processor.importStatus();
-        if (switched || !status.isWorking() || processor.keyLayout() != KeyLayout::scaled)
+        const auto status = processor.view().workshop.importStatus();
+        if (switched || !status.isWorking() ||
+            processor.view().workshop.keyLayout() != KeyLayout::scaled)
             return;
         switched = true;
-        processor.setKeyLayout(KeyLayout::zones);
-        processor.editHistory().undo();
-        CHECK(processor.keyLayout() == KeyLayout::scaled);
+        processor.view().workshop.setKeyLayout(KeyLayout::zones);
+        processor.windowSession().history.undo();
+        CHECK(processor.view().workshop.keyLayout() == KeyLayout::scaled);
     });
     REQUIRE(switched);
-    CHECK(processor.importStatus().stage == ImportStage::done);
-    const auto whole = processor.loadedInstrument()->slots().front().object;
+    CHECK(processor.view().workshop.importStatus().stage == ImportStage::done);
+    const auto whole = processor.soundSession().instrument()->slots().front().object;
     CHECK(whole->provenance.notes.find("preview") == std::string::npos);
-    processor.editHistory().redo();
-    CHECK(processor.keyLayout() == KeyLayout::zones);
-    CHECK(processor.loadedInstrument()->slots().front().object == whole);
-    processor.editHistory().undo();
-    CHECK(processor.keyLayout() == KeyLayout::scaled);
-    CHECK(processor.loadedInstrument()->slots().front().object == whole);
+    processor.windowSession().history.redo();
+    CHECK(processor.view().workshop.keyLayout() == KeyLayout::zones);
+    CHECK(processor.soundSession().instrument()->slots().front().object == whole);
+    processor.windowSession().history.undo();
+    CHECK(processor.view().workshop.keyLayout() == KeyLayout::scaled);
+    CHECK(processor.soundSession().instrument()->slots().front().object == whole);
 }
 
 TEST_CASE("A file that cannot be opened changes nothing and gives an error in the window") {
     Processor processor;
     restore(processor, testState());
     const auto before = saved(processor);
-    processor.openFile(writtenFile("broken.stl", "solid nothing"));
+    processor.view().workshop.openFile(writtenFile("broken.stl", "solid nothing"));
     finish(processor);
-    CHECK(processor.importStatus().stage == ImportStage::failed);
+    CHECK(processor.view().workshop.importStatus().stage == ImportStage::failed);
     CHECK(saved(processor) == before);
-    const auto status = processor.takeStatus();
+    const auto status = processor.view().status.takeStatus();
     CHECK(status.isError);
     CHECK_THAT(status.sentence, ContainsSubstring("\"broken.stl\""));
-    CHECK(processor.canOpen("a.OBJ"));
-    CHECK(processor.canOpen("a.modal"));
-    CHECK_FALSE(processor.canOpen("a.wav"));
-    CHECK_FALSE(processor.canOpen("obj"));
+    CHECK(processor.view().workshop.canOpen("a.OBJ"));
+    CHECK(processor.view().workshop.canOpen("a.modal"));
+    CHECK_FALSE(processor.view().workshop.canOpen("a.wav"));
+    CHECK_FALSE(processor.view().workshop.canOpen("obj"));
 }
 
 TEST_CASE("A state of a dropped object opens without its file, bit for bit") {
     Processor first, second;
     const auto file = smallPlateFile("plate.obj", 1);
     open(first, file);
-    first.setKeyLayout(KeyLayout::zones);
-    first.setStrikePath(0, {{-0.015, -0.006, 0}, {0, 0.009, 0}, {0.02, 0.003, 0}});
+    first.view().workshop.setKeyLayout(KeyLayout::zones);
+    first.view().workshop.setStrikePath(0, {{-0.015, -0.006, 0}, {0, 0.009, 0}, {0.02, 0.003, 0}});
     const auto bytes = saved(first);
     std::filesystem::remove(file);
     restoreBytes(second, bytes);
-    CHECK_FALSE(second.takeStatus().isError);
+    CHECK_FALSE(second.view().status.takeStatus().isError);
     CHECK(saved(second) == bytes);
     first.prepareToPlay(48000, blockSamples);
     second.prepareToPlay(48000, blockSamples);
@@ -195,17 +196,17 @@ TEST_CASE("A state of a dropped object opens without its file, bit for bit") {
     const auto heard = render(first, 4800, blockSamples, midi);
     CHECK(loudest(heard) > 0.001f);
     CHECK(render(second, 4800, blockSamples, midi) == heard);
-    CHECK(second.keyLayout() == KeyLayout::zones);
+    CHECK(second.view().workshop.keyLayout() == KeyLayout::zones);
     // The restored object can be analysed again from its own mesh.
-    REQUIRE(second.canAnalyseAgain());
-    CHECK_FALSE(second.importStatus().followsSettings);
-    second.setImportSettings({.material = "Copper", .thicknessMetres = 0.003});
-    CHECK_FALSE(second.importStatus().isWorking());
-    second.analyseAgain();
+    REQUIRE(second.view().workshop.canAnalyseAgain());
+    CHECK_FALSE(second.view().workshop.importStatus().followsSettings);
+    second.view().workshop.setImportSettings({.material = "Copper", .thicknessMetres = 0.003});
+    CHECK_FALSE(second.view().workshop.importStatus().isWorking());
+    second.view().workshop.analyseAgain();
     finish(second);
-    CHECK(second.importStatus().stage == ImportStage::done);
-    CHECK(second.playedObjects().front().object->material.name == "Copper");
-    CHECK(second.keyLayout() == KeyLayout::zones);
+    CHECK(second.view().workshop.importStatus().stage == ImportStage::done);
+    CHECK(second.view().instrument.playedObjects().front().object->material.name == "Copper");
+    CHECK(second.view().workshop.keyLayout() == KeyLayout::zones);
 }
 
 TEST_CASE("Changed settings analyse the same mesh again at once") {
@@ -213,71 +214,71 @@ TEST_CASE("Changed settings analyse the same mesh again at once") {
     const auto file = smallPlateFile("plate.obj", 1);
     open(processor, file);
     std::filesystem::remove(file);
-    processor.setKeyLayout(KeyLayout::zones);
-    REQUIRE(processor.importStatus().followsSettings);
-    processor.setImportSettings({.material = "Glass", .thicknessMetres = 0.004});
+    processor.view().workshop.setKeyLayout(KeyLayout::zones);
+    REQUIRE(processor.view().workshop.importStatus().followsSettings);
+    processor.view().workshop.setImportSettings({.material = "Glass", .thicknessMetres = 0.004});
     finish(processor);
-    CHECK(processor.importStatus().stage == ImportStage::done);
-    CHECK(processor.importStatus().settings.material == "Glass");
-    CHECK(processor.playedObjects().front().object->material.name == "Glass");
-    CHECK(processor.playedObjects().front().object->thicknessMetres == 0.004);
-    CHECK(processor.keyLayout() == KeyLayout::zones);
+    CHECK(processor.view().workshop.importStatus().stage == ImportStage::done);
+    CHECK(processor.view().workshop.importStatus().settings.material == "Glass");
+    CHECK(processor.view().instrument.playedObjects().front().object->material.name == "Glass");
+    CHECK(processor.view().instrument.playedObjects().front().object->thicknessMetres == 0.004);
+    CHECK(processor.view().workshop.keyLayout() == KeyLayout::zones);
 }
 
 TEST_CASE("An object without an imported mesh is analysed again with its own settings") {
     Processor first, processor;
-    first.setImportSettings({.material = "Copper", .thicknessMetres = 0.004});
+    first.view().workshop.setImportSettings({.material = "Copper", .thicknessMetres = 0.004});
     open(first, smallPlateFile("plate.obj", 1));
-    const auto copper = first.playedObjects().front().object;
+    const auto copper = first.view().instrument.playedObjects().front().object;
     const auto file = testFolder() / "copper.modal";
     REQUIRE(writeModalObject(*copper, file));
 
     open(processor, file);
     finish(processor);
-    const auto settings = processor.importStatus().settings;
+    const auto settings = processor.view().workshop.importStatus().settings;
     CHECK(settings.material == "Copper");
     CHECK(settings.thicknessMetres == copper->thicknessMetres);
-    processor.changeParameter(ParameterId::material, firstLibraryMaterial + 4);
+    processor.view().parameters.change(ParameterId::material, firstLibraryMaterial + 4);
     const auto glass = saved(processor);
-    processor.setImportSettings({.material = "Brass", .thicknessMetres = 0.001});
-    CHECK(processor.importStatus().settings.material == "Brass");
-    processor.setKeyLayout(KeyLayout::zones);
-    CHECK(processor.importStatus().settings.material == "Brass");
+    processor.view().workshop.setImportSettings({.material = "Brass", .thicknessMetres = 0.001});
+    CHECK(processor.view().workshop.importStatus().settings.material == "Brass");
+    processor.view().workshop.setKeyLayout(KeyLayout::zones);
+    CHECK(processor.view().workshop.importStatus().settings.material == "Brass");
     restoreBytes(processor, glass);
     finish(processor);
-    CHECK(processor.importStatus().settings.material == "Glass");
-    processor.analyseAgain();
+    CHECK(processor.view().workshop.importStatus().settings.material == "Glass");
+    processor.view().workshop.analyseAgain();
     finish(processor);
-    const auto again = processor.playedObjects().front().object;
+    const auto again = processor.view().instrument.playedObjects().front().object;
     CHECK(again->material.name == "Glass");
     CHECK(again->thicknessMetres == copper->thicknessMetres);
 }
 
 TEST_CASE("A mesh opens with the given settings, whatever plays") {
     Processor processor;
-    REQUIRE(processor.presetShelf().loadPreset(factoryPresetId("Wooden Table")));
-    const auto table = processor.importStatus().settings;
+    REQUIRE(processor.view().presets.loadPreset(factoryPresetId("Wooden Table")));
+    const auto table = processor.view().workshop.importStatus().settings;
     CHECK(table.material == "Wood");
     open(processor, smallPlateFile("plate.obj", 1));
-    const auto& plate = *processor.playedObjects().front().object;
+    const auto& plate = *processor.view().instrument.playedObjects().front().object;
     CHECK(plate.material.name == ImportSettings{}.material);
     CHECK(plate.thicknessMetres == ImportSettings{}.thicknessMetres);
-    CHECK(processor.importStatus().settings == ImportSettings{});
+    CHECK(processor.view().workshop.importStatus().settings == ImportSettings{});
 }
 
 TEST_CASE("The import status of a file is shown only while that file plays") {
     Processor processor;
     open(processor, smallPlateFile("plate.obj", 1));
-    CHECK(processor.importStatus().fileName == "plate.obj");
+    CHECK(processor.view().workshop.importStatus().fileName == "plate.obj");
     processor.setCurrentProgram(0);
-    CHECK(processor.importStatus().stage == ImportStage::none);
-    CHECK(processor.importStatus().fileName.empty());
+    CHECK(processor.view().workshop.importStatus().stage == ImportStage::none);
+    CHECK(processor.view().workshop.importStatus().fileName.empty());
     open(processor, smallPlateFile("other.obj", 1));
-    processor.editHistory().undo();
-    CHECK(processor.importStatus().stage == ImportStage::none);
-    processor.editHistory().redo();
-    CHECK(processor.importStatus().stage == ImportStage::done);
-    CHECK(processor.importStatus().fileName == "other.obj");
+    processor.windowSession().history.undo();
+    CHECK(processor.view().workshop.importStatus().stage == ImportStage::none);
+    processor.windowSession().history.redo();
+    CHECK(processor.view().workshop.importStatus().stage == ImportStage::done);
+    CHECK(processor.view().workshop.importStatus().fileName == "other.obj");
 }
 
 TEST_CASE("Keys strike along a path drawn by hand") {
@@ -285,7 +286,7 @@ TEST_CASE("Keys strike along a path drawn by hand") {
     processor.prepareToPlay(48000, blockSamples);
     open(processor, smallPlateFile("plate.obj", 1));
     const auto strikePath = [&] {
-        const auto playing = processor.loadedInstrument();
+        const auto playing = processor.soundSession().instrument();
         return pathMetres(*playing->slots().front().object, playing->keyMap());
     };
     const auto own = strikePath();
@@ -293,7 +294,7 @@ TEST_CASE("Keys strike along a path drawn by hand") {
     CHECK(own.front()[0] < -0.027);
     CHECK(own.back()[0] > 0.027);
     const std::vector<std::array<double, 3>> drawn{{-0.01, 0.015, 0}, {0.006, -0.012, 0}};
-    processor.setStrikePath(0, drawn);
+    processor.view().workshop.setStrikePath(0, drawn);
     const auto path = strikePath();
     REQUIRE(path.size() == 2);
     for (std::size_t i = 0; i < 2; ++i)
@@ -301,14 +302,15 @@ TEST_CASE("Keys strike along a path drawn by hand") {
             CHECK(std::abs(path[i][axis] - drawn[i][axis]) < 1e-6);
 
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-    processor.setStrikePath(0, {});
-    processor.setStrikePath(0, {{nan, 0, 0}});
-    processor.setStrikePath(7, drawn);
+    processor.view().workshop.setStrikePath(0, {});
+    processor.view().workshop.setStrikePath(0, {{nan, 0, 0}});
+    processor.view().workshop.setStrikePath(7, drawn);
     CHECK(strikePath() == path);
-    processor.setStrikePath(0, {{9, 9, 9}});
+    processor.view().workshop.setStrikePath(0, {{9, 9, 9}});
     CHECK(strikePath().size() == 1);
     CHECK(impact(processor, 60) > 0.001f);
-    processor.setStrikePath(0, std::vector<std::array<double, 3>>(5000, {0.01, 0.01, 0}));
+    processor.view().workshop.setStrikePath(
+        0, std::vector<std::array<double, 3>>(5000, {0.01, 0.01, 0}));
     CHECK(strikePath().size() == 1000);
 }
 
@@ -320,29 +322,31 @@ TEST_CASE("After an import the mallet stays, and the material becomes the object
     state.parameters.set(ParameterId::releaseTime, 0.321);
     restore(processor, state);
     open(processor, smallPlateFile("plate.obj", 1));
-    CHECK(processor.parameterValue(ParameterId::mallet) == firstRackMallet + 3);
-    CHECK(processor.parameterValue(ParameterId::releaseTime) == 0.321);
-    CHECK(static_cast<int>(processor.parameterValue(ParameterId::material)) == ownMaterial);
-    processor.changeParameter(ParameterId::material, customMaterial);
-    processor.setKeyLayout(KeyLayout::zones);
-    CHECK(static_cast<int>(processor.parameterValue(ParameterId::material)) == customMaterial);
+    CHECK(processor.view().parameters.value(ParameterId::mallet) == firstRackMallet + 3);
+    CHECK(processor.view().parameters.value(ParameterId::releaseTime) == 0.321);
+    CHECK(static_cast<int>(processor.view().parameters.value(ParameterId::material)) ==
+          ownMaterial);
+    processor.view().parameters.change(ParameterId::material, customMaterial);
+    processor.view().workshop.setKeyLayout(KeyLayout::zones);
+    CHECK(static_cast<int>(processor.view().parameters.value(ParameterId::material)) ==
+          customMaterial);
 }
 
 TEST_CASE("A preset chosen during an import stays") {
     Processor processor;
-    processor.openFile(smallPlateFile("plate.obj", 1));
+    processor.view().workshop.openFile(smallPlateFile("plate.obj", 1));
     processor.setCurrentProgram(4);
-    const auto chosen = processor.loadedInstrument();
+    const auto chosen = processor.soundSession().instrument();
     finish(processor);
-    CHECK(processor.loadedInstrument() == chosen);
-    CHECK(processor.importStatus().stage != ImportStage::done);
+    CHECK(processor.soundSession().instrument() == chosen);
+    CHECK(processor.view().workshop.importStatus().stage != ImportStage::done);
     CHECK(processor.getCurrentProgram() == 4);
-    CHECK(processor.keyLayout() == KeyLayout::scaled);
+    CHECK(processor.view().workshop.keyLayout() == KeyLayout::scaled);
     processor.setCurrentProgram(0);
-    CHECK_FALSE(processor.keyLayout());
-    processor.setKeyLayout(KeyLayout::zones);
+    CHECK_FALSE(processor.view().workshop.keyLayout());
+    processor.view().workshop.setKeyLayout(KeyLayout::zones);
     CHECK(processor.getCurrentProgram() == 0);
-    CHECK_FALSE(processor.canAnalyseAgain());
+    CHECK_FALSE(processor.view().workshop.canAnalyseAgain());
 }
 
 TEST_CASE("A processor can be destroyed while its workshop works, without a message loop") {
@@ -350,10 +354,10 @@ TEST_CASE("A processor can be destroyed while its workshop works, without a mess
     for (const double progress : {0.0, 0.01, 0.2}) {
         Processor processor;
         processor.prepareToPlay(48000, blockSamples);
-        processor.openFile(file);
-        waitUntil([&] { return processor.importStatus().progress >= progress; });
+        processor.view().workshop.openFile(file);
+        waitUntil([&] { return processor.view().workshop.importStatus().progress >= progress; });
         CHECK(allFinite(render(processor, 4800, blockSamples, testMusic(4800))));
-        CHECK(processor.timesNotFinite() == 0);
+        CHECK(processor.engineReport().notFinite == 0);
         processor.releaseResources();
         processor.prepareToPlay(44100, 64);
         saved(processor);
@@ -367,7 +371,7 @@ TEST_CASE("A state that the host loads while an object is prepared is not replac
         INFO("after " << part << " twentieths of the import");
         Processor processor;
         processor.prepareToPlay(48000, blockSamples);
-        processor.openFile(file);
+        processor.view().workshop.openFile(file);
         std::atomic<bool> isDue{false}, isRestored{false};
         std::thread host([&] {
             isDue.wait(false);
@@ -376,7 +380,7 @@ TEST_CASE("A state that the host loads while an object is prepared is not replac
         });
         waitUntil([&] { return isRestored.load(); },
                   [&] {
-                      const auto status = processor.importStatus();
+                      const auto status = processor.view().workshop.importStatus();
                       if (!status.isWorking() || status.progress >= part / 20.0) {
                           isDue = true;
                           isDue.notify_all();
@@ -384,11 +388,12 @@ TEST_CASE("A state that the host loads while an object is prepared is not replac
                       processor.poll();
                   });
         host.join();
-        waitUntil([&] { return !processor.importStatus().isWorking(); }, [&] { processor.poll(); });
+        waitUntil([&] { return !processor.view().workshop.importStatus().isWorking(); },
+                  [&] { processor.poll(); });
         processor.poll();
-        CHECK(processor.loadedSound().preset.name == "Test keyboard");
-        CHECK_FALSE(processor.importStatus().followsSettings);
-        CHECK_FALSE(processor.editHistory().canUndo());
+        CHECK(processor.soundSession().loadedSound().preset.name == "Test keyboard");
+        CHECK_FALSE(processor.view().workshop.importStatus().followsSettings);
+        CHECK_FALSE(processor.windowSession().history.canUndo());
     }
 }
 
@@ -414,18 +419,20 @@ TEST_CASE("Automation during an import, a change of keys or a mutation stays") {
     const auto stays = [&](const char* what, const std::function<void()>& step) {
         INFO(what);
         step();
-        CHECK(processor.editHistory().undoName() == what);
+        CHECK(processor.windowSession().history.undoName() == what);
         CHECK(overwritten.exchange(0) == 0);
     };
     stays("Open another", [&] { open(processor, smallPlateFile("another.obj", 1)); });
     stays("Analyse another", [&] {
-        processor.analyseAgain();
+        processor.view().workshop.analyseAgain();
         finish(processor);
     });
     for (int i = 0; i < 6; ++i) {
-        stays(i % 2 == 0 ? "Keys along a path" : "Keys at their pitches",
-              [&] { processor.setKeyLayout(i % 2 == 0 ? KeyLayout::zones : KeyLayout::scaled); });
-        stays("Mutate", [&] { processor.soundVariants().mutate(0.5, 7); });
+        stays(i % 2 == 0 ? "Keys along a path" : "Keys at their pitches", [&] {
+            processor.view().workshop.setKeyLayout(i % 2 == 0 ? KeyLayout::zones
+                                                              : KeyLayout::scaled);
+        });
+        stays("Mutate", [&] { processor.view().variants.mutate(0.5, 7); });
     }
     ends = true;
     host.join();
@@ -435,12 +442,12 @@ TEST_CASE("An object opened during an audition keeps playing, and undo returns t
           "preset") {
     Processor processor;
     processor.prepareToPlay(48000, blockSamples);
-    auto& shelf = processor.presetShelf();
+    auto& shelf = processor.view().presets;
     REQUIRE(shelf.auditionPreset(factoryPresetId("Wok")));
     open(processor, smallPlateFile("auditioned.obj", 1));
-    CHECK(processor.loadedSound().preset.name == "auditioned");
+    CHECK(processor.soundSession().loadedSound().preset.name == "auditioned");
     shelf.endAudition();
-    CHECK(processor.loadedSound().preset.name == "auditioned");
-    processor.editHistory().undo();
-    CHECK(processor.loadedSound().preset.name == "Wok");
+    CHECK(processor.soundSession().loadedSound().preset.name == "auditioned");
+    processor.windowSession().history.undo();
+    CHECK(processor.soundSession().loadedSound().preset.name == "Wok");
 }

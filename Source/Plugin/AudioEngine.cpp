@@ -1,0 +1,203 @@
+#include "Plugin/AudioEngine.h"
+
+#include <algorithm>
+
+namespace idiophone {
+
+void AudioEngine::process(juce::AudioBuffer<float>& buffer,
+                          juce::MidiBuffer& midi,
+                          const juce::AudioPlayHead* playHead,
+                          bool isOffline) noexcept {
+    const SoundMonitor::Callback watched(report.monitor, sound, buffer.getNumSamples());
+    ++report.callbacks;
+    takeReset();
+    const Player* const next = takeSound(midi);
+    takeSettings(isOffline);
+    followTransport(playHead, buffer.getNumSamples());
+    pieces.begin(midi, buffer.getNumSamples());
+    takeWindowEvents();
+    strikeKeysHeldFor(next);
+    while (const auto piece = pieces.next()) {
+        const auto length = static_cast<std::size_t>(piece->length);
+        const StereoSpan rendered{std::span(left).first(length), std::span(right).first(length)};
+        const auto channels = channelsFrom(buffer, piece->start);
+        takeEvents(*piece);
+        render(rendered, piece->events);
+        write(rendered, channels);
+        tell(channels, piece->length);
+    }
+    midi.clear(); // some wrappers send on the events left in it
+}
+
+void AudioEngine::takeReset() noexcept {
+    if (!messages.reset.exchange(false))
+        return;
+    forgetEvents();
+    sound.reset();
+    output.reset();
+    transport.forgetPlace();
+}
+
+/// Discards pending notes and strikes, also those queued while the host did not process. Call when
+/// all keys are up.
+void AudioEngine::forgetEvents() noexcept {
+    pieces.reset();
+    programs.forgetKeys();
+    messages.window.clear();
+}
+
+/// Takes the values of this callback and the new player, which it returns, or nullptr. Takes the
+/// player before the values, so that it never sees older ones. Until a pending player arrives,
+/// keeps the previous values.
+Player* AudioEngine::takeSound(const juce::MidiBuffer& midi) noexcept {
+    const auto changesBefore = messages.soundChanges.load();
+    Player* const next = messages.players.take();
+    followControllers(midi);
+    auto newest = values;
+    parameters.read(newest);
+    if (next != nullptr)
+        sound.changeTo(next, std::exchange(values, newest),
+                       output.changeSound(newest, PlayerCrossfade::fadeSeconds));
+    else if (changesBefore % 2 == 0 && messages.soundChanges == changesBefore)
+        values = newest;
+    return next;
+}
+
+/// Follows learned controllers. Those after the block's last program change count as set after it.
+void AudioEngine::followControllers(const juce::MidiBuffer& midi) noexcept {
+    const auto behind = programs.behindLast(midi);
+    messages.controllers.follow(midi.begin(), behind, parameters);
+    if (behind != midi.begin())
+        programs.keepMoment(parameters, messages.soundChanges);
+    messages.controllers.follow(behind, midi.end(), parameters);
+}
+
+void AudioEngine::takeSettings(bool isOffline) noexcept {
+    auto* const player = sound.player();
+    messages.silencer.silence(player);
+    messages.tuner.tune(player);
+    if (player == nullptr)
+        return;
+    if (messages.forgetsGivenBends.exchange(false))
+        player->forgetGivenBends();
+    player->setOffline(isOffline);
+    player->pauseStage(messages.stagePaused);
+    if (messages.stageReset.exchange(false))
+        player->resetStage();
+}
+
+void AudioEngine::followTransport(const juce::AudioPlayHead* playHead, int blockSamples) noexcept {
+    auto* const player = sound.player();
+    if (player == nullptr)
+        return;
+    transport.follow(playHead, blockSamples, player->synthesiser().sampleRateHz());
+    report.tempo = transport.tempo();
+    player->setTempo(transport.tempo());
+    player->setSongPlace(transport.songPlace());
+    if (transport.begins() && player->beginSong() && output.silent())
+        output.reset();
+}
+
+/// Leaves them in the queue while blocks without samples keep too many events.
+void AudioEngine::takeWindowEvents() noexcept {
+    if (pieces.room() >= WindowEvents::maximumNotes)
+        messages.window.read(sound.player(), [this](const MidiEvent& note) { pieces.add(note); });
+}
+
+/// Strikes keys pressed before the requested program could play, at the first sample.
+void AudioEngine::strikeKeysHeldFor(const Player* next) noexcept {
+    if (const auto keys = programs.takeKeys(next); !keys.empty())
+        sound.process({}, keys, values);
+}
+
+void AudioEngine::takeEvents(const BlockPieces::Piece& piece) noexcept {
+    if (!piece.systemExclusive.empty()) {
+        messages.tuner.retune(piece.systemExclusive);
+        messages.tuner.tune(sound.player());
+    }
+    programs.follow(piece.events);
+}
+
+void AudioEngine::render(const StereoSpan& rendered, std::span<const MidiEvent> events) noexcept {
+    sound.process(rendered, events, values);
+    if (auto* player = sound.player()) {
+        followGivenBends(*player);
+        if (const auto silenced = player->takeSilenced())
+            output.hush(*silenced);
+    }
+}
+
+/// Moves the parameters of the MPE zones and bend ranges that MIDI sets, as learned controllers do.
+/// They are shown and saved.
+void AudioEngine::followGivenBends(Player& player) noexcept {
+    using enum ParameterId;
+    const auto given = player.takeGivenBends();
+    const auto move = [this](ParameterId id, std::optional<double> value) {
+        auto& parameter = parameters[id];
+        if (value && parameter.info().clamped(*value) != parameter.exactValue())
+            parameter.moveByController(*value);
+    };
+    move(mpe, given.mpe);
+    move(mpeBendRange, given.memberRange);
+}
+
+/// A player whose output is not finite would stay so: resets it, so that the next note starts from
+/// silence.
+void AudioEngine::write(const StereoSpan& rendered, std::span<float* const> channels) noexcept {
+    if (output.process(rendered.left, rendered.right, channels, values))
+        return;
+    sound.reset();
+    ++report.notFinite;
+}
+
+void AudioEngine::tell(std::span<float* const> channels, int count) noexcept {
+    for (std::size_t channel = 0; channel < channels.size(); ++channel) {
+        const auto range = juce::FloatVectorOperations::findMinAndMax(channels[channel], count);
+        const float highest = std::max(-range.getStart(), range.getEnd());
+        report.monitor.hear(channel, highest);
+        if (highest > report.peak.load())
+            report.peak = highest;
+    }
+    if (auto* player = sound.player()) {
+        report.modulationWheel = player->modulationWheel();
+        report.modesMixed = player->synthesiser().modesMixed();
+        report.lateEvents = player->lateEvents();
+        report.semitonesBelowEqual = player->semitonesBelowEqual();
+        report.playedResizedKeys = player->hasPlayedResizedKeys();
+        report.capture.take(*player);
+    }
+}
+
+std::span<float* const> AudioEngine::channelsFrom(juce::AudioBuffer<float>& buffer,
+                                                  int start) noexcept {
+    const auto count = std::min<std::size_t>(static_cast<std::size_t>(buffer.getNumChannels()),
+                                             channelPointers.size());
+    for (std::size_t i = 0; i < count; ++i)
+        channelPointers[i] = buffer.getWritePointer(static_cast<int>(i), start);
+    return std::span(channelPointers).first(count);
+}
+
+AudioEngine::AudioEngine(HostParameters& hostParameters,
+                         EngineMessages& engineMessages,
+                         ProgramChanges& programChanges,
+                         EngineReport& engineReport)
+    : parameters(hostParameters), messages(engineMessages), programs(programChanges),
+      report(engineReport), sound(engineMessages.players) {}
+
+void AudioEngine::prepare(double sampleRateHz, std::unique_ptr<Player> player) {
+    // Blocks are rendered in pieces of our own size, because the host's blocks may have any size.
+    output.prepare(sampleRateHz, BlockPieces::maximumSamples);
+    report.monitor.prepare(sampleRateHz);
+    delete messages.players.take();
+    sound.install(std::move(player));
+    forgetEvents();
+    programs.prepare();
+    transport.forget();
+    report.tempo = 0;
+    messages.reset = false;
+    ++report.callbacks; // counts the first callback in advance
+    values = parameters.values();
+    prepared = true;
+}
+
+} // namespace idiophone

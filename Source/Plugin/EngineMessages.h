@@ -1,0 +1,32 @@
+// Everything that the session and the window give the audio engine. The engine reads each field at
+// the start of a callback; the comment names the thread that writes it.
+#pragma once
+
+#include "Instrument/Player.h"
+#include "Plugin/Handoff.h"
+#include "Plugin/MidiLearn.h"
+#include "Plugin/ModeSilencer.h"
+#include "Plugin/Tuner.h"
+#include "Plugin/WindowEvents.h"
+
+#include <atomic>
+#include <cstdint>
+
+namespace idiophone {
+
+/// "Session" is any thread that holds the session's lock (SoundSession).
+struct EngineMessages {
+    Handoff<Player> players; ///< [session] the newest player, and former ones back
+    /// [session] Odd while values and their player are being handed over.
+    std::atomic<std::uint32_t> soundChanges{0};
+    ModeSilencer silencer;                      ///< [session] muted modes
+    Tuner tuner;                                ///< [session] the instance's own tuning
+    MidiLearn controllers;                      ///< [message thread; a state: session]
+    WindowEvents window;                        ///< [message thread] keys and hands
+    std::atomic<bool> stagePaused{false};       ///< [message thread; a new sound: session]
+    std::atomic<bool> stageReset{false};        ///< [message thread] until the player is reset
+    std::atomic<bool> forgetsGivenBends{false}; ///< [session] until the player has forgotten them
+    std::atomic<bool> reset{false};             ///< [host] until everything is silent
+};
+
+} // namespace idiophone

@@ -1,0 +1,48 @@
+// Reports to the host what changes in the plugin: new sounds, moved parameters, other state.
+#pragma once
+
+#include "Plugin/HostParameters.h"
+#include "Plugin/MidiLearn.h"
+
+#include <atomic>
+#include <functional>
+#include <juce_audio_processors/juce_audio_processors.h>
+
+namespace idiophone {
+
+/// Call it without the session's lock: a host may call back at once.
+class HostReporter {
+public:
+    /// `pollSoon` makes the message thread call `poll` as soon as it can.
+    HostReporter(juce::AudioProcessor& processor,
+                 HostParameters& parameters,
+                 std::function<void()> pollSoon);
+
+    /// [any thread but audio, but offline also that] Reports all values and the program to the
+    /// host.
+    void reportSound();
+    /// [message thread] Reports another program, or its name.
+    void reportProgram();
+    /// [message thread] Reports that the state has changed outside the parameters.
+    void reportState();
+    /// [any thread but audio] Between them a state is restored, and JUCE's VST3 reports nothing.
+    void beginRestoring() noexcept { ++restorings; }
+    void endRestoring() noexcept { --restorings; }
+    /// [message thread] Drops all further reports, before the host has asked for anything.
+    void forget() noexcept;
+
+    /// [message thread] Reports the moves of controllers and what is left of `reportSound`. Do not
+    /// call it during an offline render: a late echo from the host would make the render depend on
+    /// time.
+    void poll(MidiLearn& controllers);
+
+private:
+    juce::AudioProcessor& processor;
+    HostParameters& parameters;
+    std::function<void()> pollSoon;
+    std::atomic<int> soundsToReport{0}; ///< further reports of the sound
+    int movesToReport = 0; ///< further reports of values that moved meanwhile; the message thread's
+    std::atomic<int> restorings{0};
+};
+
+} // namespace idiophone

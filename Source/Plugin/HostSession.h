@@ -1,0 +1,50 @@
+// Loads and saves what the host and MIDI ask for: states and programs.
+#pragma once
+
+#include "Plugin/HostLoads.h"
+#include "Plugin/SoundSession.h"
+#include "Plugin/State.h"
+#include "Plugin/TuningSession.h"
+
+#include <string>
+#include <string_view>
+
+namespace idiophone {
+
+/// For any thread but audio; an offline render also follows requests between two blocks.
+class HostSession {
+public:
+    HostSession(HostParameters& parameters,
+                EngineMessages& messages,
+                ProgramChanges& programs,
+                HostReporter& reporter,
+                HostLoads& loads,
+                SoundSession& session,
+                TuningSession& tuning);
+
+    /// Returns the state as bytes.
+    std::string save();
+    /// Returns with the instrument ready: the next block plays it. A state that cannot be restored
+    /// changes nothing and shows one sentence in the status line.
+    void restore(std::string_view bytes);
+
+    /// Loads a factory preset for the host. Ignores other indices.
+    void chooseProgram(int index) { chooseProgram(index, ProgramChanges::none); }
+    /// Loads the program that MIDI has asked for, if any.
+    void followRequest();
+
+private:
+    Result<void> play(const State& state);
+    void chooseProgram(int index, ProgramChanges::Request request);
+    Result<bool> loadProgram(int index, ProgramChanges::Request request);
+
+    HostParameters& parameters;
+    EngineMessages& messages;
+    ProgramChanges& programs;
+    HostReporter& reporter;
+    HostLoads& loads;
+    SoundSession& session;
+    TuningSession& tuning;
+};
+
+} // namespace idiophone

@@ -1,0 +1,261 @@
+#include "Plugin/ImportSession.h"
+
+#include "Geometry/ObjectMesh.h"
+#include "Instrument/SingleObjectMap.h"
+#include "Object/Material.h"
+#include "Object/OneLine.h"
+#include "Plugin/FileKinds.h"
+#include "Plugin/OwnSlots.h"
+#include "Plugin/WithinMemory.h"
+
+#include <map>
+#include <utility>
+
+namespace idiophone {
+
+ImportSession::ImportSession(HostParameters& hostParameters,
+                             SoundSession& soundSession,
+                             HostReporter& hostReporter,
+                             SoundHistory& soundHistory,
+                             const MaterialSession& userMaterials)
+    : parameters(hostParameters), session(soundSession), reporter(hostReporter),
+      history(soundHistory), materials(userMaterials) {}
+
+bool ImportSession::canOpen(const std::filesystem::path& file) const {
+    return isMeshFile(file) || isModalFile(file);
+}
+
+std::string ImportSession::openPatterns() const {
+    return objectFilePatterns();
+}
+
+void ImportSession::begin(int originOfJob) {
+    history.keepAudition(); // the user wants the sound: it is analysed again
+    origin = originOfJob;
+    failureShown = false;
+}
+
+void ImportSession::openFile(const std::filesystem::path& file) {
+    begin(session.origin());
+    workshop.open(file, importSettings);
+}
+
+bool ImportSession::canAnalyseAgain() const {
+    return followsSettings() || keyLayout().has_value();
+}
+
+/// Returns the playing single object if it was not made from the workshop's mesh.
+std::shared_ptr<const ModalObject> ImportSession::foreignObject() const {
+    if (followsSettings())
+        return nullptr;
+    const auto playing = session.instrument();
+    return layoutOf(playing) ? playing->slots().front().object : nullptr;
+}
+
+/// Returns the settings for the next analysis. A foreign object keeps its own material and
+/// thickness until the user gives settings for it. A custom material has no name here; then uses
+/// the material that the object was analysed with.
+ImportSettings ImportSession::settingsInForce() const {
+    auto settings = importSettings;
+    const auto object = foreignObject();
+    if (object == nullptr || object == settingsGivenFor.lock())
+        return settings;
+    const auto values = parameters.values();
+    const auto chosen = static_cast<std::size_t>(values[ParameterId::material]);
+    const auto names = choiceNames(ParameterId::material);
+    const std::string name = chosen >= firstLibraryMaterial && chosen < names.size()
+                                 ? std::string(names[chosen])
+                                 : object->material.name;
+    if (findMaterial(name) != nullptr || materials.contains(name))
+        settings.material = name;
+    if (object->thicknessMetres > 0)
+        settings.thicknessMetres = object->thicknessMetres * values[ParameterId::thickness] / 100;
+    return settings;
+}
+
+void ImportSession::setImportSettings(const ImportSettings& settings) {
+    settingsGivenFor = foreignObject();
+    importSettings = settings;
+    if (followsSettings())
+        analyseAgain();
+}
+
+void ImportSession::analyseAgain() {
+    const auto now = session.loaded();
+    const bool isOurs = origin == now.origin && workshop.hasMesh();
+    if (!isOurs && !layoutOf(now.sound.instrument))
+        return;
+    importSettings = settingsInForce(); // the mesh is the workshop's from now on
+    begin(now.origin);
+    if (isOurs)
+        return workshop.analyseAgain(importSettings);
+    const auto& object = *now.sound.instrument->slots().front().object;
+    workshop.analyse(objectMesh(object), object.name, importSettings);
+}
+
+ImportStatus ImportSession::importStatus() const {
+    const auto object = imported.lock();
+    const bool isOfWhatPlays =
+        origin == session.origin() || (object != nullptr && plays(session.instrument(), *object));
+    auto status = isOfWhatPlays ? workshop.status() : ImportStatus{};
+    status.followsSettings = followsSettings();
+    status.settings = status.isWorking() ? importSettings : settingsInForce();
+    return status;
+}
+
+bool ImportSession::playsPreview() const {
+    const auto object = imported.lock();
+    if (!importedIsPreview || object == nullptr || !plays(session.instrument(), *object))
+        return false;
+    const auto stage = workshop.status().stage; // if it is done, the whole object follows
+    return stage == ImportStatus::Stage::previewed || stage == ImportStatus::Stage::done;
+}
+
+void ImportSession::poll() {
+    if (origin != session.origin())
+        return workshop.cancel();
+    if (const auto product = workshop.takeProduct()) {
+        const auto played = withinMemory(
+            [&]() -> Result<void> {
+                play(*product);
+                return {};
+            },
+            oneLine(product->object->name));
+        if (!played)
+            session.reportError(played.error().message);
+        return;
+    }
+    if (const auto status = workshop.status();
+        status.stage == ImportStatus::Stage::failed && !std::exchange(failureShown, true))
+        session.reportError(status.error);
+}
+
+void ImportSession::play(const ObjectWorkshop::Product& product) {
+    if (product.isFirst)
+        history.keepAudition(); // recording would end the audition, and so load
+    const auto now = session.loaded();
+    if (now.origin != origin)
+        return;
+    const auto sound = soundOf(product, now.sound, session.rateHz());
+    if (!sound)
+        return session.reportError(sound.error().message);
+    std::optional<int> number;
+    const auto play = [&] { number = playInstead(now, *sound); };
+    if (product.isFirst)
+        history.record((product.isNewFile ? "Open " : "Analyse ") + product.object->name, play);
+    else
+        play();
+    if (!number)
+        return;
+    origin = *number;
+    imported = product.object;
+    importedIsPreview = product.isPreview;
+    if (!product.isFirst && now.sound.instrument != nullptr)
+        renewHistory(*now.sound.instrument->slots().front().object, *sound);
+}
+
+/// Replaces the preview by the whole object in all undo steps, with their own key maps.
+void ImportSession::renewHistory(const ModalObject& preview, const Sound& whole) {
+    const auto& object = whole.instrument->slots().front().object;
+    std::map<const Instrument*, std::shared_ptr<const Instrument>> renewed;
+    history.renewSounds([&](Sound& known) {
+        if (!plays(known.instrument, preview))
+            return;
+        auto map = known.preset.keyMap;
+        map.object = whole.preset.keyMap.object;
+        auto& instrumentNow = renewed[known.instrument.get()];
+        if (instrumentNow == nullptr && map == whole.preset.keyMap)
+            instrumentNow = whole.instrument;
+        if (instrumentNow == nullptr)
+            instrumentNow = buildSingleObject(map, object).value_or(nullptr);
+        if (instrumentNow == nullptr)
+            return;
+        known.instrument = instrumentNow;
+        known.preset.keyMap = map;
+    });
+}
+
+/// Plays the wanted sound instead of the loaded one, and changes only the parameters that differ
+/// between the two. Returns the number of the load. Returns nothing if the loaded sound plays no
+/// more, or if memory does not suffice, which it reports.
+std::optional<int> ImportSession::playInstead(const SoundSession::Loaded& now,
+                                              const Sound& wanted) {
+    int number;
+    {
+        const auto held = session.lock();
+        if (session.number() != now.number)
+            return std::nullopt;
+        const auto& before = now.sound.parameters;
+        auto player = session.newPlayer(wanted.instrument, wanted.preset,
+                                        parameters.valuesAfter(before, wanted.parameters));
+        if (!player) {
+            session.fail(player.error().message);
+            return std::nullopt;
+        }
+        session.play(wanted, std::move(*player),
+                     [&] { parameters.loadChanges(before, wanted.parameters); });
+        number = session.number();
+    }
+    reporter.reportSound();
+    return number;
+}
+
+std::optional<KeyLayout> ImportSession::keyLayout() const {
+    return layoutOf(session.instrument());
+}
+
+void ImportSession::setKeyLayout(KeyLayout layout) {
+    const auto now = session.loaded();
+    const auto before = layoutOf(now.sound.instrument);
+    if (!before || *before == layout)
+        return;
+    const bool isPath = layout == KeyLayout::zones;
+    auto map = now.sound.instrument->keyMap();
+    map.kind = isPath ? KeyMapKind::zones : KeyMapKind::scaled;
+    playMapped(now, map, isPath ? "Keys along a path" : "Keys at their pitches");
+}
+
+void ImportSession::setStrikePath(std::size_t index,
+                                  const std::vector<std::array<double, 3>>& pathMetres) {
+    const auto now = session.loaded();
+    const auto& playing = now.sound.instrument;
+    if (playing == nullptr || playing->stage())
+        return;
+    const auto slots = ownSlots(*playing);
+    if (index >= slots.size())
+        return;
+    auto map = playing->keyMap();
+    map.strikePath = relativePath(*playing->slots()[slots[index]].object, pathMetres);
+    if (!map.strikePath.empty())
+        playMapped(now, map, "Strike path");
+}
+
+/// Plays the same objects by other keys or at other places.
+void ImportSession::playMapped(const SoundSession::Loaded& now,
+                               const KeyMap& map,
+                               const std::string& step) {
+    if (now.sound.missing != nullptr) // a new map would drop the missing objects
+        return session.reportError(
+            "The keys cannot be changed while a steel ring plays in the place of " +
+            now.sound.missing->first + ", which is missing.");
+    const auto built = rebuilt(*now.sound.instrument, map);
+    if (!built)
+        return session.reportError("The keys cannot be changed: " + built.error().message);
+    Sound mapped{.preset = now.sound.preset,
+                 .instrument = *built,
+                 .parameters = {},
+                 .missing = nullptr,
+                 .presetId = {},
+                 .stored = now.sound.preset.parameters};
+    mapped.preset.keyMap = map;
+    mapped.parameters =
+        asLoudAs(now.sound, mapped.preset, *built, now.sound.parameters, session.rateHz());
+    const bool isOurs = origin == now.origin;
+    history.keepAudition(); // the user wants the sound: its keys are changed
+    std::optional<int> number;
+    history.record(step, [&] { number = playInstead(now, mapped); });
+    if (number)
+        origin = isOurs ? *number : -1;
+}
+
+} // namespace idiophone

@@ -1,0 +1,70 @@
+// Opens files of objects for the window, and plays the workshop's products and other key maps.
+#pragma once
+
+#include "Editor/WorkshopView.h"
+#include "Plugin/HostReporter.h"
+#include "Plugin/ImportedSound.h"
+#include "Plugin/ObjectWorkshop.h"
+#include "Plugin/SoundHistory.h"
+#include "Plugin/SoundSession.h"
+#include "Plugin/MaterialSession.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace idiophone {
+
+/// For the message thread.
+class ImportSession final : public WorkshopView {
+public:
+    ImportSession(HostParameters& parameters,
+                  SoundSession& session,
+                  HostReporter& reporter,
+                  SoundHistory& history,
+                  const MaterialSession& materials);
+
+    bool canOpen(const std::filesystem::path& file) const override;
+    std::string openPatterns() const override;
+    void openFile(const std::filesystem::path& file) override;
+    bool canAnalyseAgain() const override;
+    void setImportSettings(const ImportSettings& settings) override;
+    void analyseAgain() override;
+    void cancelImport() override { workshop.cancel(); }
+    ImportStatus importStatus() const override;
+    bool playsPreview() const override;
+    std::optional<KeyLayout> keyLayout() const override;
+    void setKeyLayout(KeyLayout layout) override;
+    void setStrikePath(std::size_t index,
+                       const std::vector<std::array<double, 3>>& pathMetres) override;
+
+    /// Plays a product unless another sound was chosen meanwhile.
+    void poll();
+
+private:
+    void begin(int originOfJob);
+    bool followsSettings() const { return origin == session.origin() && workshop.hasMesh(); }
+    std::shared_ptr<const ModalObject> foreignObject() const;
+    ImportSettings settingsInForce() const;
+    void play(const ObjectWorkshop::Product& product);
+    void renewHistory(const ModalObject& preview, const Sound& whole);
+    void playMapped(const SoundSession::Loaded& now, const KeyMap& map, const std::string& step);
+    std::optional<int> playInstead(const SoundSession::Loaded& now, const Sound& wanted);
+
+    HostParameters& parameters;
+    SoundSession& session;
+    HostReporter& reporter;
+    SoundHistory& history;
+    const MaterialSession& materials;
+    ObjectWorkshop workshop;
+    ImportSettings importSettings; ///< settings given for opened files
+    int origin = -1; ///< SoundSession::origin that the workshop's job began from or led to
+    bool failureShown = true;
+    std::weak_ptr<const ModalObject> imported; ///< the last product that played
+    bool importedIsPreview = false;
+    std::weak_ptr<const ModalObject>
+        settingsGivenFor; ///< foreign object when the settings were given
+};
+
+} // namespace idiophone

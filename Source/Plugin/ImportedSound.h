@@ -1,0 +1,32 @@
+// Makes the sound of an object from the workshop: its keys, its mallet and its level.
+#pragma once
+
+#include "Editor/WorkshopView.h"
+#include "Plugin/ObjectWorkshop.h"
+#include "Plugin/Sound.h"
+
+#include <memory>
+#include <optional>
+
+namespace idiophone {
+
+/// Returns the sound of a product that replaces `before`. The first product of a new file gets keys
+/// at its pitches, an audible mallet and a usual level; others are as loud as `before`.
+Result<Sound>
+soundOf(const ObjectWorkshop::Product& product, const Sound& before, double sampleRateHz);
+
+/// Returns `values` at the level that matches the loudness of the sound `before` and keeps its
+/// headroom. `built` plays with the surface of `preset`.
+ParameterValues asLoudAs(const Sound& before,
+                         const Preset& preset,
+                         const std::shared_ptr<const Instrument>& built,
+                         ParameterValues values,
+                         double sampleRateHz);
+
+/// Returns whether the instrument's first object is this one.
+bool plays(const std::shared_ptr<const Instrument>& instrument, const ModalObject& object);
+
+/// Returns nothing if each key has an object of its own.
+std::optional<KeyLayout> layoutOf(const std::shared_ptr<const Instrument>& instrument);
+
+} // namespace idiophone

@@ -1,0 +1,115 @@
+#include "Plugin/InstrumentSession.h"
+
+#include "Instrument/StrikePointMetres.h"
+#include "Plugin/OwnSlots.h"
+
+#include <algorithm>
+#include <juce_core/juce_core.h>
+#include <utility>
+
+namespace idiophone {
+
+InstrumentSession::InstrumentSession(SoundSession& soundSession,
+                                     EngineMessages& messages,
+                                     const EngineReport& engineReport)
+    : session(soundSession), events(messages.window), report(engineReport), hand(messages.window) {}
+
+InstrumentView::KeyRange InstrumentSession::keyRange() const {
+    const auto map = session.loadedSound().preset.keyMap;
+    return {.lowest = map.lowestNote, .highest = map.highestNote};
+}
+
+std::array<InstrumentView::KeySound, 128> InstrumentSession::keySounds() const {
+    std::array<KeySound, 128> sounds{};
+    if (const auto playing = session.instrument())
+        for (int note = 0; note < 128; ++note)
+            if (playing->key(note).slot >= 0)
+                sounds[static_cast<std::size_t>(note)] =
+                    playing->hasOwn(note) ? KeySound::own : KeySound::resized;
+    return sounds;
+}
+
+std::vector<InstrumentView::PlayedObject> InstrumentSession::playedObjects() const {
+    std::vector<PlayedObject> objects;
+    const auto playing = session.instrument();
+    if (playing == nullptr)
+        return objects;
+    const auto slots = playing->slots();
+    for (const auto own : ownSlots(*playing)) {
+        PlayedObject played{.object = slots[own].object,
+                            .sizeRatio = slots[own].sizeRatio,
+                            .lowestNote = 127,
+                            .highestNote = 0};
+        for (int note = 0; note < 128; ++note)
+            if (playing->hasOwn(note) &&
+                slots[static_cast<std::size_t>(playing->key(note).slot)].object == played.object) {
+                played.lowestNote = std::min(played.lowestNote, note);
+                played.highestNote = std::max(played.highestNote, note);
+            }
+        objects.push_back(std::move(played));
+    }
+    return objects;
+}
+
+std::vector<std::array<double, 3>> InstrumentSession::struckPlaces(std::size_t index) const {
+    std::vector<std::array<double, 3>> places;
+    const auto playing = session.instrument();
+    if (playing == nullptr)
+        return places;
+    const auto slots = ownSlots(*playing);
+    if (index >= slots.size())
+        return places;
+    const auto& object = *playing->slots()[slots[index]].object;
+    for (int note = 0; note < 128; ++note) {
+        const auto& key = playing->key(note);
+        if (key.slot != static_cast<int>(slots[index]))
+            continue;
+        const auto& strip = playing->strip(key);
+        for (int along = 0; along < strip.alongCount; ++along)
+            places.push_back(strikePointMetres(
+                object,
+                strip.at(static_cast<double>(along) / std::max(strip.alongCount - 1, 1), 0)));
+        break; // the keys of one object share its path
+    }
+    return places;
+}
+
+void InstrumentSession::playNote(int midiNote, int velocity) {
+    if (velocity <= 0 || isProcessing())
+        events.pushNote(midiNote, velocity);
+}
+
+void InstrumentSession::strikeObject(std::size_t index,
+                                     const std::array<double, 3>& pointMetres,
+                                     int velocity) {
+    const auto playing = session.instrument();
+    if (playing == nullptr || (velocity > 0 && !isProcessing()))
+        return;
+    if (const auto slots = ownSlots(*playing); index < slots.size())
+        hand.strike(playing, slots[index], pointMetres, velocity);
+}
+
+void InstrumentSession::scrapeObject(std::size_t index,
+                                     const std::array<double, 3>& pointMetres,
+                                     double pressure) {
+    const auto playing = session.instrument();
+    if (playing == nullptr || (pressure > 0 && !isProcessing()))
+        return;
+    if (const auto slots = ownSlots(*playing); index < slots.size())
+        hand.scrape(playing, slots[index], pointMetres, pressure);
+}
+
+bool InstrumentSession::isProcessing() const {
+    // Twice the length of 8192 samples at 44.1 kHz.
+    constexpr std::uint32_t longestPauseMilliseconds = 400;
+    return report.callbacks != callbacksSeen ||
+           juce::Time::getMillisecondCounter() - lastCallbackMilliseconds <
+               longestPauseMilliseconds;
+}
+
+void InstrumentSession::poll() {
+    if (const auto count = report.callbacks.load(); std::exchange(callbacksSeen, count) != count)
+        lastCallbackMilliseconds = juce::Time::getMillisecondCounter();
+}
+
+} // namespace idiophone

@@ -1,0 +1,43 @@
+// Shows the loaded instrument to the window, and passes on what the user plays there.
+#pragma once
+
+#include "Editor/InstrumentView.h"
+#include "Plugin/SoundSession.h"
+#include "Plugin/SurfaceHand.h"
+
+#include <cstdint>
+
+namespace idiophone {
+
+/// For the message thread.
+class InstrumentSession final : public InstrumentView {
+public:
+    InstrumentSession(SoundSession& session, EngineMessages& messages, const EngineReport& report);
+
+    int instrumentNumber() const override { return session.number(); }
+    KeyRange keyRange() const override;
+    std::array<KeySound, 128> keySounds() const override;
+    std::vector<PlayedObject> playedObjects() const override;
+    std::vector<std::array<double, 3>> struckPlaces(std::size_t index) const override;
+    void playNote(int midiNote, int velocity) override;
+    void strikeObject(std::size_t index,
+                      const std::array<double, 3>& pointMetres,
+                      int velocity) override;
+    void scrapeObject(std::size_t index,
+                      const std::array<double, 3>& pointMetres,
+                      double pressure) override;
+
+    /// Returns whether the host calls the engine. Otherwise strikes are refused: all would wait and
+    /// sound at once when the host goes on. Needs regular calls of `poll`.
+    bool isProcessing() const;
+    void poll();
+
+private:
+    SoundSession& session;
+    WindowEvents& events;
+    const EngineReport& report;
+    SurfaceHand hand;
+    std::uint32_t callbacksSeen = 0, lastCallbackMilliseconds = 0;
+};
+
+} // namespace idiophone

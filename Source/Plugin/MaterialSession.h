@@ -1,0 +1,40 @@
+// The user's own materials, and the choice of one of them for the playing objects.
+#pragma once
+
+#include "Editor/MaterialView.h"
+#include "Object/Material.h"
+#include "Plugin/ParameterEdits.h"
+#include "Plugin/SoundHistory.h"
+#include "Plugin/SoundSession.h"
+
+#include <string>
+#include <vector>
+
+namespace idiophone {
+
+/// For the message thread.
+class MaterialSession final : public MaterialView {
+public:
+    MaterialSession(HostParameters& hostParameters,
+                  SoundSession& soundSession,
+                  SoundHistory& soundHistory,
+                  ParameterEdits& parameterEdits)
+        : parameters(hostParameters), session(soundSession), history(soundHistory),
+          edits(parameterEdits) {}
+
+    std::vector<std::string> readUserMaterials() override;
+    std::vector<std::string> userMaterialNames() const override;
+    int userMaterialIndex() const override;
+    void chooseUserMaterial(int index) override;
+
+    bool contains(const std::string& name) const;
+
+private:
+    HostParameters& parameters;
+    SoundSession& session;
+    SoundHistory& history;
+    ParameterEdits& edits;
+    std::vector<Material> materials; ///< as last read
+};
+
+} // namespace idiophone

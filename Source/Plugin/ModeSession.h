@@ -1,0 +1,52 @@
+// Shows the modes that sound to the window, mutes them and plays them alone.
+#pragma once
+
+#include "Editor/SoundView.h"
+#include "Plugin/HostReporter.h"
+#include "Plugin/SoundHistory.h"
+#include "Plugin/SoundPicture.h"
+#include "Plugin/SoundSession.h"
+
+#include <functional>
+#include <string>
+
+namespace idiophone {
+
+/// For the message thread.
+class ModeSession final : public SoundView {
+public:
+    ModeSession(HostParameters& hostParameters,
+                SoundSession& soundSession,
+                HostReporter& hostReporter,
+                SoundHistory& soundHistory,
+                SoundMonitor& soundMonitor)
+        : parameters(hostParameters), session(soundSession), reporter(hostReporter),
+          history(soundHistory), monitor(soundMonitor) {}
+
+    const SoundFrame* takeSoundFrame() override;
+    void watchObject(std::optional<std::size_t> object) override;
+    std::optional<std::size_t> watchedObject() const override { return watched; }
+    bool muteMode(std::size_t object, std::int32_t mode, bool isMuted) override;
+    bool hearModeAlone(std::size_t object, std::int32_t mode, bool isAlone) override;
+    void unmuteModes(std::size_t object) override;
+    void hearAllModes(std::size_t object) override;
+
+private:
+    /// Changes the modes of an object, by its key in mode sets and its number of modes. Returns
+    /// whether there was something to change.
+    using Change = std::function<bool(const std::string& key, std::size_t modeCount)>;
+    bool change(std::size_t object, const Change& changeModes);
+    bool record(const std::string& step, std::size_t object, const Change& changeModes);
+
+    HostParameters& parameters;
+    SoundSession& session;
+    HostReporter& reporter;
+    SoundHistory& history;
+    SoundMonitor& monitor;
+    SoundPicture picture;
+    int asksUnanswered = 0;
+    std::optional<std::size_t> watched; ///< index of the object that the window watches
+    int watchedInstrument = 0;
+};
+
+} // namespace idiophone

@@ -1,0 +1,94 @@
+#include "Plugin/TuningSession.h"
+
+#include "Object/TextFile.h"
+#include "Plugin/FileKinds.h"
+
+#include <utility>
+
+namespace idiophone {
+
+TuningSession::TuningSession(SoundSession& soundSession,
+                             TailLength& tailLength,
+                             Tuner& tunerOfEngine,
+                             HostReporter& hostReporter,
+                             SoundHistory& soundHistory)
+    : session(soundSession), tail(tailLength), tuner(tunerOfEngine), reporter(hostReporter),
+      history(soundHistory) {}
+
+bool TuningSession::isTuningFile(const std::filesystem::path& file) const {
+    return isScale(file) || isKeyboardMapping(file);
+}
+
+std::string TuningSession::tuningPatterns() const {
+    return tuningFilePatterns();
+}
+
+void TuningSession::openTuning(const std::filesystem::path& file) {
+    ScalaTuning before, wanted;
+    const auto tuned = readTextFile(file, ScalaTuning::largestFileBytes)
+                           .and_then([&](const std::string& text) -> Result<void> {
+                               const auto held = session.lock();
+                               before = wanted = scala;
+                               (isScale(file) ? wanted.scale : wanted.mapping) = {
+                                   .name = fileNameOf(file), .text = text};
+                               return keyTuning(wanted).transform(
+                                   [&](const KeyTuning& keys) { tuneTo(wanted, keys); });
+                           });
+    if (!tuned)
+        return session.reportError(tuned.error().message);
+    record(fileNameOf(file), before, wanted);
+}
+
+void TuningSession::forgetTuning() {
+    ScalaTuning before;
+    {
+        const auto held = session.lock();
+        if (!scala.isGiven())
+            return tuner.forgetMessages();
+        before = scala;
+        tuneTo({}, {});
+    }
+    record("Forget tuning", before, {});
+}
+
+/// Records the change as an undo step and reports it to the host.
+void TuningSession::record(const std::string& step,
+                           const ScalaTuning& before,
+                           const ScalaTuning& after) {
+    const auto tune = [this](const ScalaTuning& wanted) {
+        {
+            const auto held = session.lock();
+            if (const auto keys = keyTuning(wanted)) // valid when it was recorded
+                tuneTo(wanted, *keys);
+        }
+        reporter.reportState();
+    };
+    if (before != after)
+        history.recordDone(
+            step, [tune, before] { tune(before); }, [tune, after] { tune(after); });
+    reporter.reportState();
+}
+
+void TuningSession::tuneTo(ScalaTuning files, const KeyTuning& keys) noexcept {
+    scala = std::move(files);
+    tail.setTuning(keys);
+    tuner.setOwn(scala.isGiven() ? std::optional(keys) : std::nullopt);
+}
+
+TuningStatus TuningSession::tuningStatus() const {
+    using Source = TuningStatus::Source;
+    {
+        const auto held = session.lock();
+        if (scala.isGiven())
+            return {.source = Source::files,
+                    .scale = scaleTitle(scala),
+                    .mappingFile = scala.mapping.name};
+    }
+    if (tuner.hasMaster())
+        return {.source = Source::session, .scale = tuner.masterScaleName(), .mappingFile = {}};
+    if (tuner.isTunedByMessages())
+        return {.source = Source::messages, .scale = "Tuned by MIDI", .mappingFile = {}};
+    return {.source = Source::equal, .scale = scaleTitle({}), .mappingFile = {}};
+}
+
+} // namespace idiophone

@@ -1,0 +1,43 @@
+// Everything that the window uses of the processor, one member for each purpose.
+#pragma once
+
+#include "Editor/ProcessorView.h"
+#include "Plugin/ImportSession.h"
+#include "Plugin/InstrumentSession.h"
+#include "Plugin/ModeSession.h"
+#include "Plugin/ParameterEdits.h"
+#include "Plugin/PresetCollection.h"
+#include "Plugin/SoundHistory.h"
+#include "Plugin/StageSession.h"
+#include "Plugin/TuningSession.h"
+#include "Plugin/MaterialSession.h"
+
+namespace idiophone {
+
+/// For the message thread.
+struct WindowSession {
+    WindowSession(HostParameters& parameters,
+                  EngineMessages& messages,
+                  EngineReport& report,
+                  TailLength& tail,
+                  HostReporter& reporter,
+                  HostLoads& hostLoads,
+                  SoundSession& session);
+
+    /// Call it regularly.
+    void poll();
+
+    MidiLearn& controllers;
+    SoundHistory history;
+    ParameterEdits edits;
+    MaterialSession materials;
+    InstrumentSession instrument;
+    StageSession stage;
+    ModeSession modes;
+    ImportSession imports;
+    TuningSession tuning;
+    PresetCollection presets;
+    ProcessorView view;
+};
+
+} // namespace idiophone

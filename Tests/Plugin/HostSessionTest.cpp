@@ -1,0 +1,62 @@
+#include "Plugin/HostSession.h"
+
+#include "Instrument/FactoryContent.h"
+#include "Plugin/SessionParts.h"
+
+#include <array>
+
+using namespace idiophone;
+using namespace idiophone::test;
+
+namespace {
+
+struct HostParts : SessionParts {
+    TuningSession tuning{session, tail, messages.tuner, reporter, history};
+    HostSession hosted{parameters, messages, programs, reporter, loads, session, tuning};
+};
+
+} // namespace
+
+TEST_CASE("A restored state plays at once and is saved as it was") {
+    auto state = testState();
+    state.parameters.set(ParameterId::density, 1234.5);
+    state.tuning.scale = {.name = "two.scl", .text = "two\n2\n600.\n1200.\n"};
+    const auto bytes = encodeState(state);
+    HostParts parts;
+    parts.session.prepare(48000, [](std::unique_ptr<Player>) {});
+    parts.hosted.restore(bytes);
+    CHECK(parts.takePlayer() != nullptr);
+    CHECK(parts.loads.counted() == 1);
+    CHECK(parts.parameters.values() == state.parameters);
+    CHECK(parts.tuning.tuningStatus().source == TuningStatus::Source::files);
+    CHECK(parts.hosted.save() == bytes);
+}
+
+TEST_CASE("Bytes that are no state change nothing and are reported") {
+    HostParts parts;
+    parts.play();
+    const auto before = parts.hosted.save();
+    parts.hosted.restore("{}");
+    CHECK(parts.hosted.save() == before);
+    CHECK(parts.loads.counted() == 0);
+    CHECK(parts.session.takeStatus().sentence == "The saved state is not one of Idiophone's.");
+}
+
+TEST_CASE("A program of the host counts as its load, one of MIDI keeps the sound before") {
+    HostParts parts;
+    parts.hosted.chooseProgram(1);
+    CHECK(parts.session.program() == 1);
+    CHECK(parts.loads.counted() == 1);
+    parts.hosted.chooseProgram(-1);
+    CHECK(parts.loads.counted() == 1);
+
+    parts.programs.follow(std::array{MidiEvent{.sampleOffset = 0, .bytes = {0xc0, 0, 0}}});
+    parts.hosted.followRequest();
+    CHECK(parts.session.program() == 0);
+    CHECK(parts.programs.pending() == ProgramChanges::none);
+    CHECK(parts.loads.counted() == 1);
+    const auto before = parts.loads.takeBeforePrograms();
+    REQUIRE(before);
+    CHECK(before->preset.name == factoryPresets()[1].name);
+    CHECK_FALSE(parts.loads.takeBeforePrograms());
+}

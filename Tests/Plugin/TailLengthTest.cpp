@@ -1,0 +1,31 @@
+#include "Plugin/TailLength.h"
+
+#include "Plugin/SessionParts.h"
+
+using namespace idiophone;
+using namespace idiophone::test;
+
+TEST_CASE("A tail grows with the room and with lower tunings, up to its maximum") {
+    TailLength tail;
+    EngineReport report;
+    const auto sound = testSound();
+    tail.setInstrument(sound.instrument);
+    auto values = sound.parameters;
+    values.set(ParameterId::room, 0);
+    const double dry = tail.seconds(values, report);
+    CHECK(dry > 0);
+    values.set(ParameterId::room, 0.5);
+    CHECK(tail.seconds(values, report) > dry);
+    values.set(ParameterId::room, 0);
+
+    KeyTuning lower;
+    lower.semitonesFromEqual.fill(-24);
+    tail.setTuning(lower);
+    const double low = tail.seconds(values, report);
+    CHECK(low > dry);
+    tail.setTuning({});
+    report.semitonesBelowEqual = 24 + values[ParameterId::bendRange];
+    CHECK(tail.seconds(values, report) == low);
+    report.semitonesBelowEqual = 1000;
+    CHECK(tail.seconds(values, report) == TailLength::maximumSeconds);
+}

@@ -1,0 +1,45 @@
+#include "Plugin/TuningSession.h"
+
+#include "Plugin/SessionParts.h"
+#include "Support/ImportedFiles.h"
+
+using namespace idiophone;
+using namespace idiophone::test;
+using Source = TuningStatus::Source;
+
+TEST_CASE("An opened scale tunes the player, can be undone, and is forgotten") {
+    SessionParts parts;
+    parts.play();
+    TuningSession tuning(parts.session, parts.tail, parts.messages.tuner, parts.reporter,
+                         parts.history);
+    const auto player = parts.takePlayer();
+    const auto semitonesBelow = [&] {
+        parts.messages.tuner.tune(player.get());
+        std::array<float, 64> left, right;
+        player->process({left, right}, {}, parts.parameters.values());
+        return player->semitonesBelowEqual();
+    };
+    const double equal = semitonesBelow();
+    const auto file = writtenFile("half.scl", "half\n1\n50.\n");
+    CHECK(tuning.isTuningFile(file));
+    tuning.openTuning(file);
+    CHECK(tuning.tuningStatus().source == Source::files);
+    CHECK(semitonesBelow() != equal);
+    parts.history.undo();
+    CHECK(tuning.tuningStatus().source == Source::equal);
+    CHECK(semitonesBelow() == equal);
+    parts.history.redo();
+    CHECK(tuning.tuningStatus().scale == "half");
+    tuning.forgetTuning();
+    CHECK(tuning.tuningStatus().source == Source::equal);
+}
+
+TEST_CASE("A file that is no scale leaves the tuning and is reported") {
+    SessionParts parts;
+    TuningSession tuning(parts.session, parts.tail, parts.messages.tuner, parts.reporter,
+                         parts.history);
+    tuning.openTuning(writtenFile("bad.scl", "no scale"));
+    CHECK(tuning.tuningStatus().source == Source::equal);
+    CHECK(parts.session.takeStatus().isError);
+    CHECK_FALSE(parts.history.canUndo());
+}
