@@ -19,7 +19,7 @@ class ModesPage final : public DeckPage {
 public:
     explicit ModesPage(ProcessorView& processor)
         : DeckPage("Modes"), view(processor), mute("Mute"), alone("Solo"), all("All"),
-          spectrum(processor) {
+          spectrum(processor.sound) {
         objects.setTitle("Object");
         objects.setTooltip("The object whose modes are shown");
         objects.onChange = [this] {
