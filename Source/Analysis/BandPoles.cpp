@@ -16,7 +16,7 @@ using Complex = std::complex<double>;
 
 constexpr double pi = std::numbers::pi;
 constexpr double samplesPerWidth = 1.6;
-constexpr Index longestBand = 256, longestStart = 640, fewestSamples = 24;
+constexpr Index longestBand = 256, longestStart = 640, minimumSamples = 24;
 constexpr Index widestHankel = 96, widestStartHankel = 240;
 // Minimum energy in a signal space, over the noise (which spreads in a Hankel matrix) and over the
 // maximum energy (against rounding errors).
@@ -71,7 +71,7 @@ private:
 /// Shifts a recording down by `centreHz`, filters it and returns the new samples.
 template <class Taps>
 VectorXcd zoomed(const DecayRecording& recording, const std::vector<Taps>& taps, double centreHz) {
-    const auto length = static_cast<Index>(taps.back().first + taps.back().weights.size());
+    const Index length = taps.back().first + taps.back().weights.size();
     Eigen::VectorXd cosines(length), sines(length);
     const Complex turn = std::polar(1.0, -2 * pi * centreHz / recording.sampleRateHz);
     Complex phase = 1;
@@ -83,8 +83,7 @@ VectorXcd zoomed(const DecayRecording& recording, const std::vector<Taps>& taps,
     }
     VectorXcd result(taps.size());
     for (std::size_t m = 0; m < taps.size(); ++m) {
-        const auto first = static_cast<Index>(taps[m].first);
-        const auto count = static_cast<Index>(taps[m].weights.size());
+        const Index first = taps[m].first, count = taps[m].weights.size();
         const Eigen::Map<const VectorXd> weights(taps[m].weights.data(), count);
         result(m) = {weights.dot(cosines.segment(first, count)),
                      weights.dot(sines.segment(first, count))};
@@ -106,9 +105,9 @@ VectorXcd commonExponentials(const std::vector<VectorXcd>& signals, Index widest
     const Eigen::SelfAdjointEigenSolver<MatrixXcd> solver(covariance);
     const VectorXd& energies = solver.eigenvalues(); // ascending
     const double noise = energies(rows / 4);
-    const double least = std::max(aboveNoise * noise, aboveRounding * energies(rows - 1));
+    const double faintest = std::max(aboveNoise * noise, aboveRounding * energies(rows - 1));
     Index order = 0;
-    while (order < rows / 2 && energies(rows - 1 - order) > least)
+    while (order < rows / 2 && energies(rows - 1 - order) > faintest)
         ++order;
     if (order == 0)
         return {};
@@ -170,7 +169,7 @@ BandPoles::BandPoles(std::span<const DecayRecording> of, double widthHz)
     for (const auto& recording : recordings)
         shortest = std::min(shortest, recording.seconds());
     const double room = (shortest - 2 * reach) / step;
-    if (room < static_cast<double>(fewestSamples))
+    if (room < static_cast<double>(minimumSamples))
         return;
     const auto count = static_cast<std::size_t>(std::min(room, static_cast<double>(longestBand)));
     for (const auto& recording : recordings) {

@@ -14,7 +14,7 @@
 namespace idiophone {
 namespace {
 
-constexpr int mostCorrections = 10;
+constexpr int maximumCorrections = 10;
 
 BodyModel bodyOf(const BarSpecification& bar, const SolidBar& solid) {
     BodyModel body;
@@ -212,7 +212,7 @@ Result<TunedBar> tune(const BarSpecification& bar, const WorkControl& control) {
     if (shape.lengthMetres == 0)
         shape.lengthMetres = estimatedLengthMetres(bar);
     PartialTargets asked = bar.targets;
-    for (int step = 0; step < mostCorrections; ++step) {
+    for (int step = 0; step < maximumCorrections; ++step) {
         control.report(0.06 * step, "Tuning the bar");
         const auto arch = tunedArch(shape, beamMaterial(bar.material), asked);
         if (!arch)

@@ -41,7 +41,7 @@ void BoxTree::build(std::span<std::size_t> faces, std::span<const Eigen::Aligned
     allNodes[own].after = allNodes.size();
 }
 
-std::optional<BoxSearch> BoxTree::touchingFaces(const BoxSearch& most) const {
+std::optional<BoxSearch> BoxTree::touchingFaces(const BoxSearch& maximum) const {
     BoxSearch done;
     // Takes leaves in tree order, so that consecutive searches visit much the same nodes.
     for (const auto& own : allNodes) {
@@ -49,14 +49,14 @@ std::optional<BoxSearch> BoxTree::touchingFaces(const BoxSearch& most) const {
             continue;
         for (std::size_t next = 0; next < allNodes.size();) {
             const auto& node = allNodes[next];
-            if (++done.boxes > most.boxes)
+            if (++done.boxes > maximum.boxes)
                 return std::nullopt;
             if (!node.box.intersects(own.box)) {
                 next = node.after;
                 continue;
             }
             // The search meets each pair twice. Count it once.
-            if (node.isLeaf && node.face > own.face && ++done.pairs > most.pairs)
+            if (node.isLeaf && node.face > own.face && ++done.pairs > maximum.pairs)
                 return std::nullopt;
             ++next;
         }

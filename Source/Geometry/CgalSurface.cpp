@@ -47,7 +47,7 @@ Result<Mesh> meshOf(UnitSurface& unit) {
             mesh.faces(static_cast<int>(face), corner++) = static_cast<int>(vertex);
     }
     if (!mesh.vertices.allFinite())
-        return failure("The mesh cannot be meshed anew: its faces are too thin for arithmetic.");
+        return failure("The mesh cannot be remeshed: its faces are too thin for arithmetic.");
     Mesh withoutDegenerate = mesh;
     if (dropDegenerateFaces(withoutDegenerate) == 0) {
         dropUnreferencedVertices(mesh);

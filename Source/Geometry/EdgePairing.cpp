@@ -87,10 +87,10 @@ void pairStraightest(EdgePairing& pairing, std::vector<HalfEdge> around) {
 
 void pairAbout(EdgePairing& pairing, const Mesh& mesh, std::span<HalfEdge> around) {
     // With more faces, no pairing is meaningful, and pairStraightest takes cubic time.
-    constexpr std::size_t mostFaces = 64;
+    constexpr std::size_t maximumFaces = 64;
     const std::size_t n = around.size();
     sortAboutEdge(mesh, around);
-    if (n % 2 == 1 && n <= mostFaces) {
+    if (n % 2 == 1 && n <= maximumFaces) {
         pairStraightest(pairing, {around.begin(), around.end()});
         return;
     }

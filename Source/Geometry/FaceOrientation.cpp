@@ -139,11 +139,11 @@ std::optional<int> turnHollows(const Mesh& mesh,
                                FaceFlags& flip,
                                const std::atomic<bool>* cancelled) {
     std::int64_t boxBudget = 50'000'000;
-    constexpr std::size_t mostPatches = 1000;
+    constexpr std::size_t maximumPatches = 1000;
     std::erase_if(patches, [](const Patch& patch) { return !patch.isClosed; });
     std::ranges::stable_sort(patches, std::greater{},
                              [](const Patch& patch) { return patch.faces.size(); });
-    patches.resize(std::min(patches.size(), mostPatches));
+    patches.resize(std::min(patches.size(), maximumPatches));
     for (auto& patch : patches)
         for (const int face : patch.faces)
             for (int corner = 0; corner < 3; ++corner)

@@ -178,8 +178,8 @@ Result<RawMesh> readOff(std::string_view bytes) {
     if (!vertices || !faces || !edges || *vertices < 0 || *faces < 0)
         return failure("its header is not three counts");
     // Three numbers and their separators take at least six bytes.
-    const auto most = static_cast<std::int64_t>(words.bytesLeft() / 6 + 1);
-    if (*vertices > most || *faces > most)
+    const auto maximum = static_cast<std::int64_t>(words.bytesLeft() / 6 + 1);
+    if (*vertices > maximum || *faces > maximum)
         return failure("its header promises " + std::to_string(*vertices) + " vertices and " +
                        std::to_string(*faces) + " faces, more than the file can hold");
     RawMesh mesh;

@@ -52,10 +52,10 @@ void dropUnusable(RepairedMesh& repaired) {
 void joinTJunctions(RepairedMesh& repaired, double weldTolerance, const WorkControl& control) {
     // Earlier rounds, and the faces they drop, may put new vertices onto the boundary. A mesh that
     // never settles is a tangle and stays as it is.
-    constexpr int mostRounds = 100;
-    const auto most = 1000 + 2 * repaired.mesh.faceCount();
-    for (int round = 0;
-         round < mostRounds && repaired.report.joinedVertices <= most && !control.isCancelled();
+    constexpr int maximumRounds = 100;
+    const auto maximumJoined = 1000 + 2 * repaired.mesh.faceCount();
+    for (int round = 0; round < maximumRounds && repaired.report.joinedVertices <= maximumJoined &&
+                        !control.isCancelled();
          ++round) {
         // Compute the tolerance from the remaining mesh, as a second repair would.
         const double toleranceMetres = 10 * weldTolerance * boundingDiagonalMetres(repaired.mesh);
@@ -111,8 +111,7 @@ std::string RepairReport::text() const {
     say(unreferencedVertices, "Dropped ", "vertex of no face", "vertices of no face");
     say(droppedComponents, "Dropped ", "smaller component", "smaller components");
     say(flippedFaces, "Turned ", "face over", "faces over");
-    say(cutVertices, "Cut the mesh apart where it is no manifold: ", "vertex more",
-        "vertices more");
+    say(cutVertices, "Cut the mesh where it is not a manifold: ", "added vertex", "added vertices");
     if (boundaryEdges > mostOpenEdges)
         add("Too many open edges to look for vertices that lie on them.");
     say(boundaryEdges, "Open: ", "boundary edge", "boundary edges");

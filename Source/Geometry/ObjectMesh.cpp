@@ -20,7 +20,7 @@ using Corners = Eigen::Matrix<std::int32_t, Eigen::Dynamic, 3, Eigen::RowMajor>;
 void smoothCrowded(const Mesh& mesh,
                    const Eigen::MatrixXd& faceNormals,
                    std::span<const std::size_t> vertices,
-                   double leastCosine,
+                   double minimumCosine,
                    Eigen::MatrixXd& normals) {
     std::vector<char> isCrowded(mesh.vertexCount(), 0);
     for (const auto vertex : vertices)
@@ -37,7 +37,7 @@ void smoothCrowded(const Mesh& mesh,
                 continue;
             }
             const Eigen::RowVector3d smooth = mean.row(vertex).normalized();
-            normals.row(corner) = smooth.dot(own) > leastCosine ? smooth : own;
+            normals.row(corner) = smooth.dot(own) > minimumCosine ? smooth : own;
         }
 }
 
@@ -63,12 +63,12 @@ void setMesh(ModalObject& object, const Mesh& mesh) {
 Eigen::MatrixXd cornerNormals(const Mesh& mesh, double creaseDegrees) {
     // per_corner_normals compares each corner with every face around it: quadratic if many faces
     // meet in one vertex.
-    constexpr std::size_t mostFacesAround = 64;
+    constexpr std::size_t maximumFacesAround = 64;
     std::vector<std::vector<int>> around, cornersAround;
     igl::vertex_triangle_adjacency(mesh.vertices, mesh.faces, around, cornersAround);
     std::vector<std::size_t> crowded;
     for (std::size_t vertex = 0; vertex < around.size(); ++vertex)
-        if (around[vertex].size() > mostFacesAround) {
+        if (around[vertex].size() > maximumFacesAround) {
             crowded.push_back(vertex);
             around[vertex].clear();
         }

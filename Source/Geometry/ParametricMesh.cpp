@@ -47,7 +47,7 @@ void stitch(MeshBuilder& builder,
 
 SheetGrid sheetGrid(double lengthMetres, double widthMetres, int targetVertices) {
     SheetGrid best;
-    int leastMiss = -1;
+    int minimumMiss = -1;
     for (int rows = 2; rows <= 2000; rows += 2) {
         const double spacing = 2 / std::sqrt(3.0) * widthMetres / rows;
         // The middle row has a vertex at x = 0 if its parity fits the number of segments.
@@ -56,8 +56,9 @@ SheetGrid sheetGrid(double lengthMetres, double widthMetres, int targetVertices)
         segments = std::max(segments, odd ? 3 : 2);
         const SheetGrid grid{segments, rows};
         const int count = sheetVertexCount(grid);
-        if (const int miss = std::abs(count - targetVertices); leastMiss < 0 || miss < leastMiss) {
-            leastMiss = miss;
+        if (const int miss = std::abs(count - targetVertices);
+            minimumMiss < 0 || miss < minimumMiss) {
+            minimumMiss = miss;
             best = grid;
         }
         if (count > 2 * targetVertices)

@@ -70,7 +70,7 @@ private:
 } // namespace
 
 std::optional<bool> intersectsItself(const Mesh& mesh, const std::atomic<bool>* cancelled) {
-    constexpr std::int64_t mostPairs = 50'000'000;
+    constexpr std::int64_t maximumPairs = 50'000'000;
     constexpr std::ptrdiff_t fewBoxes = 2000; // CGAL recommends testing all pairs below this
     const FaceTest test(mesh);
     std::vector<Box> boxes;
@@ -90,7 +90,7 @@ std::optional<bool> intersectsItself(const Mesh& mesh, const std::atomic<bool>* 
         CGAL::box_self_intersection_d(
             pointers.begin(), pointers.end(),
             [&](const Box* a, const Box* b) {
-                if (++pairs > mostPairs ||
+                if (++pairs > maximumPairs ||
                     (pairs % 1024 == 0 && cancelled != nullptr && cancelled->load()))
                     throw GivenUp{};
                 if (test.intersect(a->info(), b->info()))

@@ -115,10 +115,10 @@ int splitTJunctions(Mesh& mesh, double toleranceMetres) {
     VertexTree tree;
     plantBoundaryVertices(tree, mesh, edges);
     std::unordered_map<int, EdgeInsertions> insertions;
-    const std::size_t most = 2 * edges.size() + 1000;
+    const std::size_t maximum = 2 * edges.size() + 1000;
     std::size_t count = 0;
     for (const auto& edge : edges) {
-        if (count > most)
+        if (count > maximum)
             break;
         if (auto vertices = verticesOn(mesh, tree, edge, toleranceMetres); !vertices.empty()) {
             count += vertices.size();

@@ -7,7 +7,7 @@
 namespace idiophone {
 namespace {
 
-constexpr int mostNames = 1000;
+constexpr int maximumNames = 1000;
 
 /// Fails if the file exists: it may belong to another program, for example an unfinished download.
 bool makeNewFile(const std::filesystem::path& file) {
@@ -61,7 +61,7 @@ std::optional<std::filesystem::path> makeFileBeside(const std::filesystem::path&
     if (isProtected(file))
         return std::nullopt;
     std::error_code ignored;
-    for (int number = 1; number <= mostNames; ++number) {
+    for (int number = 1; number <= maximumNames; ++number) {
         const auto beside = withEnding(file, "." + std::to_string(number) + ".part");
         if (makeNewFile(beside))
             return beside;
@@ -76,8 +76,8 @@ std::filesystem::path behindLinks(const std::filesystem::path& file) {
     if (auto place = std::filesystem::canonical(file, fault); !fault)
         return place;
     auto place = file;
-    constexpr int mostLinks = 40;
-    for (int links = 0; links < mostLinks; ++links) {
+    constexpr int maximumLinks = 40;
+    for (int links = 0; links < maximumLinks; ++links) {
         const auto target = std::filesystem::read_symlink(place, fault);
         if (fault)
             return place;

@@ -55,8 +55,8 @@ std::string shownNameOf(const std::filesystem::path& file) {
 }
 
 std::string shownName(std::string_view name) {
-    constexpr std::size_t mostBytes = 500; // keeps paths long enough to recognise
-    return oneLine(name, mostBytes);
+    constexpr std::size_t maximumBytes = 500; // keeps paths long enough to recognise
+    return oneLine(name, maximumBytes);
 }
 
 std::string storedNameOf(const std::filesystem::path& file) {

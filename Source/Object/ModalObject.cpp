@@ -77,7 +77,7 @@ std::string decaysFault(const ModalObject& object) {
         if (!(decay > 0 && decay <= fastestPerSecond))
             return "a decay is not between 0 and 1e9 per second";
         if (!(object.material.damping.perSecond(object.eigenvalues[mode]) > 0))
-            return "its modes have decays, but its material has no damping that they could keep to";
+            return "its modes have decays, but its material has no damping to scale them by";
         if (object.damping(mode).scale > largestScale)
             return "a decay is more than 1e12 times what its material's damping makes it";
     }
