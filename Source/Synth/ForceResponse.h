@@ -4,7 +4,7 @@
 
 #include "Synth/ForceCell.h"
 #include "Synth/Listening.h"
-#include "Synth/ModalBank.h"
+#include "Synth/ModeResidues.h"
 
 #include <array>
 #include <cstdint>
@@ -12,11 +12,11 @@
 namespace idiophone {
 
 struct ForceResponse {
-    const void* object = nullptr; ///< resonator that the response belongs to
-    std::uint64_t version = 0;    ///< version of everything else that the response depends on
+    const void* owner = nullptr; ///< ForceResponses that the response belongs to
+    std::uint64_t version = 0;   ///< version of everything else that the response depends on
     std::uint64_t lastUse = 0;
     ForcePoint at;
-    Listening heard;
+    Listening listening;
     ModeResidues residues;         ///< [G]
     alignas(64) CellSound sound{}; ///< over one cell
     alignas(64) CellSound tube{};  ///< the tube's part of `sound`
@@ -25,6 +25,6 @@ struct ForceResponse {
 
 /// The cached responses of one contact: two points around its place at the cell's start and two at
 /// its end.
-using ForceResponses = std::array<ForceResponse, 4>;
+using CachedResponses = std::array<ForceResponse, 4>;
 
 } // namespace idiophone

@@ -61,16 +61,8 @@ void fillBlocks(const ModeRotations& rotations,
                 const float* x,
                 const float* y,
                 SubBlockStates& ahead) {
-    switch (blocks) {
-    case 1:
-        return fill<1>(rotations, count, x, y, ahead);
-    case 2:
-        return fill<2>(rotations, count, x, y, ahead);
-    case 3:
-        return fill<3>(rotations, count, x, y, ahead);
-    default:
-        return fill<4>(rotations, count, x, y, ahead);
-    }
+    constexpr decltype(&fill<1>) fills[] = {fill<1>, fill<2>, fill<3>, fill<4>};
+    fills[blocks - 1](rotations, count, x, y, ahead);
 }
 
 template <bool Scaled>

@@ -2,10 +2,24 @@
 #pragma once
 
 #include "Object/ModalObject.h"
+#include "Synth/AllFinite.h"
 #include "Synth/Strike.h"
 #include "Synth/StrikeKernel.h"
 
 namespace idiophone {
+
+/// Returns whether the point's rows and radiation direction exist and its values are finite.
+inline bool isOn(const ModalObject& object, const StrikePoint& point) noexcept {
+    const auto rows = static_cast<std::int64_t>(object.shapeVertexCount());
+    for (std::size_t k = 0; k < point.weights.size(); ++k) {
+        const std::int64_t row = point.shapeRows[k];
+        if (point.weights[k] != 0 && (row < 0 || row >= rows))
+            return false;
+    }
+    const auto directions = static_cast<std::int64_t>(object.radiation.directions.size());
+    return point.radiationDirection >= -1 && point.radiationDirection < directions &&
+           object.modeCount() > 0 && allFinite(point.weights) && allFinite(point.normal);
+}
 
 /// Returns the shapes from mode `firstMode` on. They point into the object; the point's rows must
 /// exist.

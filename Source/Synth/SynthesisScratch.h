@@ -31,7 +31,7 @@ struct SynthesisScratch {
         nearResidues.resize(padded);
         aboveTau.resize(padded / modeBlock);
         wanted.resize(padded / modeBlock);
-        for (ForceResponses& contactResponses : responses)
+        for (CachedResponses& contactResponses : responses)
             for (ForceResponse& response : contactResponses)
                 for (std::size_t c = 0; c < channels; ++c)
                     response.residues[c].resize(padded);
@@ -54,7 +54,7 @@ struct SynthesisScratch {
     StateIncrements increments;                    ///< [G] increments that are not kept
     ModeResidues startResidues; ///< [G] at a force's place at the start of a cell
     ModeResidues endResidues;   ///< [G] at its place at the end
-    std::array<ForceResponses, forceCapacity> responses;
+    std::array<CachedResponses, forceCapacity> responses;
     std::uint64_t responseUses = 0;      ///< counter for ForceResponse::lastUse
     std::vector<std::uint16_t> aboveTau; ///< per block: modes above τ
     std::vector<std::uint16_t> wanted;   ///< per block: modes to mix

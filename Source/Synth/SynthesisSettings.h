@@ -58,6 +58,10 @@ struct SynthesisSettings {
     bool operator==(const SynthesisSettings&) const = default;
 };
 
+/// Returns the settings; values out of range keep the previous ones.
+SynthesisSettings corrected(SynthesisSettings wanted, const SynthesisSettings& previous) noexcept;
+bool valid(const LiveMaterial& material) noexcept;
+
 inline constexpr double greedySlope = std::numeric_limits<double>::infinity();
 
 } // namespace idiophone

@@ -4,7 +4,7 @@
 #include "Synth/QualityScaling.h"
 
 #include <algorithm>
-#include <cmath>
+#include <deque>
 #include <map>
 #include <utility>
 
@@ -12,52 +12,9 @@ namespace idiophone {
 
 namespace {
 
-bool positive(double value) {
-    return value > 0 && std::isfinite(value);
-}
-
-/// Within these bounds the cube of a size and its reciprocal fit single precision.
-bool validSize(double ratio) {
-    return ratio >= 1e-6 && ratio <= 1e6;
-}
-
-bool notNegative(double value) {
-    return value >= 0 && std::isfinite(value);
-}
-
-bool valid(const LiveMaterial& material) {
-    return positive(material.youngsModulusPa) && positive(material.densityKgPerM3) &&
-           notNegative(material.damping.fluidPerSecond) &&
-           notNegative(material.damping.viscoelasticSeconds) &&
-           notNegative(material.damping.lossFactor);
-}
-
 void clear(const CellOutput& cell) {
     for (std::size_t c = 0; c < cell.channels(); ++c)
         std::fill_n(cell[c].data(), cellSamples, 0.0f);
-}
-
-/// Values out of range keep the previous ones.
-SynthesisSettings corrected(SynthesisSettings wanted, const SynthesisSettings& previous) {
-    const auto keepUnless = [](bool good, double& value, double before) {
-        if (!good)
-            value = before;
-    };
-    keepUnless(wanted.tau >= 0 && std::isfinite(wanted.tau), wanted.tau, previous.tau);
-    keepUnless(wanted.qualitySlope >= 0, wanted.qualitySlope, previous.qualitySlope);
-    keepUnless(wanted.modeBudget >= 0, wanted.modeBudget, previous.modeBudget);
-    keepUnless(wanted.compression >= 0, wanted.compression, previous.compression);
-    keepUnless(validSize(wanted.sizeRatio), wanted.sizeRatio, previous.sizeRatio);
-    keepUnless(wanted.thicknessRatio >= 0.1 && wanted.thicknessRatio <= 10, wanted.thicknessRatio,
-               previous.thicknessRatio);
-    keepUnless(wanted.imperfection >= 0 && wanted.imperfection <= 0.01, wanted.imperfection,
-               previous.imperfection);
-    keepUnless(wanted.radiation >= 0 && wanted.radiation <= 1, wanted.radiation,
-               previous.radiation);
-    keepUnless(positive(wanted.frequencyRatio), wanted.frequencyRatio, previous.frequencyRatio);
-    if (wanted.material && !valid(*wanted.material))
-        wanted.material = previous.material;
-    return wanted;
 }
 
 } // namespace
@@ -65,7 +22,7 @@ SynthesisSettings corrected(SynthesisSettings wanted, const SynthesisSettings& p
 struct Synthesiser::Implementation {
     double sampleRate;
     std::unique_ptr<SynthesisScratch> scratch;
-    std::vector<ModalResonator> objects;
+    std::deque<ModalResonator> objects; ///< do not move
     SynthesisSettings settings;
     bool settingsChanged = false;
     std::int64_t nextCell = 0;
@@ -98,9 +55,7 @@ Synthesiser::Synthesiser(std::vector<SynthesiserSlot> slots,
     for (const SynthesiserSlot& slot : slots)
         maximumModes = std::max(maximumModes, slot.object ? slot.object->modeCount() : 0);
     all.scratch = std::make_unique<SynthesisScratch>(maximumModes, channels);
-    all.objects.reserve(slots.size());
-    std::map<const ModalObject*, ModalResonator::ModeWeights>
-        known; // one for all slots of an object
+    std::map<const ModalObject*, ModeGroups::ModeWeights> known; // one for all slots of an object
     for (SynthesiserSlot& slot : slots) {
         auto& modeWeights = known[slot.object.get()];
         if (!modeWeights)
@@ -212,7 +167,7 @@ void Synthesiser::Implementation::report() {
         const auto slot = static_cast<std::size_t>(sounded);
         const ModalResonator& object = objects[slot];
         status[slot] = {static_cast<float>(object.demand().amplitude),
-                        object.modesRinging(),
+                        object.demand().modes,
                         object.modesMixed(),
                         static_cast<std::int32_t>(object.channelsSounding()),
                         slotShares[slot],

@@ -1,0 +1,100 @@
+// The path of a bank's sound into the cell: fades of modes, the damper, and a motor's discs in the
+// tubes. Sounds are rendered for open discs; the part that the discs block is taken out again. So
+// states know neither damper nor discs.
+#pragma once
+
+#include "Synth/CellOutput.h"
+#include "Synth/ModalBank.h"
+#include "Synth/ModeFader.h"
+#include "Synth/SynthesisScratch.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace idiophone {
+
+/// Memory is reserved by the constructor; every other member is for the audio thread.
+class BankOutput {
+public:
+    /// `tubeShares` [modes of the object], or empty: no tube (TubeShares.h). Bank and scratch
+    /// outlive this.
+    BankOutput(ModalBank& bank,
+               std::vector<float> tubeShares,
+               double sampleRateHz,
+               SynthesisScratch& scratch);
+
+    double sampleRateHz() const noexcept { return sampleRate; }
+    double cellSeconds() const noexcept { return secondsPerCell; }
+
+    double damping() const noexcept { return dampingPerSecond; } ///< δ
+    void setDamping(double perSecond, std::int64_t grid) noexcept;
+    /// Returns −ln of the damper's gain from some time to the grid point.
+    double dampingLog(std::int64_t grid) const noexcept {
+        return dampingLogBase +
+               dampingPerSecond * secondsPerCell * static_cast<double>(grid - dampingSince);
+    }
+    /// Applies the damper's decay to the first `count` samples.
+    void fadeByDamper(const ChannelOutputs& sound, std::size_t count) const noexcept;
+
+    /// Finds the groups with a tube's part. Modes that bar and tube share are separate groups.
+    void findTubeParts(std::span<const std::int32_t> groupStarts) noexcept;
+    /// Returns whether the discs change the sound of the current cell.
+    bool tubesPulse() const noexcept { return !tubeParts.empty() && !scratch.tubes.isFull(); }
+    /// Returns the tube's parts of the modes in ascending runs, valid until the next call.
+    std::span<const ModePart> tubePartsOf(std::span<const ModeRun> runs) const noexcept;
+    /// Returns the same if the discs change the sound, or nothing.
+    std::span<const ModePart> pulsing(std::span<const ModeRun> runs) const noexcept {
+        return tubesPulse() ? tubePartsOf(runs) : std::span<const ModePart>();
+    }
+
+    /// Fades modes out (share 1) or in (share −1).
+    void fade(std::span<const std::int32_t> modes, float share) noexcept;
+    /// Fades parts of modes (ModeFader::change); scales `shares`.
+    void fade(std::span<const std::int32_t> modes, std::span<float> shares) noexcept;
+    bool fading() const noexcept { return fader.active(); }
+
+    /// Adds `count` samples to the cell from sample `from` on. A mono sound goes to both channels.
+    void add(CellSound& sound,
+             std::size_t from,
+             std::size_t count,
+             const CellOutput& cell) const noexcept {
+        add(outputsOf(sound), from, count, cell);
+    }
+    /// Takes the part that the discs block out of the cell; overwrites `tube`, the tube's part of
+    /// a sound in the cell.
+    void closeTubes(CellSound& tube,
+                    std::size_t from,
+                    std::size_t count,
+                    const CellOutput& cell) const noexcept;
+    /// Moves the bank by a cell and adds the sound of `runs` and of the fades.
+    void render(std::span<const std::int32_t> blocks,
+                std::span<const ModeRun> runs,
+                const CellOutput& cell) noexcept;
+
+    void widen() noexcept { fader.widen(); } ///< after the bank's second channel opens
+    void reset() noexcept { fader.reset(); }
+
+private:
+    void add(const ChannelOutputs& sound,
+             std::size_t from,
+             std::size_t count,
+             const CellOutput& cell) const noexcept;
+    void renderTo(const ChannelOutputs& outputs,
+                  std::span<const std::int32_t> blocks,
+                  std::span<const ModeRun> runs) noexcept;
+    float openingNow(std::size_t g) const noexcept;
+
+    ModalBank& bank;
+    SynthesisScratch& scratch;
+    ModeFader fader;
+    double sampleRate;
+    double secondsPerCell;
+    double dampingPerSecond = 0;
+    double dampingLogBase = 0;
+    std::int64_t dampingSince = 0;
+    std::vector<float> tubeShares;
+    std::vector<ModePart> tubeParts; ///< ascending groups
+};
+
+} // namespace idiophone

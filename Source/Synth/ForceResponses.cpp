@@ -1,0 +1,186 @@
+#include "Synth/ForceResponses.h"
+
+#include "Synth/ForceKernel.h"
+#include "Synth/ModeIndex.h"
+
+#include <algorithm>
+#include <array>
+
+namespace idiophone {
+
+namespace {
+
+/// Returns the immediate sound of an impulse in each channel, to be added to the motion of the
+/// modes in `runs`. Together with half of the motion's first sample it makes a constant force
+/// silent, as velocity and acceleration are then 0. About Σ Im r/(ω × sample time).
+///
+/// Σ' ρ^k b over k ≥ 0, the first term halved, is b (1 + ρ)/(2 (1 − ρ)) with b = 1 + iα/ω.
+std::array<float, maximumChannels> directSound(const ModalBank& bank,
+                                               const ModeResidues& residues,
+                                               std::span<const ModeRun> runs) noexcept {
+    const PoleArrays& poles = bank.poles().arrays();
+    std::array<float, maximumChannels> sums{};
+    for (const ModeRun& run : runs)
+        for (std::size_t g = index(run.first); g < index(run.first + run.count); ++g) {
+            const float re = 1 - poles.sampleRe[g], im = -poles.sampleIm[g];
+            const float perNorm = 0.5f / (re * re + im * im);
+            const float quotientRe = ((2 - re) * re - im * im) * perNorm;
+            const float quotientIm = -2 * im * perNorm;
+            const auto share = static_cast<float>(poles.velocityShare[g]);
+            const float restRe = quotientRe - share * quotientIm;
+            const float restIm = quotientIm + share * quotientRe;
+            for (std::size_t c = 0; c < bank.channels(); ++c)
+                sums[c] -= residues[c].re[g] * restRe - residues[c].im[g] * restIm;
+        }
+    // Heavy modes have rotations of 0 in the loop above. Let their whole first sample sound.
+    for (const ModeRun& run : runs)
+        for (const HeavyMode& heavy :
+             bank.poles().heavy().in(index(run.first), index(run.first + run.count)))
+            for (std::size_t c = 0; c < bank.channels(); ++c)
+                sums[c] += residues[c].re[heavy.mode];
+    return sums;
+}
+
+} // namespace
+
+ForceResponses::ForceResponses(ModalBank& ownBank,
+                               BankOutput& ownOutput,
+                               ActiveModes& activeModes,
+                               GroupResidues& residuesOfGroups,
+                               SynthesisScratch& sharedScratch)
+    : bank(ownBank), output(ownOutput), active(activeModes), groupResidues(residuesOfGroups),
+      scratch(sharedScratch) {}
+
+// Interpolate a change of listening over the cell: its step would sound like a step of the force.
+double ForceResponses::begin(std::int64_t cell, const Listening& listening) noexcept {
+    if (lastCell != cell) {
+        startListening = lastCell + 1 == cell ? endListening : listening;
+        endListening = listening;
+    }
+    lastCell = cell;
+    return std::max(startListening.farShare, endListening.farShare);
+}
+
+void ForceResponses::apply(const ForceCell& force, const CellOutput& cell) noexcept {
+    alignas(64) std::array<float, cellSamples> impulses;
+    const auto secondsPerSample = static_cast<float>(1 / output.sampleRateHz());
+    for (std::size_t k = 0; k < cellSamples; ++k)
+        impulses[k] = force.newtons[k] * secondsPerSample;
+    CachedResponses& known = scratch.responses[force.contact];
+    Response start, end;
+    const bool changes = force.start != force.end || startListening != endListening;
+    blend(force.start, startListening, known, scratch.startResidues, start);
+    if (changes)
+        blend(force.end, endListening, known, scratch.endResidues, end);
+    sound(impulses, start, changes ? end : start, cell);
+    active.bringRestingUpToDate(lastCell + 1);
+    bank.force(impulses, scratch.startResidues,
+               changes ? scratch.endResidues : scratch.startResidues, output.damping());
+    if (!active.allMixed())
+        active.listRinging();
+}
+
+/// Computes the response between two points by linear interpolation.
+void ForceResponses::blend(const ForcePlace& place,
+                           const Listening& listening,
+                           CachedResponses& known,
+                           ModeResidues& residues,
+                           Response& response) noexcept {
+    const bool pulses = output.tubesPulse();
+    const ForceResponse& first = responseAt(place.points[0], listening, known);
+    if (place.fraction == 0) {
+        for (std::size_t c = 0; c < bank.channels(); ++c)
+            residues[c].copyFrom(first.residues[c], bank.paddedSize());
+        response.sound = first.sound;
+        if (pulses)
+            response.tube = first.tube;
+        return;
+    }
+    const ForceResponse& second = responseAt(place.points[1], listening, known);
+    const auto mix = [&](const auto& from, const auto& to, std::size_t count, auto& result) {
+        blendResponses(from.data(), to.data(), place.fraction, count, result.data());
+    };
+    for (std::size_t c = 0; c < bank.channels(); ++c) {
+        mix(first.residues[c].re, second.residues[c].re, bank.paddedSize(), residues[c].re);
+        mix(first.residues[c].im, second.residues[c].im, bank.paddedSize(), residues[c].im);
+        mix(first.sound[c], second.sound[c], cellSamples, response.sound[c]);
+        if (pulses)
+            mix(first.tube[c], second.tube[c], cellSamples, response.tube[c]);
+    }
+}
+
+/// Returns the response at a point, from the cache if possible. A new one replaces the least
+/// recently used of the contact's four.
+const ForceResponse& ForceResponses::responseAt(const ForcePoint& at,
+                                                const Listening& listening,
+                                                CachedResponses& known) noexcept {
+    const std::uint64_t now = version + active.version();
+    const auto answers = [&](const ForceResponse& response) {
+        return response.owner == this && response.version == now &&
+               response.listening == listening && response.at == at &&
+               (response.knowsTube || !output.tubesPulse());
+    };
+    auto chosen = std::ranges::find_if(known, answers);
+    if (chosen == known.end()) {
+        chosen = std::ranges::min_element(known, {}, &ForceResponse::lastUse);
+        compute(at, listening, *chosen);
+        chosen->owner = this;
+        chosen->version = now;
+    }
+    chosen->lastUse = ++scratch.responseUses;
+    return *chosen;
+}
+
+void ForceResponses::compute(const ForcePoint& at,
+                             const Listening& listening,
+                             ForceResponse& response) noexcept {
+    response.at = at;
+    response.listening = listening;
+    groupResidues.compute(at.point, at.direction, listening);
+    scratch.contact.setImpulse(bank.poles());
+    scratch.increments.start(bank, scratch.contact, scratch.groupResidues, {});
+    for (std::size_t c = 0; c < bank.channels(); ++c)
+        response.residues[c].copyFrom(scratch.groupResidues[c], bank.paddedSize());
+    response.sound = response.tube = {};
+    response.knowsTube = output.tubesPulse();
+    const auto runs = active.mixedRuns();
+    const auto parts = output.pulsing(runs);
+    scratch.increments.sound(bank, runs, subBlocks, outputsOf(response.sound), parts,
+                             outputsOf(response.tube));
+    const auto direct = directSound(bank, scratch.groupResidues, runs);
+    for (std::size_t c = 0; c < bank.channels(); ++c) {
+        response.sound[c][0] = response.sound[c][0] / 2 + direct[c];
+        response.tube[c][0] /= 2;
+    }
+    for (const ModePart& part : parts) {
+        const ModeRun mode{part.mode, 1};
+        const auto ofPart = directSound(bank, scratch.groupResidues, {&mode, 1});
+        for (std::size_t c = 0; c < bank.channels(); ++c)
+            response.tube[c][0] += part.share * ofPart[c];
+    }
+    for (CellSound* sound : {&response.sound, &response.tube})
+        output.fadeByDamper(outputsOf(*sound), cellSamples);
+}
+
+void ForceResponses::sound(std::span<const float, cellSamples> impulses,
+                           const Response& start,
+                           const Response& end,
+                           const CellOutput& cell) const noexcept {
+    alignas(64) CellSound sound{};
+    for (std::size_t c = 0; c < bank.channels(); ++c)
+        convolveForce(impulses, start.sound[c], end.sound[c], sound[c]);
+    output.add(sound, 0, cellSamples, cell);
+    if (!output.tubesPulse())
+        return;
+    sound = {};
+    for (std::size_t c = 0; c < bank.channels(); ++c)
+        convolveForce(impulses, start.tube[c], end.tube[c], sound[c]);
+    output.closeTubes(sound, 0, cellSamples, cell);
+}
+
+void ForceResponses::reset() noexcept {
+    lastCell = never;
+    invalidate();
+}
+
+} // namespace idiophone

@@ -1,0 +1,53 @@
+// Computes the residue of each group of modes for a strike at a point: near, far or a blend.
+#pragma once
+
+#include "Synth/Listening.h"
+#include "Synth/ModalBank.h"
+#include "Synth/ModeGroups.h"
+#include "Synth/Strike.h"
+
+#include <array>
+#include <complex>
+#include <vector>
+
+namespace idiophone {
+
+/// Memory is reserved by the constructor; every other member is for the audio thread.
+class GroupResidues {
+public:
+    /// The arguments outlive this. The bank has the modes of `groups`.
+    GroupResidues(const ModalObject& object,
+                  ModeGroups& groups,
+                  const ModalBank& bank,
+                  std::size_t outputChannels,
+                  SynthesisScratch& scratch);
+
+    /// Computes the scratch's `groupResidues` in each channel of the bank for a valid point. If one
+    /// of them is absurdly large, sets all to 0 and returns false.
+    bool compute(const StrikePoint& point,
+                 const std::array<float, 3>& impulseNewtonSeconds,
+                 const Listening& listening) noexcept;
+
+    /// Frequency times size over the reference's, the radiation table's argument.
+    double radiationRatio() const noexcept { return wantedRatio; }
+    void setRadiationRatio(double ratio) noexcept { wantedRatio = ratio; }
+
+private:
+    void blendNear(float farShare, ChannelResidues& residues) const noexcept;
+    void findRadiation(std::int32_t direction) noexcept;
+    bool areReasonable() const noexcept;
+
+    const ModalObject& object;
+    ModeGroups& groups;
+    const ModalBank& bank;
+    std::size_t outputChannels;
+    SynthesisScratch& scratch;
+    double wantedRatio = 1;
+    // The weights as last read from the radiation table.
+    std::array<std::vector<std::complex<float>>, maximumChannels> weights; ///< [M]
+    double weightsRatio = 0;
+    std::int32_t weightsDirection = -1; ///< StrikePoint::radiationDirection
+    bool weightsOfPairs = false;        ///< with rotated pairs
+};
+
+} // namespace idiophone

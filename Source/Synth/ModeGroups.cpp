@@ -1,0 +1,167 @@
+#include "Synth/ModeGroups.h"
+
+#include "Synth/LiveConditions.h"
+#include "Synth/ModeCompression.h"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+namespace idiophone {
+
+namespace {
+
+double sum(std::span<const double> weights) noexcept {
+    return std::accumulate(weights.begin(), weights.end(), 0.0);
+}
+
+} // namespace
+
+ModeGroups::ModeGroups(const ModalObject& modalObject,
+                       ModeWeights weights,
+                       std::uint32_t seed,
+                       double sampleRateHz,
+                       SynthesisScratch& sharedScratch)
+    : object(modalObject), scratch(sharedScratch), sampleRate(sampleRateHz),
+      modeWeights(std::move(weights)), count(object.modeCount()), groupStarts(count + 1),
+      modeEigenvalues(object.eigenvalues), groupEigenvalues(object.eigenvalues),
+      modePairs(idiophone::modePairs(object, seed)), modeDampings(object.dampings()),
+      groupDampings(modeDampings),
+      lostShares(count * (maximumGroup - 1) / 2) { // for groups of the maximum size
+    std::iota(groupStarts.begin(), groupStarts.end(), 0);
+    requestedSilences.reserve(count);
+    silencedModes.reserve(count);
+}
+
+bool ModeGroups::requestSilenced(std::span<const std::uint8_t> silenced) noexcept {
+    const bool any = std::ranges::any_of(silenced, [](std::uint8_t is) { return is != 0; });
+    if (any && silenced.size() != object.modeCount())
+        return false;
+    const auto wanted = any ? silenced : std::span<const std::uint8_t>();
+    if (std::ranges::equal(wanted, requestedSilences))
+        return false;
+    requestedSilences.assign(wanted.begin(), wanted.end());
+    silencesChange = true;
+    return true;
+}
+
+void ModeGroups::set(const GroupConditions& wanted) noexcept {
+    behind = behind || differFrom(wanted);
+    eigenvaluesAreBehind = eigenvaluesAreBehind ||
+                           wanted.thicknessRatio != current.thicknessRatio ||
+                           wanted.imperfection != current.imperfection;
+    current = wanted;
+    if (std::exchange(silencesChange, false))
+        silencedModes.assign(requestedSilences.begin(), requestedSilences.end());
+}
+
+bool ModeGroups::follow() noexcept {
+    behind = false;
+    if (eigenvaluesAreBehind) {
+        for (std::size_t mode = 0; mode < modeEigenvalues.size(); ++mode)
+            modeEigenvalues[mode] = object.eigenvalueAt(mode, current.thicknessRatio);
+        partPairs(modePairs, current.imperfection, modeEigenvalues);
+    }
+    const std::size_t groups =
+        groupModes(modeEigenvalues, current.law, current.compression, scratch.groupStarts,
+                   modeDampings, silencedModes, object.gains);
+    const bool same =
+        groups == count &&
+        std::ranges::equal(starts().first(groups), std::span(scratch.groupStarts).first(groups));
+    if (!same)
+        share(groups);
+    if (!same || eigenvaluesAreBehind)
+        name(groups);
+    eigenvaluesAreBehind = false;
+    return !same;
+}
+
+/// Divides a group's state among its modes by their mean-square shapes, as if the object had been
+/// struck everywhere. The struck points are not stored.
+void ModeGroups::share(std::size_t groups) noexcept {
+    scratch.groupShares.clear();
+    const std::span<const double> weights(*modeWeights);
+    const auto& newStarts = scratch.groupStarts;
+    for (std::size_t from = 0, to = 0; from < count && to < groups;) {
+        const auto start = static_cast<std::size_t>(groupStarts[from]);
+        const auto end = static_cast<std::size_t>(groupStarts[from + 1]);
+        const auto newStart = static_cast<std::size_t>(newStarts[to]);
+        const auto newEnd = static_cast<std::size_t>(newStarts[to + 1]);
+        const std::size_t first = std::max(start, newStart);
+        const std::size_t modes = std::min(end, newEnd) - first;
+        const double total = sum(weights.subspan(start, end - start));
+        const double share = total > 0 ? sum(weights.subspan(first, modes)) / total
+                                       : static_cast<double>(modes) / double(end - start);
+        scratch.groupShares.push_back(
+            {static_cast<std::int32_t>(from), static_cast<std::int32_t>(to), share});
+        from += end <= newEnd ? 1 : 0;
+        to += newEnd <= end ? 1 : 0;
+    }
+}
+
+void ModeGroups::name(std::size_t groups) noexcept {
+    lostSharesLaw.reset();
+    count = groups;
+    std::copy_n(scratch.groupStarts.begin(), groups + 1, groupStarts.begin());
+    for (std::size_t g = 0; g < groups; ++g) {
+        const auto first = static_cast<std::size_t>(groupStarts[g]);
+        const auto modes = static_cast<std::size_t>(groupStarts[g + 1]) - first;
+        const auto weights = std::span(*modeWeights).subspan(first, modes);
+        groupEigenvalues[g] =
+            mergedEigenvalue(std::span(modeEigenvalues).subspan(first, modes), weights);
+        if (!modeDampings.empty())
+            groupDampings[g] = mergedDamping(dampingsOf(first, modes), weights);
+    }
+}
+
+bool ModeGroups::inBand(std::size_t g) const noexcept {
+    return soundsAt(current.law.pole(groupEigenvalues[g]), sampleRate);
+}
+
+std::span<const std::uint8_t> ModeGroups::silences() const noexcept {
+    if (silencedModes.empty())
+        return {};
+    const auto groups = std::span(scratch.silencedGroups).first(count);
+    for (std::size_t g = 0; g < count; ++g)
+        groups[g] = silenced(g) ? 1 : 0;
+    return groups;
+}
+
+void ModeGroups::merge(std::span<const std::complex<float>> modes,
+                       ChannelResidues& residues) noexcept {
+    const auto set = [&residues](std::size_t g, std::complex<float> residue) {
+        residues.re[g] = residue.real();
+        residues.im[g] = residue.imag();
+    };
+    if (count == modes.size()) {
+        for (std::size_t g = 0; g < count; ++g)
+            set(g, modes[g]);
+    } else {
+        if (lostSharesLaw != current.law)
+            findLost();
+        std::span<const float> shares(lostShares);
+        for (std::size_t g = 0; g < count; ++g) {
+            const auto first = static_cast<std::size_t>(groupStarts[g]);
+            const auto members = static_cast<std::size_t>(groupStarts[g + 1]) - first;
+            set(g,
+                members == 1 ? modes[first] : mergedResidue(modes.subspan(first, members), shares));
+            shares = shares.subspan(pairsOf(members));
+        }
+    }
+    for (std::size_t g = count; g % modeBlock != 0; ++g)
+        set(g, 0);
+}
+
+void ModeGroups::findLost() noexcept {
+    lostSharesLaw = current.law;
+    std::span<float> shares(lostShares);
+    for (std::size_t g = 0; g < count; ++g) {
+        const auto first = static_cast<std::size_t>(groupStarts[g]);
+        const auto modes = static_cast<std::size_t>(groupStarts[g + 1]) - first;
+        findLostShares(std::span(modeEigenvalues).subspan(first, modes), current.law, shares,
+                       dampingsOf(first, modes));
+        shares = shares.subspan(pairsOf(modes));
+    }
+}
+
+} // namespace idiophone

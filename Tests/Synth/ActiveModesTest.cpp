@@ -1,0 +1,77 @@
+#include "ResonatorParts.h"
+
+#include <catch2/catch_test_macros.hpp>
+
+using namespace idiophone;
+using namespace idiophone::test;
+
+namespace {
+
+ModalObject fourModes() {
+    return ringingObject({300, 500, 800, 1200}, 5);
+}
+
+} // namespace
+
+TEST_CASE("ActiveModes mixes the strongest modes of a share and fades the others") {
+    ResonatorParts parts(fourModes());
+    parts.ring();
+    CHECK(parts.active.demand().modes == 4);
+    parts.active.choose(4, 0);
+    CHECK(parts.active.allMixed());
+    CHECK(parts.output.fading());
+    const auto version = parts.active.version();
+    parts.active.choose(2, 0);
+    CHECK(parts.active.mixedCount() == 2);
+    CHECK(!parts.active.isMixed(1));
+    CHECK(parts.active.isMixed(2));
+    CHECK(parts.active.isMixed(3));
+    CHECK(parts.active.rings(0));
+    CHECK(parts.active.version() > version);
+}
+
+TEST_CASE("A survey keeps the ringing modes as long as a contact or a force asks for it") {
+    ResonatorParts parts(fourModes());
+    parts.ring();
+    parts.active.setTau(2.5);
+    parts.active.survey(ActiveModes::Change::none);
+    CHECK(parts.active.demand().modes == 4);
+    parts.active.survey(ActiveModes::Change::joinOnly);
+    CHECK(parts.active.demand().modes == 4);
+    parts.active.survey(ActiveModes::Change::any);
+    CHECK(parts.active.demand().modes == 2);
+}
+
+TEST_CASE("A block rests when nothing in it rings and wakes at its current state") {
+    ResonatorParts parts(fourModes());
+    parts.ring();
+    parts.active.setTau(10);
+    parts.active.survey(ActiveModes::Change::any);
+    parts.active.choose(4, 5);
+    CHECK(parts.active.none());
+    const double fallen =
+        std::exp(-decayBound(parts.bank.pole(3)) * 100 * parts.output.cellSeconds());
+    CHECK(std::abs(double(parts.active.amplitude(3, 105)) - 4 * fallen) < 1e-5);
+    CHECK(parts.bank.state(3).x == 4.0); // nothing was advanced
+    parts.active.setTau(1e-6);
+    parts.active.wake(105);
+    CHECK(!parts.active.none());
+    CHECK(std::abs(std::sqrt(double(parts.bank.energies()[3])) - 4 * fallen) < 1e-5);
+}
+
+TEST_CASE("Struck modes join within the allowance, the loudest first") {
+    ResonatorParts parts(fourModes());
+    AlignedVector<float> energies(modeBlock);
+    energies[0] = 4;
+    energies[1] = 9;
+    energies[2] = 1;
+    REQUIRE(parts.active.joinStruck(energies.data(), 2, false, 1));
+    CHECK(parts.active.mixedCount() == 2);
+    CHECK(parts.active.isMixed(0));
+    CHECK(parts.active.isMixed(1));
+    REQUIRE(parts.active.joined().size() == 1);
+    CHECK(parts.active.joined()[0].count == 2);
+    CHECK(!parts.active.joinStruck(energies.data(), 2, false, 1));
+    CHECK(parts.active.joinAll(4, false, 1));
+    CHECK(parts.active.allMixed());
+}
