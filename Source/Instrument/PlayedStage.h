@@ -1,11 +1,13 @@
 // Controls the stage of a player. Without a stage all of it does nothing.
 #pragma once
 
+#include "Instrument/Instrument.h"
 #include "Instrument/Stage.h"
 
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <utility>
 
 namespace idiophone {
 
@@ -45,11 +47,16 @@ public:
     }
 
 protected:
-    /// `stage` may be null.
-    PlayedStage(const Stage* stage, double sampleRateHz, std::uint64_t seed)
-        : performance(stage != nullptr ? stage->perform(sampleRateHz, seed) : nullptr) {}
+    PlayedStage(std::shared_ptr<const Instrument> instrument,
+                double sampleRateHz,
+                std::uint64_t seed)
+        : playedInstrument(std::move(instrument)) {
+        if (const auto& stage = playedInstrument->stage())
+            performance = stage->perform(sampleRateHz, seed);
+    }
 
-    std::unique_ptr<StagePerformance> performance;
+    std::shared_ptr<const Instrument> playedInstrument; ///< outlives the performance's own thread
+    std::unique_ptr<StagePerformance> performance;      ///< null without a stage
 };
 
 } // namespace idiophone
