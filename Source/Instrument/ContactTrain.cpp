@@ -59,10 +59,10 @@ ContactTrain contactTrain(const Strike& strike,
     }
 
     Draws draws(strikeNumber);
-    constexpr std::size_t mostFurther = ContactTrain::mostCollisions - 1;
-    const auto further = std::min(mostFurther, static_cast<std::size_t>(draws.between(2, 6)));
-    std::array<double, mostFurther> speeds{}; // relative to the strike's speed
-    std::array<double, mostFurther> times{};  // from 0 at the strike; scaled to seconds below
+    constexpr std::size_t maximumFurther = ContactTrain::maximumCollisions - 1;
+    const auto further = std::min(maximumFurther, static_cast<std::size_t>(draws.between(2, 6)));
+    std::array<double, maximumFurther> speeds{}; // relative to the strike's speed
+    std::array<double, maximumFurther> times{};  // from 0 at the strike; scaled to seconds below
     double speed = 1, gap = 1, time = 0, speedSum = 0;
     for (std::size_t k = 0; k < further; ++k) {
         speedSum += speeds[k] = speed *= draws.between(0.4, 0.8);
@@ -98,7 +98,7 @@ ContactTrain withFilledNulls(const ContactTrain& train) {
 ContactTrain withModalPulses(const ContactTrain& train, std::span<const double> frequenciesHz) {
     if (frequenciesHz.empty())
         return train;
-    const auto count = std::min(frequenciesHz.size(), ContactTrain::mostModalPulses);
+    const auto count = std::min(frequenciesHz.size(), ContactTrain::maximumModalPulses);
     const auto& first = *train.begin();
     ContactTrain result;
     for (const double frequencyHz : frequenciesHz.first(count))

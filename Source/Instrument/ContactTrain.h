@@ -20,8 +20,8 @@ struct TimedStrike {
 /// Contacts in the order in which they begin; the first has no delay. Does not allocate.
 class ContactTrain {
 public:
-    static constexpr std::size_t mostCollisions = 6;
-    static constexpr std::size_t mostModalPulses = 4;
+    static constexpr std::size_t maximumCollisions = 6;
+    static constexpr std::size_t maximumModalPulses = 4;
 
     void add(const TimedStrike& contact) { contacts[used++] = contact; }
     std::size_t size() const { return used; }
@@ -29,7 +29,7 @@ public:
     const TimedStrike* end() const { return contacts.data() + used; }
 
 private:
-    std::array<TimedStrike, mostModalPulses + mostCollisions - 1> contacts;
+    std::array<TimedStrike, maximumModalPulses + maximumCollisions - 1> contacts;
     std::size_t used = 0;
 };
 
@@ -54,9 +54,9 @@ ContactTrain contactTrain(const Strike& strike,
 ContactTrain withFilledNulls(const ContactTrain& train);
 
 /// Returns the train with its first collision split into simultaneous raised-cosine pulses of equal
-/// impulse. Each lasts one period of one of the first `mostModalPulses` frequencies (van den Doel,
-/// Kry & Pai 2001, impacts: convincing for a small hard striker on a large resonator). Without
-/// frequencies it returns the train unchanged. Any thread.
+/// impulse. Each lasts one period of one of the first `maximumModalPulses` frequencies (van den
+/// Doel, Kry & Pai 2001, impacts: convincing for a small hard striker on a large resonator).
+/// Without frequencies it returns the train unchanged. Any thread.
 ContactTrain withModalPulses(const ContactTrain& train, std::span<const double> frequenciesHz);
 
 } // namespace idiophone

@@ -135,13 +135,13 @@ Ratios keptRatios(const DecayBounds& bounds, double thicknessRatio, double tunin
 
 Ratios materialRatios(const ModeBound& mode,
                       const SynthesisSettings& settings,
-                      double lowestShare,
+                      double lowestFraction,
                       double tuning) noexcept {
     const auto& live = settings.material;
     const double material =
         live ? live->youngsModulusPa / live->densityKgPerM3 / mode.specificStiffness : 1;
     const double scaled = tuning / settings.sizeRatio;
-    return {.eigenvalue = material * lowestShare * scaled * scaled,
+    return {.eigenvalue = material * lowestFraction * scaled * scaled,
             .extra = std::sqrt(material) * scaled};
 }
 
@@ -171,12 +171,12 @@ DecayBounds decayBounds(const Instrument& instrument, RingingKeys keys) {
                          .extraPerSecond = damping.extraPerSecond / slot.sizeRatio,
                          .specificStiffness = material.youngsModulusPa / material.densityKgPerM3,
                          .law = material.damping});
-            result.mostScale = std::max(result.mostScale, damping.scale);
-            result.mostExtraShare =
-                std::max(result.mostExtraShare, damping.extraPerSecond / std::sqrt(eigenvalue));
+            result.maximumScale = std::max(result.maximumScale, damping.scale);
+            result.maximumExtraShare =
+                std::max(result.maximumExtraShare, damping.extraPerSecond / std::sqrt(eigenvalue));
             if (object.hasLiveThickness())
-                result.mostBending =
-                    std::max(result.mostBending, object.bending[mode] / eigenvalue);
+                result.maximumBending =
+                    std::max(result.maximumBending, object.bending[mode] / eigenvalue);
         }
     }
     result.slowest = slowest.modes();
@@ -189,7 +189,7 @@ double slowestDecay(const DecayBounds& bounds,
     const auto& live = settings.material;
     const double tuning = settings.frequencyRatio * std::exp2(-semitonesBelow / 12);
     const double thin = std::min(settings.thicknessRatio, 1.0);
-    const double lowestShare = 1 + (thin * thin - 1) * bounds.mostBending;
+    const double lowestFraction = 1 + (thin * thin - 1) * bounds.maximumBending;
     double lowestEigenvalue = infinity, slowest = infinity;
     const auto include = [&](const ModeBound& mode, const Ratios& ratios) {
         constexpr double lowestOmega = 2 * std::numbers::pi * lowestSoundingHz;
@@ -207,15 +207,15 @@ double slowestDecay(const DecayBounds& bounds,
         if (settings.keepPitch)
             include(mode, keptRatios(bounds, settings.thicknessRatio, tuning));
         if (!settings.keepPitch || bounds.slotsWithoutPitch > 0)
-            include(mode, materialRatios(mode, settings, lowestShare, tuning));
+            include(mode, materialRatios(mode, settings, lowestFraction, tuning));
     }
     if (!std::isfinite(lowestEigenvalue))
         return infinity;
     // Modes that oscillate decay at d/2. The slower root of an over-damped mode is above λ/d, which
     // grows with λ.
     const double most =
-        bounds.mostScale * (live ? live->damping : bounds.most).perSecond(lowestEigenvalue) +
-        2 * bounds.mostExtraShare * std::sqrt(lowestEigenvalue / lowestShare);
+        bounds.maximumScale * (live ? live->damping : bounds.most).perSecond(lowestEigenvalue) +
+        2 * bounds.maximumExtraShare * std::sqrt(lowestEigenvalue / lowestFraction);
     return std::min(slowest, lowestEigenvalue / most);
 }
 

@@ -37,10 +37,10 @@ struct DecayBounds {
     double keptShare = std::numeric_limits<double>::infinity();
     double keptShareAtAnyThickness = std::numeric_limits<double>::infinity();
     double slotsWithoutPitch = 0;
-    double mostBending = 0;    ///< maximum of the share of λ that the thickness changes: 0 to 1
-    double mostScale = 0;      ///< maximum of ModeDamping::scale
-    double mostExtraShare = 0; ///< maximum of ModeDamping::extraPerSecond/√λ
-    DampingLaw most;           ///< maximum of each figure of the objects' own materials
+    double maximumBending = 0;    ///< maximum of the share of λ that the thickness changes: 0 to 1
+    double maximumScale = 0;      ///< maximum of ModeDamping::scale
+    double maximumExtraShare = 0; ///< maximum of ModeDamping::extraPerSecond/√λ
+    DampingLaw most;              ///< maximum of each figure of the objects' own materials
 };
 
 enum class RingingKeys { own, all };

@@ -16,10 +16,6 @@ constexpr double scrapeConstantDb = 31;
 
 constexpr int keysTried = 8;
 
-double lufs(const Phrase& phrase, const ParameterValues& values) {
-    return predictedLoudness(phrase, values)[PhrasePrediction::middleVelocity];
-}
-
 ParameterValues scraping(ParameterValues values) {
     values.set(ParameterId::contact, scrapeContact);
     for (const auto figure :
@@ -58,7 +54,8 @@ std::vector<double> handStrengths(const std::shared_ptr<const Instrument>& instr
         if (instrument->key(note).slot < 0 || weakerDb.contains(note))
             continue;
         const Phrase phrase(instrument, surface, sampleRateHz, note, note);
-        if (const double weaker = lufs(phrase, own) - lufs(phrase, scraped); std::isfinite(weaker))
+        if (const double weaker = predictedLufs(phrase, own) - predictedLufs(phrase, scraped);
+            std::isfinite(weaker))
             weakerDb[note] = weaker;
     }
     if (weakerDb.empty())

@@ -18,7 +18,7 @@ using enum ParameterId;
 ForcePlace pushed(const StripStep& place, double friction) {
     return {.points = {draggedForce(place.first.point, place.first.direction, friction),
                        draggedForce(place.second.point, place.second.direction, friction)},
-            .fraction = static_cast<float>(place.way)};
+            .fraction = static_cast<float>(place.fraction)};
 }
 
 } // namespace

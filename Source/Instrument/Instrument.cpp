@@ -104,9 +104,9 @@ Result<void> boundedSlots(std::span<const SynthesiserSlot> slots,
         return failure(ofWhat + " has " + std::to_string(slots.size()) + " " + played +
                        ", more than the " + std::to_string(mostSlots) + " that can be played");
     const std::size_t modes = modesOf(slots);
-    if (modes > mostModesOfSlots)
+    if (modes > maximumModesOfSlots)
         return failure(ofWhat + " has " + std::to_string(modes) + " modes on all " + played +
-                       " together, more than the " + std::to_string(mostModesOfSlots) +
+                       " together, more than the " + std::to_string(maximumModesOfSlots) +
                        " that can be played");
     return {};
 }
@@ -243,7 +243,7 @@ void Instrument::addResizedKeys() {
         key.isOwn = false;
         resized.push_back(std::move(slot));
     }
-    if (modesOf(resized) > mostModesOfResizedKeys)
+    if (modesOf(resized) > maximumModesOfResizedKeys)
         return;
     keys = played;
     synthesiserSlots = std::move(resized);

@@ -30,10 +30,10 @@ struct Key {
 
 /// Maximum of modes of all slots together. Each slot has its own bank, half a kilobyte a mode, so
 /// without it a small file on 128 keys could use any amount of memory.
-inline constexpr std::size_t mostModesOfSlots = std::size_t{1} << 21;
+inline constexpr std::size_t maximumModesOfSlots = std::size_t{1} << 21;
 /// Keys outside the preset's own play only if all keys together have at most this many modes: 256
 /// MiB.
-inline constexpr std::size_t mostModesOfResizedKeys = std::size_t{1} << 19;
+inline constexpr std::size_t maximumModesOfResizedKeys = std::size_t{1} << 19;
 /// Maximum of slots. Each uses as much memory as thirty more modes.
 inline constexpr std::size_t mostSlots = std::size_t{1} << 16;
 
@@ -46,7 +46,7 @@ Result<void> boundedSlots(std::span<const SynthesiserSlot> slots,
 class Instrument {
 public:
     /// Loads the objects that the key map names. The error names the object or the setting at
-    /// fault. More modes than `mostModesOfSlots` are an error.
+    /// fault. More modes than `maximumModesOfSlots` are an error.
     static Result<std::shared_ptr<const Instrument>> build(const KeyMap& keyMap,
                                                            ObjectLibrary& library);
 

@@ -29,8 +29,8 @@ public:
     };
 
     /// `placed` must outlive this object; the path of the whole file is empty.
-    explicit JsonPlace(const nlohmann::json& placed, std::string way = {})
-        : value(placed), path(std::move(way)) {}
+    explicit JsonPlace(const nlohmann::json& placed, std::string pathTo = {})
+        : value(placed), path(std::move(pathTo)) {}
 
     [[noreturn]] void fail(const std::string& predicate) const;
 

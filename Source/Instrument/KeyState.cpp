@@ -1,5 +1,7 @@
 #include "Instrument/KeyState.h"
 
+#include "Instrument/MidiControllers.h"
+
 #include <algorithm>
 
 namespace idiophone {
@@ -42,7 +44,7 @@ void KeyState::follow(const MidiEvent& event) noexcept {
 void KeyState::endSample(std::span<const MidiEvent> events) noexcept {
     std::array<Keys, 16> pressedLater, waiting;
     for (auto event = events.rbegin(); event != events.rend(); ++event) {
-        if (event->isChannelMode()) // it has reset the pressures before it
+        if (midi::isChannelMode(event->bytes)) // it has reset the pressures before it
             return;
         const int channel = event->channel();
         Keys reached;
@@ -150,7 +152,7 @@ void KeyState::controller(int channel, int number, int value) noexcept {
         resetControllers({first, last});
         break;
     default:
-        if (number == midi::allSoundOff || number >= midi::allNotesOff)
+        if (midi::releasesAllNotes(number))
             releaseAll();
         break;
     }

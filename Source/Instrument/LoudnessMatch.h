@@ -47,7 +47,6 @@ public:
     /// Sets the modulation wheel, 0 to 127; it starts at rest and acts at the next `advance`. The
     /// speed of scrapes and rolls moves their spectrum by octaves.
     void setSpeedController(int value) noexcept { wheel = value; }
-    int speedController() const noexcept { return wheel; }
 
     /// Returns the last complete gain.
     double gainDb() const noexcept { return state.gainDb; }

@@ -28,9 +28,19 @@ enum Controller {
     polyOn = 127
 };
 
+/// Returns whether the message is a channel mode message, on any channel.
+inline bool isChannelMode(std::span<const std::uint8_t> message) {
+    return message.size() == 3 && (message[0] & 0xf0) == 0xb0 && (message[1] & 0x7f) >= allSoundOff;
+}
+
 /// Returns whether the message is All Sound Off, on any channel.
 inline bool isAllSoundOff(std::span<const std::uint8_t> message) {
-    return message.size() == 3 && (message[0] & 0xf0) == 0xb0 && (message[1] & 0x7f) == allSoundOff;
+    return isChannelMode(message) && (message[1] & 0x7f) == allSoundOff;
+}
+
+/// Returns whether the channel mode message with this number ends all notes.
+inline bool releasesAllNotes(int number) {
+    return number == allSoundOff || number >= allNotesOff;
 }
 
 } // namespace idiophone::midi

@@ -1,8 +1,6 @@
 // A MIDI channel message in a block of samples.
 #pragma once
 
-#include "Instrument/MidiControllers.h"
-
 #include <array>
 #include <cstdint>
 
@@ -20,10 +18,6 @@ struct MidiEvent {
 
     bool isNoteOn() const { return kind() == 0x90 && second() > 0; }
     bool isNoteOff() const { return kind() == 0x80 || (kind() == 0x90 && !isNoteOn()); }
-    bool isChannelMode() const { return kind() == 0xb0 && first() >= midi::allSoundOff; }
-    bool releasesAllNotes() const {
-        return isChannelMode() && (first() == midi::allSoundOff || first() >= midi::allNotesOff);
-    }
 };
 
 } // namespace idiophone

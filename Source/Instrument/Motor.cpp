@@ -23,9 +23,9 @@ void Motor::keepTo(double turns, bool isAtOnce) {
         turn = wanted;
         return;
     }
-    double way = wanted - turn;
-    way -= std::round(2 * way) / 2; // the discs are open twice a turn
-    turn += (1 - std::exp(-cellSeconds / keepingSeconds)) * way;
+    double distance = wanted - turn;
+    distance -= std::round(2 * distance) / 2; // the discs are open twice a turn
+    turn += (1 - std::exp(-cellSeconds / keepingSeconds)) * distance;
 }
 
 void Motor::reset() {

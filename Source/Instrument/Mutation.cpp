@@ -14,7 +14,7 @@ namespace {
 
 using enum ParameterId;
 
-constexpr double mostLouderDb = 6;
+constexpr double maximumLouderDb = 6;
 constexpr double anyRateHz = 48000; // any rate will do if both predictions have it
 
 /// Returns −1 to 1. The standard's distributions differ from library to library.
@@ -75,7 +75,7 @@ ParameterValues mutated(const ParameterValues& now,
     LoudnessMatch match(instrument, preset.surface, anyRateHz, preset.parameters);
     const double louderDb = loudnessLufs(match, next) - loudnessLufs(match, now);
     if (std::isfinite(louderDb)) {
-        const double wanted = now[level] + std::min(-louderDb, mostLouderDb);
+        const double wanted = now[level] + std::min(-louderDb, maximumLouderDb);
         next.set(level, std::min(wanted, std::max(now[level], 0.0)));
     }
     return next;

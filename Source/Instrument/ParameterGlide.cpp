@@ -16,11 +16,11 @@ constexpr double smallestStep = 2e-5;
 
 } // namespace
 
-double ParameterGlide::shareOfWay(double secondsPerCell) noexcept {
+double ParameterGlide::fractionPerCell(double secondsPerCell) noexcept {
     return -std::expm1(-secondsPerCell / glideSeconds);
 }
 
-ParameterGlide::ParameterGlide(double secondsPerCell) : share(shareOfWay(secondsPerCell)) {}
+ParameterGlide::ParameterGlide(double secondsPerCell) : share(fractionPerCell(secondsPerCell)) {}
 
 void ParameterGlide::setGoal(const ParameterValues& wanted) noexcept {
     if (wanted == goal && !isFresh)
@@ -47,9 +47,10 @@ void ParameterGlide::advance() noexcept {
         if (now[info.parameter] == wanted)
             continue;
         const double from = info.toNormalised(now[info.parameter]);
-        const double way = info.toNormalised(wanted) - from;
-        now.set(info.parameter,
-                std::abs(way) > smallestStep ? info.fromNormalised(from + share * way) : wanted);
+        const double distance = info.toNormalised(wanted) - from;
+        now.set(info.parameter, std::abs(distance) > smallestStep
+                                    ? info.fromNormalised(from + share * distance)
+                                    : wanted);
     }
     isMoving = now != goal;
 }

@@ -13,7 +13,7 @@ public:
     static constexpr double glideSeconds = 0.01;
 
     /// Returns the share of the way to a goal that a cell covers.
-    static double shareOfWay(double secondsPerCell) noexcept;
+    static double fractionPerCell(double secondsPerCell) noexcept;
 
     explicit ParameterGlide(double secondsPerCell);
 

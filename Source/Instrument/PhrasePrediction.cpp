@@ -2,11 +2,9 @@
 
 #include "Instrument/DecayTime.h"
 #include "Instrument/DraggedForce.h"
-#include "Instrument/HeldContacts.h"
 #include "Instrument/MalletStrike.h"
 #include "Instrument/RollCoupling.h"
 #include "Instrument/SettingsOfParameters.h"
-#include "Instrument/SpreadNotes.h"
 #include "Synth/Listening.h"
 #include "Synth/PointShapes.h"
 
@@ -15,7 +13,6 @@
 #include <limits>
 #include <numbers>
 #include <span>
-#include <utility>
 
 namespace idiophone {
 namespace {
@@ -25,29 +22,6 @@ using enum ParameterId;
 constexpr double slowestDecay = 1e-3; // [1/s] far slower than the phrase
 
 } // namespace
-
-Phrase::Phrase(std::shared_ptr<const Instrument> played, Surface scraped, double rateHz)
-    : Phrase(played,
-             std::move(scraped),
-             rateHz,
-             played->keyMap().lowestNote,
-             played->keyMap().highestNote) {}
-
-Phrase::Phrase(std::shared_ptr<const Instrument> played,
-               Surface scraped,
-               double rateHz,
-               int lowestNote,
-               int highestNote)
-    : instrument(std::move(played)), surface(std::move(scraped)), sampleRateHz(rateHz) {
-    for (std::size_t i = 0; i < notes.size(); ++i) {
-        notes[i].key = instrument->key(spreadNote(lowestNote, highestNote, static_cast<int>(i),
-                                                  static_cast<int>(notes.size())));
-        if (notes[i].key.slot < 0)
-            continue;
-        const auto& slot = instrument->slots()[static_cast<std::size_t>(notes[i].key.slot)];
-        notes[i].rigidBody = rigidRadiator(*slot.object);
-    }
-}
 
 PhrasePrediction::Loudness
 predictedLoudness(const Phrase& phrase, const ParameterValues& values, int wheel) noexcept {

@@ -4,45 +4,19 @@
 
 #include "Instrument/HeldContacts.h"
 #include "Instrument/HeldForceSpectrum.h"
-#include "Instrument/Instrument.h"
 #include "Instrument/NearModes.h"
+#include "Instrument/Phrase.h"
 #include "Instrument/PhraseMeter.h"
 #include "Instrument/StiffMotion.h"
 #include "Instrument/StrikeSpectrum.h"
 #include "Parameters/ParameterTable.h"
-#include "Synth/AccelerationNoise.h"
 #include "Synth/LiveConditions.h"
-#include "Synth/Surface.h"
 
 #include <array>
 #include <complex>
 #include <cstddef>
-#include <memory>
 
 namespace idiophone {
-
-/// Eight notes of an instrument, from the lowest key to the highest. Made off the audio thread and
-/// immutable.
-struct Phrase {
-    struct Note {
-        Key key;
-        RigidRadiator rigidBody;
-    };
-
-    /// `surface` must be valid; keys that scrape or roll sound like it.
-    Phrase(std::shared_ptr<const Instrument> instrument, Surface surface, double sampleRateHz);
-    /// Spreads the notes from `lowestNote` to `highestNote`.
-    Phrase(std::shared_ptr<const Instrument> instrument,
-           Surface surface,
-           double sampleRateHz,
-           int lowestNote,
-           int highestNote);
-
-    std::shared_ptr<const Instrument> instrument;
-    Surface surface;
-    double sampleRateHz;
-    std::array<Note, PhraseMeter::notes> notes;
-};
 
 /// Nothing allocates, locks or throws. Results depend on the arguments only.
 class PhrasePrediction {
@@ -119,5 +93,10 @@ private:
 PhrasePrediction::Loudness predictedLoudness(const Phrase& phrase,
                                              const ParameterValues& values,
                                              int wheel = HeldContacts::controllerAtRest) noexcept;
+
+/// Returns the loudness at the middle velocity, with the wheel at rest.
+inline double predictedLufs(const Phrase& phrase, const ParameterValues& values) noexcept {
+    return predictedLoudness(phrase, values)[PhrasePrediction::middleVelocity];
+}
 
 } // namespace idiophone

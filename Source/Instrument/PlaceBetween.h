@@ -13,7 +13,7 @@ namespace idiophone {
 /// Does not allocate. Any thread.
 class PlaceBetween {
 public:
-    static constexpr std::size_t mostPlaces = 3;
+    static constexpr std::size_t maximumPlaces = 3;
 
     /// Adds a place of at most three rows, as a face has. Weights must not be negative and must sum
     /// to 1 over all places.
@@ -32,7 +32,7 @@ private:
 
     void addRow(std::int32_t row, double weight);
 
-    std::array<Row, 3 * mostPlaces> rows{};
+    std::array<Row, 3 * maximumPlaces> rows{};
     std::size_t used = 0;
     std::array<double, 3> normalSum{};
     std::array<float, 3> heaviestNormal{0, 0, 1};

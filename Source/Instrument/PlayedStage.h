@@ -1,11 +1,13 @@
 // Controls the stage of a player. Without a stage all of it does nothing.
 #pragma once
 
+#include "Instrument/Instrument.h"
 #include "Instrument/Stage.h"
 
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <utility>
 
 namespace idiophone {
 
@@ -48,11 +50,16 @@ public:
     std::int64_t lateEvents() const noexcept { return performance ? performance->lateEvents() : 0; }
 
 protected:
-    /// `stage` may be null.
-    PlayedStage(const Stage* stage, double sampleRateHz, std::uint64_t seed)
-        : performance(stage != nullptr ? stage->makePlayer(sampleRateHz, seed) : nullptr) {}
+    PlayedStage(std::shared_ptr<const Instrument> instrument,
+                double sampleRateHz,
+                std::uint64_t seed)
+        : playedInstrument(std::move(instrument)) {
+        if (const auto& stage = playedInstrument->stage())
+            performance = stage->makePlayer(sampleRateHz, seed);
+    }
 
-    std::unique_ptr<StagePlayer> performance;
+    std::shared_ptr<const Instrument> playedInstrument; ///< outlives the performance's own thread
+    std::unique_ptr<StagePlayer> performance;           ///< null without a stage
 };
 
 } // namespace idiophone

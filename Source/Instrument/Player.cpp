@@ -1,6 +1,7 @@
 #include "Instrument/Player.h"
 
 #include "Instrument/HandStrengths.h"
+#include "Instrument/MidiControllers.h"
 #include "Instrument/SettingsOfParameters.h"
 #include "Instrument/SharedSurfaceProfile.h"
 
@@ -41,8 +42,7 @@ Player::Player(std::shared_ptr<const Instrument> instrument,
                const Surface& surface,
                std::uint64_t seed,
                const ParameterValues& own)
-    : PlayedStage(instrument->stage().get(), sampleRateHz, seed),
-      playedInstrument(std::move(instrument)), glide(cellSamples / sampleRateHz),
+    : PlayedStage(std::move(instrument), sampleRateHz, seed), glide(cellSamples / sampleRateHz),
       held(*playedInstrument, sharedSurfaceProfile(surface, sampleRateHz), seed),
       hand(*playedInstrument,
            sharedSurfaceProfile(surface, sampleRateHz),
@@ -130,7 +130,7 @@ void Player::follow(const MidiEvent& event) {
         if (renderer.hasMallets() && !strikes(glide.values()))
             held.press(event.channel(), note, keys.softness() * event.second() / 127.0);
     }
-    if (event.releasesAllNotes())
+    if (midi::isChannelMode(event.bytes) && midi::releasesAllNotes(event.first()))
         liftHands();
     if (midi::isAllSoundOff(event.bytes)) {
         allSoundOffCame = true;

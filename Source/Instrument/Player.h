@@ -136,7 +136,6 @@ private:
     void strike(std::span<const MidiEvent> notes);
     void restart();
 
-    std::shared_ptr<const Instrument> playedInstrument;
     std::int64_t ownersLabel = 0;
     ParameterGlide glide;
     HeldContacts held;

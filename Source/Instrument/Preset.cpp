@@ -2,6 +2,7 @@
 
 #include "Instrument/JsonPlace.h"
 #include "Instrument/ParameterJson.h"
+#include "Instrument/SurfaceFile.h"
 #include "Instrument/SurfaceJson.h"
 #include "Object/OneLine.h"
 
@@ -87,7 +88,7 @@ KeyMap parseKeyMap(const JsonPlace& place) {
 std::vector<std::string> parseTags(const JsonPlace& place) {
     std::vector<std::string> tags;
     std::size_t bytes = 0;
-    for (const auto& tag : place.list(mostTags)) {
+    for (const auto& tag : place.list(maximumTags)) {
         auto text = tag.textCutTo(longestNameBytes);
         bytes += text.size();
         if (bytes <= longestTagsBytes)

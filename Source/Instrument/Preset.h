@@ -85,7 +85,7 @@ struct Preset {
 
 inline constexpr int presetFormatVersion = 1;
 inline constexpr std::size_t largestPresetBytes = 1 << 20;
-inline constexpr std::size_t mostTags = 1000;
+inline constexpr std::size_t maximumTags = 1000;
 /// Longer texts are cut, because the browser draws and searches them all. A state must open
 /// with any name of its preset.
 inline constexpr std::size_t longestNameBytes = 500; ///< limit of a name, an author and each tag

@@ -15,7 +15,7 @@
 namespace idiophone {
 namespace {
 
-constexpr double mostCents = 24000; // from one degree to the first, up or down
+constexpr double maximumCents = 24000; // from one degree to the first, up or down
 constexpr double lowestHz = 1, highestHz = 100000;
 constexpr double negligibleSemitones = 1e-9;
 
@@ -121,7 +121,7 @@ Tunings::Scale readScale(const ScalaFile& file) {
     if (!lines.next())
         throw Fault{oneLine(file.name) + " is empty."};
     Tunings::Scale scale;
-    scale.count = wholeNumber(lines, "the number of notes", 1, ScalaTuning::mostDegrees);
+    scale.count = wholeNumber(lines, "the number of notes", 1, ScalaTuning::maximumDegrees);
     for (int degree = 1; degree <= scale.count; ++degree) {
         const auto what =
             "note " + std::to_string(degree) + " of its " + std::to_string(scale.count);
@@ -129,7 +129,7 @@ Tunings::Scale readScale(const ScalaFile& file) {
         const auto pitch = cents(firstWord(line.text));
         if (!pitch)
             lines.refuse(line, what + " is neither cents nor a ratio");
-        if (!(std::abs(*pitch) <= mostCents))
+        if (!(std::abs(*pitch) <= maximumCents))
             lines.refuse(line, what + " is more than twenty octaves away");
         scale.tones.push_back(toneOf(*pitch));
     }
@@ -171,7 +171,7 @@ std::vector<int> readDegrees(Lines& lines, int count) {
         if (word == "x" || word == "X")
             continue;
         const auto degree = parseInteger(word);
-        if (!degree || *degree < 0 || *degree > ScalaTuning::mostDegrees)
+        if (!degree || *degree < 0 || *degree > ScalaTuning::maximumDegrees)
             lines.refuse(*line, "key " + std::to_string(key + 1) + " of its " +
                                     std::to_string(count) + " is neither x nor a degree");
         degrees[key] = static_cast<int>(*degree);
@@ -196,7 +196,7 @@ Mapping readMapping(const ScalaFile& file, const Tunings::Scale& scale) {
         return mapping;
     auto& reference = mapping.reference;
     Lines lines(file);
-    const int count = wholeNumber(lines, "the size of the map", 0, ScalaTuning::mostDegrees);
+    const int count = wholeNumber(lines, "the size of the map", 0, ScalaTuning::maximumDegrees);
     reference.firstMidi = wholeNumber(lines, "the first note", 0, 127);
     reference.lastMidi = wholeNumber(lines, "the last note", 0, 127);
     reference.middleNote = wholeNumber(lines, "the middle note", 0, 127);
@@ -208,7 +208,7 @@ Mapping readMapping(const ScalaFile& file, const Tunings::Scale& scale) {
     reference.tuningFrequency = *frequency;
     reference.tuningPitch = *frequency / Tunings::MIDI_0_FREQ;
     const int octaveDegree =
-        wholeNumber(lines, "the degree of the formal octave", 0, ScalaTuning::mostDegrees);
+        wholeNumber(lines, "the degree of the formal octave", 0, ScalaTuning::maximumDegrees);
     if (count == 0)
         return mapping;
     const auto degrees = readDegrees(lines, count);

@@ -21,7 +21,7 @@ struct ScalaFile {
 
 struct ScalaTuning {
     static constexpr std::uintmax_t largestFileBytes = 1 << 18;
-    static constexpr int mostDegrees = 1024;
+    static constexpr int maximumDegrees = 1024;
 
     ScalaFile scale;   ///< without a file: twelve equal steps
     ScalaFile mapping; ///< without a file: the scale begins at note 60 with 261.6 Hz

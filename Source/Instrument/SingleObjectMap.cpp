@@ -60,7 +60,7 @@ Eigen::Vector3d vectorOf(const Point& point) {
 std::vector<Eigen::Vector3d> roundHoles(const std::vector<std::optional<Eigen::Vector3d>>& hits,
                                         const Mesh& mesh,
                                         const Eigen::Vector3d& facing) {
-    constexpr std::size_t mostPlaces = 32;
+    constexpr std::size_t maximumPlaces = 32;
     std::vector<Eigen::Vector3d> path;
     bool missed = false;
     for (const auto& hit : hits) {
@@ -69,10 +69,10 @@ std::vector<Eigen::Vector3d> roundHoles(const std::vector<std::optional<Eigen::V
             continue;
         }
         if (std::exchange(missed, false)) {
-            const auto way = surfaceRoute(mesh, path.back(), *hit, facing);
-            const std::size_t places = std::min(way.size(), mostPlaces);
+            const auto route = surfaceRoute(mesh, path.back(), *hit, facing);
+            const std::size_t places = std::min(route.size(), maximumPlaces);
             for (std::size_t i = 1; i + 1 < places; ++i)
-                path.push_back(way[i * (way.size() - 1) / (places - 1)]);
+                path.push_back(route[i * (route.size() - 1) / (places - 1)]);
         }
         path.push_back(*hit);
     }
@@ -96,7 +96,7 @@ KeyMap singleObjectMap(const ModalObject& object, const std::string& name, KeyMa
 
 std::vector<Point> pathOverTop(const ModalObject& object) {
     constexpr int samples = 33;
-    constexpr double ends = 0.98; // share of the way, so that the outermost rays still hit
+    constexpr double ends = 0.98; // fraction of the box, so that the outermost rays still hit
     const ObjectBox box(object);
     const auto along = box.longestAxis();
     const bool upright = along == 2;

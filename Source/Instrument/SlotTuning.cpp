@@ -15,7 +15,7 @@ constexpr double smallestStep = 1e-3; // in semitones; a smaller step is not hea
 } // namespace
 
 SlotTuning::SlotTuning(const Instrument& playedInstrument, double secondsPerCell)
-    : instrument(playedInstrument), glideShare(ParameterGlide::shareOfWay(secondsPerCell)),
+    : instrument(playedInstrument), glideShare(ParameterGlide::fractionPerCell(secondsPerCell)),
       keysHaveObjects(instrument.keysHaveObjects()), slots(instrument.slots().size()) {
     if (keysHaveObjects)
         for (int note = 0; note < KeyTuning::notes; ++note)
@@ -64,9 +64,9 @@ void SlotTuning::apply(std::size_t slot, const PitchBend& bend, Synthesiser& syn
             keysHaveObjects && !tuning.unmapped[index])
             tuned = tuning.semitonesFromEqual[index];
     }
-    const double way = goal - bent;
-    const bool isThere = std::exchange(bendsAtOnce, false) || std::abs(way) <= smallestStep;
-    bent = isThere ? goal : bent + glideShare * way;
+    const double distance = goal - bent;
+    const bool isThere = std::exchange(bendsAtOnce, false) || std::abs(distance) <= smallestStep;
+    bent = isThere ? goal : bent + glideShare * distance;
     const double wanted = tuned + bent;
     if (wanted == semitones)
         return;

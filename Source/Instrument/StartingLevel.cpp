@@ -1,13 +1,16 @@
 #include "Instrument/StartingLevel.h"
 
 #include "Instrument/ContactLaw.h"
-#include "Instrument/LoudestStrike.h"
 #include "Instrument/LoudnessPhrase.h"
 #include "Instrument/PhrasePrediction.h"
+#include "Instrument/Player.h"
+#include "Instrument/SpreadNotes.h"
 #include "Object/Mallet.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <numeric>
 #include <vector>
 
@@ -15,10 +18,6 @@ namespace idiophone {
 namespace {
 
 constexpr double hardestStrikeDecibels = -3;
-
-double lufsOf(const Phrase& phrase, const ParameterValues& values) {
-    return predictedLoudness(phrase, values)[PhrasePrediction::middleVelocity];
-}
 
 /// Returns the rack's choices of ParameterId::mallet, from the longest contact to the shortest.
 std::vector<std::size_t> rackFromSoftToHard() {
@@ -41,7 +40,33 @@ double predictedLufs(const std::shared_ptr<const Instrument>& instrument,
                      const Surface& surface,
                      double sampleRateHz,
                      const ParameterValues& values) {
-    return lufsOf(Phrase(instrument, surface, sampleRateHz), values);
+    return predictedLufs(Phrase(instrument, surface, sampleRateHz), values);
+}
+
+double loudestStrikePeak(const std::shared_ptr<const Instrument>& instrument,
+                         const Surface& surface,
+                         double sampleRateHz,
+                         const ParameterValues& parameters) {
+    constexpr int keys = 8;
+    constexpr double heardSeconds = 0.05;
+    Player player(instrument, sampleRateHz, surface, 1, parameters);
+    std::vector<float> left(static_cast<std::size_t>(std::ceil(heardSeconds * sampleRateHz)));
+    std::vector<float> right(left.size());
+    const auto& map = instrument->keyMap();
+    double peak = 0;
+    for (int i = 0; i < keys; ++i) {
+        const int note = spreadNote(map.lowestNote, map.highestNote, i, keys);
+        player.reset();
+        player.prepare(parameters);
+        player.process({left, right},
+                       std::array{MidiEvent{.sampleOffset = 0,
+                                            .bytes = {0x90, static_cast<std::uint8_t>(note), 127}}},
+                       parameters);
+        for (const auto* channel : {&left, &right})
+            for (const float sample : *channel)
+                peak = std::max(peak, static_cast<double>(std::abs(sample)));
+    }
+    return peak;
 }
 
 ParameterValues withAudibleMallet(const std::shared_ptr<const Instrument>& instrument,
@@ -51,15 +76,15 @@ ParameterValues withAudibleMallet(const std::shared_ptr<const Instrument>& instr
     constexpr double faintestLufs =
         factoryChannelLufs - 12; // below this the level cannot compensate
     const Phrase phrase(instrument, surface, sampleRateHz);
-    double loudest = lufsOf(phrase, values);
+    double loudest = predictedLufs(phrase, values);
     auto best = values;
     for (const auto choice : rackFromSoftToHard()) {
         if (loudest >= faintestLufs)
             break;
         auto with = values;
         with.set(ParameterId::mallet, static_cast<double>(choice));
-        if (const double lufs = lufsOf(phrase, with); lufs > loudest) {
-            loudest = lufs;
+        if (const double other = predictedLufs(phrase, with); other > loudest) {
+            loudest = other;
             best = with;
         }
     }

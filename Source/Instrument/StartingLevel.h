@@ -19,6 +19,13 @@ double predictedLufs(const std::shared_ptr<const Instrument>& instrument,
                      double sampleRateHz,
                      const ParameterValues& values);
 
+/// Returns the highest peak of the keys, struck one at a time at velocity 127; full scale is 1,
+/// before `level`. Renders the first 50 ms of eight keys from the lowest to the highest.
+double loudestStrikePeak(const std::shared_ptr<const Instrument>& instrument,
+                         const Surface& surface,
+                         double sampleRateHz,
+                         const ParameterValues& parameters);
+
 /// Returns the values, with another mallet of the rack if theirs leaves the instrument almost
 /// silent, as yarn does a small ball of steel. It is the softest audible mallet, or else the
 /// loudest.

@@ -15,7 +15,7 @@ using Point = std::array<double, 3>;
 constexpr int stripAlong = 129;
 // Places on either side of the path. Their number makes a step across one third of the distance
 // between vertices with shapes.
-constexpr int fewestBeside = 1, mostBeside = 32;
+constexpr int minimumBeside = 1, maximumBeside = 32;
 constexpr double stepsBetweenVertices = 3;
 // Share of the object's size; too small to be heard.
 constexpr double hair = 1e-7;
@@ -113,7 +113,7 @@ StrikeStrip strikeStrip(const ModalObject& object, const KeyMap& map) {
 
     const double steps =
         widest > 0 ? std::ceil(stepsBetweenVertices * widest / surface.meanEdgeMetres()) : 0;
-    const int beside = static_cast<int>(std::clamp<double>(steps, fewestBeside, mostBeside));
+    const int beside = static_cast<int>(std::clamp<double>(steps, minimumBeside, maximumBeside));
     StrikeStrip strip;
     strip.alongCount = stripAlong;
     strip.acrossCount = 2 * beside + 1;
@@ -170,7 +170,7 @@ StripStep StrikeStrip::around(double along, double across) const {
     const double first = std::min(std::floor(x), steps - 1);
     return {.first = between(first / steps, across),
             .second = between((first + 1) / steps, across),
-            .way = x - first};
+            .fraction = x - first};
 }
 
 } // namespace idiophone

@@ -18,10 +18,10 @@ struct StripPlace {
     std::array<float, 3> direction{};
 };
 
-/// Two neighbouring places of a path, and the fraction of the way from the first to the second.
+/// Two neighbouring places of a path, and the fraction from the first to the second.
 struct StripStep {
     StripPlace first, second;
-    double way = 0; ///< 0 to 1
+    double fraction = 0; ///< 0 to 1
 };
 
 struct StrikeStrip {

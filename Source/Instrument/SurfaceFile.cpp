@@ -1,15 +1,15 @@
 #include "Instrument/SurfaceFile.h"
 
+#include "Instrument/SurfaceJson.h"
 #include "Object/OneLine.h"
-#include "Object/UntrustedJson.h"
 
 #include <algorithm>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 namespace idiophone {
 namespace {
 
-using nlohmann::json;
 using nlohmann::ordered_json;
 
 struct Figure {
@@ -30,60 +30,43 @@ constexpr Figure figures[] = {
     {"roughness", &Surface::roughness, false},
 };
 
-/// Returns the first fault of format, version and name; empty if there is none.
-std::string faultOfHead(const json& root) {
-    if (!root.is_object() || !root.contains("format") || root["format"] != "idiophone-surface")
-        return "it is not an Idiophone surface";
-    if (!root.contains("version") || !root["version"].is_number_integer() || root["version"] < 1)
-        return "its version is not a whole number from 1 on";
-    if (root["version"] > surfaceFormatVersion)
-        return "it was made by a newer Idiophone (surface version " + root["version"].dump() + ")";
-    if (root.contains("name") && !root["name"].is_string())
-        return "'name' is not a text";
-    return {};
-}
-
-/// Reads the figures into `surface`. Returns the first fault; empty if there is none.
-std::string parseFigures(const json& root, Surface& surface) {
-    for (const auto& [key, value] : root.items()) {
-        const auto* figure = std::ranges::find(figures, key, &Figure::key);
-        if (figure != std::end(figures) && !value.is_number())
-            return "'" + key + "' is not a number";
-        if (figure != std::end(figures))
-            surface.*figure->member = value;
-        else if (key != "format" && key != "version" && key != "name")
-            return "a surface has no " + inQuotes(key);
-    }
-    for (const auto& figure : figures)
-        if (figure.required && !root.contains(figure.key))
-            return "it lacks '" + std::string(figure.key) + "'";
-    return {};
-}
-
 } // namespace
 
-Result<Surface> parseSurface(std::string_view text, std::string_view file) {
-    const auto refuse = [&](const std::string& sentence) {
-        return failure(std::string(file) + ": " + sentence);
-    };
-    if (text.size() > 1 << 16)
-        return refuse("it is too large for a surface");
-    const auto root = parseUntrusted(text);
-    if (root.is_discarded())
-        return refuse("it is not JSON" + placeOfJsonFault(text));
-    if (const auto fault = faultOfHead(root); !fault.empty())
-        return refuse(fault);
+Surface surfaceAt(const JsonPlace& place) {
+    constexpr double unbounded = std::numeric_limits<double>::infinity();
+    const auto& root = place.json();
+    if (!root.is_object() || !root.contains("format") || root["format"] != "idiophone-surface")
+        place.fail("is not an Idiophone surface");
+    const int version = place.at("version").integer(1, 1'000'000'000);
+    if (version > surfaceFormatVersion)
+        place.fail("was made by a newer Idiophone (surface version " + std::to_string(version) +
+                   ")");
     Surface surface;
-    surface.name = root.value("name", "");
-    if (const auto fault = parseFigures(root, surface); !fault.empty())
-        return refuse(fault);
-    if (!root.contains(slowestSpeedKey))
+    for (const auto& [key, value] : place.members()) {
+        const auto* figure = std::ranges::find(figures, key, &Figure::key);
+        if (figure != std::end(figures))
+            surface.*figure->member = value.number(-unbounded, unbounded);
+        else if (key == "name")
+            surface.name = value.textOrEmpty();
+        else if (key != "format" && key != "version")
+            place.fail("has no " + inQuotes(key));
+    }
+    for (const auto& figure : figures)
+        if (figure.required)
+            place.at(figure.key);
+    if (!place.has(slowestSpeedKey))
         surface.slowestSpeedMetresPerSecond =
             usualSlowestRatio * surface.referenceSpeedMetresPerSecond;
     auto checked = validated(std::move(surface));
     if (!checked)
-        return refuse(checked.error().message);
-    return checked;
+        throw JsonPlace::Fault{checked.error().message};
+    return std::move(*checked);
+}
+
+Result<Surface> parseSurface(std::string_view text, std::string_view file) {
+    if (text.size() > 1 << 16)
+        return failure(std::string(file) + ": it is too large for a surface");
+    return parsedJson(text, file, surfaceAt);
 }
 
 std::string encodeSurface(const Surface& surface) {

@@ -15,21 +15,21 @@ constexpr double shortestStepMetres = 1e-9, arrivedMetres = 1e-7;
 std::array<float, 3> directionAlong(const SurfacePath::Point& from,
                                     const SurfacePath::Point& to,
                                     const std::array<float, 3>& normal) {
-    SurfacePath::Point way{};
+    SurfacePath::Point step{};
     double into = 0, square = 0, all = 0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        way[axis] = to[axis] - from[axis];
-        into += way[axis] * static_cast<double>(normal[axis]);
-        all += way[axis] * way[axis];
+        step[axis] = to[axis] - from[axis];
+        into += step[axis] * static_cast<double>(normal[axis]);
+        all += step[axis] * step[axis];
     }
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        way[axis] -= into * static_cast<double>(normal[axis]);
-        square += way[axis] * way[axis];
+        step[axis] -= into * static_cast<double>(normal[axis]);
+        square += step[axis] * step[axis];
     }
     std::array<float, 3> direction{};
     if (square > 1e-6 * all)
         for (std::size_t axis = 0; axis < 3; ++axis)
-            direction[axis] = static_cast<float>(way[axis] / std::sqrt(square));
+            direction[axis] = static_cast<float>(step[axis] / std::sqrt(square));
     return direction;
 }
 
@@ -84,9 +84,9 @@ ForcePlace SurfacePath::place(double friction) const noexcept {
     if (count == 1)
         return {.points = {start, start}, .fraction = 0};
     const Corner& to = corner(1);
-    const double way = (position - from.along) / (to.along - from.along);
+    const double fraction = (position - from.along) / (to.along - from.along);
     return {.points = {start, draggedForce(to.place, to.direction, friction)},
-            .fraction = static_cast<float>(std::clamp(way, 0.0, 1.0))};
+            .fraction = static_cast<float>(std::clamp(fraction, 0.0, 1.0))};
 }
 
 } // namespace idiophone

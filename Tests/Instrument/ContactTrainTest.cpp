@@ -51,7 +51,7 @@ TEST_CASE("A train keeps the strike's impulse, falls in strength and ends within
         }
         numbers.insert(train.size());
         REQUIRE(train.size() >= 3);
-        REQUIRE(train.size() <= ContactTrain::mostCollisions);
+        REQUIRE(train.size() <= ContactTrain::maximumCollisions);
         CHECK(impulse(train) == Approx(0.06).epsilon(1e-5));
         CHECK(train.begin()->delaySeconds == 0);
         CHECK(train.begin()->strike.durationSeconds == strike.durationSeconds);

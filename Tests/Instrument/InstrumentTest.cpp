@@ -86,7 +86,7 @@ TEST_CASE("An instrument has a maximum number of modes on all keys together") {
     ObjectLibrary library;
     const auto kept =
         library.add("crowd", syntheticObject(std::vector<double>(mostObjectModes, 440.0)));
-    const auto most = static_cast<int>(mostModesOfSlots / mostObjectModes);
+    const auto most = static_cast<int>(maximumModesOfSlots / mostObjectModes);
     for (const auto kind : {KeyMapKind::bars, KeyMapKind::scaled}) {
         CHECK(Instrument::build(keyMap(kind, 0, most - 1, "crowd"), library));
         const auto built = Instrument::build(keyMap(kind, 0, most, "crowd"), library);

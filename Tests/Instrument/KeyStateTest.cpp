@@ -1,4 +1,5 @@
 #include "Instrument/KeyState.h"
+#include "Instrument/MidiControllers.h"
 #include "Instrument/SharedSurfaceProfile.h"
 #include "Support/RenderNotes.h"
 #include "TestInstruments.h"
@@ -26,15 +27,15 @@ struct Rig {
 };
 
 MidiEvent noteOn(int note, int channel = 0) {
-    return midi(0, 0x90 | channel, note, 100);
+    return test::midi(0, 0x90 | channel, note, 100);
 }
 
 MidiEvent noteOff(int note, int channel = 0) {
-    return midi(0, 0x80 | channel, note, 0);
+    return test::midi(0, 0x80 | channel, note, 0);
 }
 
 MidiEvent control(int number, int value, int channel = 0) {
-    return midi(0, 0xb0 | channel, number, value);
+    return test::midi(0, 0xb0 | channel, number, value);
 }
 
 } // namespace
@@ -66,14 +67,14 @@ TEST_CASE("The sostenuto pedal catches the keys that are down, and no later ones
 TEST_CASE("A note has the maximum pressure of its keys until they go up") {
     Rig rig;
     rig.follow({noteOn(60), noteOn(60, 1)});
-    rig.follow({midi(0, 0xa0, 60, 127)});
-    rig.follow({midi(0, 0xd1, 64, 0)});
+    rig.follow({test::midi(0, 0xa0, 60, 127)});
+    rig.follow({test::midi(0, 0xd1, 64, 0)});
     CHECK(rig.keys.pressure(60) == 1);
     rig.follow({noteOff(60)});
     CHECK(rig.keys.pressure(60) == 64 / 127.0f);
     rig.follow({noteOff(60, 1)});
     CHECK(rig.keys.pressure(60) == 0);
-    rig.follow({midi(0, 0xa0, 60, 127)});
+    rig.follow({test::midi(0, 0xa0, 60, 127)});
     CHECK(rig.keys.pressure(60) == 0);
 }
 
@@ -83,10 +84,11 @@ TEST_CASE("A new key takes a pressure of its sample, also from before it, but no
         rig.follow(events);
         return rig.keys.pressure(60);
     };
-    CHECK(pressureAfter({midi(0, 0xd0, 127, 0), noteOn(60)}) == 1);
-    CHECK(pressureAfter({midi(0, 0xd0, 127, 0), midi(0, 0xd0, 0, 0), noteOn(60)}) == 0);
-    CHECK(pressureAfter({midi(0, 0xd1, 127, 0), noteOn(60)}) == 0);
-    CHECK(pressureAfter({midi(0, 0xd0, 127, 0), control(midi::allNotesOff, 0), noteOn(60)}) == 0);
+    CHECK(pressureAfter({test::midi(0, 0xd0, 127, 0), noteOn(60)}) == 1);
+    CHECK(pressureAfter({test::midi(0, 0xd0, 127, 0), test::midi(0, 0xd0, 0, 0), noteOn(60)}) == 0);
+    CHECK(pressureAfter({test::midi(0, 0xd1, 127, 0), noteOn(60)}) == 0);
+    CHECK(pressureAfter({test::midi(0, 0xd0, 127, 0), control(midi::allNotesOff, 0), noteOn(60)}) ==
+          0);
 }
 
 TEST_CASE("The soft pedal halves the mallet's speed when it is fully down") {
@@ -113,7 +115,7 @@ TEST_CASE(
 TEST_CASE("Keys take over pedals and wheels of other keys, but not what these hold") {
     Rig former, next;
     former.follow({control(midi::sustainPedal, 127), control(midi::softPedal, 127),
-                   control(midi::modulation, 9), midi(0, 0xe0, 0, 127), noteOn(60)});
+                   control(midi::modulation, 9), test::midi(0, 0xe0, 0, 127), noteOn(60)});
     next.keys.takeControllersOf(former.keys);
     CHECK(next.keys.heldKeys().none());
     CHECK(next.keys.softness() == 0.5);

@@ -108,7 +108,6 @@ TEST_CASE("After a reset the first cell has the gain, whatever was prepared") {
         complete(match, now);
         for (int times = 0; times < 2; ++times) {
             match.reset();
-            CHECK(match.speedController() == HeldContacts::controllerAtRest);
             CHECK(match.advance(now) == 0);
             CHECK(match.gainDb() == gain);
         }
@@ -141,7 +140,6 @@ TEST_CASE("A prediction prepared for a wheel position is known there and at rest
 
     LoudnessMatch prepared(synthetic(500), {}, sampleRateHz, own);
     prepared.prepare(now, 127);
-    CHECK(prepared.speedController() == HeldContacts::controllerAtRest);
     CHECK(prepared.gainDb() == atRest);
     CHECK(prepared.advance(now) == 0);
     CHECK(prepared.gainDb() == atRest);

@@ -105,7 +105,7 @@ TEST_CASE("An invalid preset is refused with its fault and the fault's place") {
     checkRefused(head + map + R"(,"tags":[1]})", "tags[0] is not a text");
     checkRefused(head + map + R"(,"tags":"bell"})", "tags is not a list");
     std::string tags = R"("b")";
-    for (std::size_t tag = 1; tag < mostTags; ++tag)
+    for (std::size_t tag = 1; tag < maximumTags; ++tag)
         tags += R"(,"b")";
     CHECK(parsePreset(head + map + R"(,"tags":[)" + tags + "]}", "x.json"));
     checkRefused(head + map + R"(,"tags":[)" + tags + R"(,""]})",

@@ -5,7 +5,6 @@
 #include "Instrument/LoudnessPhrase.h"
 
 #include "Instrument/HandStrengths.h"
-#include "Instrument/LoudestStrike.h"
 #include "Instrument/LoudnessMatch.h"
 #include "Instrument/SpreadNotes.h"
 #include "Support/WithParameter.h"

@@ -53,7 +53,7 @@ TEST_CASE("A surface with the longest name survives its file, and a longer name 
     REQUIRE(read);
     CHECK(*read == longest);
     // The largest readable file; written again it would be too large.
-    checkRefused(slateWith("name", std::string(65000, 'x')), "name is longer than 1000 bytes");
+    checkRefused(slateWith("name", std::string(65000, 'x')), "name is longer than");
 }
 
 TEST_CASE("Name, slowest speed and roughness are optional in a surface file") {
@@ -72,9 +72,9 @@ TEST_CASE("A bad surface file is refused with one sentence that names the file a
     checkRefused(slateWith("version", 2), "newer");
     checkRefused(slateWith("version", "1"), "version");
     checkRefused(slateWith("version", 0), "version");
-    checkRefused(slateWith("name", 3), "'name'");
-    checkRefused(slateWith("roughness", "much"), "'roughness' is not a number");
-    checkRefused(slateWith("reson_frequency_hz", nullptr), "'reson_frequency_hz' is not a number");
+    checkRefused(slateWith("name", 3), "name is not a text");
+    checkRefused(slateWith("roughness", "much"), "roughness is not a number");
+    checkRefused(slateWith("reson_frequency_hz", nullptr), "reson_frequency_hz is not a number");
     checkRefused(slateWith("colour", 1), "no 'colour'");
     checkRefused(slateWithout("spectrum_exponent"), "lacks 'spectrum_exponent'");
     checkRefused(slateWithout("reson_damping_per_s"), "lacks 'reson_damping_per_s'");
