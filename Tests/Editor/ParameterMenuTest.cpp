@@ -81,7 +81,7 @@ TEST_CASE("A control's tooltip says that it learns, and then names its controlle
     Processor processor;
     processor.prepareToPlay(48000, 64);
     Look look;
-    ParameterControl control(parameterInfo(density), processor);
+    ParameterControl control(parameterInfo(density), processor.view());
     control.setLookAndFeel(&look);
     control.setSize(180, 40);
     const auto labelText = [&] {

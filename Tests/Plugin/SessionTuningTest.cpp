@@ -73,7 +73,7 @@ struct Instance {
         return sound.getMagnitude(0, blockSize) == 0;
     }
 
-    TuningStatus::Source source() const { return processor.view().tuning.tuningStatus().source; }
+    TuningStatus::Source source() { return processor.view().tuning.tuningStatus().source; }
 
     Processor processor;
     juce::AudioBuffer<float> sound{2, blockSize};
