@@ -94,18 +94,11 @@ void ObjectWorkshop::analyse(Mesh meshMetres,
 }
 
 void ObjectWorkshop::start(std::shared_ptr<Job> job) {
-    ImportStatus status{.stage = ImportStatus::Stage::working,
-                        .fileName =
-                            job->source != nullptr ? job->source->name : fileNameOf(job->file),
-                        .followsSettings = false,
-                        .settings = job->settings,
-                        .progress = 0,
-                        .step = "Waiting",
-                        .error = {},
-                        .summary = {},
-                        .notes = {},
-                        .unit = {},
-                        .method = {}};
+    ImportStatus status;
+    status.stage = ImportStatus::Stage::working;
+    status.fileName = job->source != nullptr ? job->source->name : fileNameOf(job->file);
+    status.settings = job->settings;
+    status.step = "Waiting";
     auto formerMesh = job->source;
     std::optional<Product> former; // destroyed without the mutex, like `formerMesh`
     {

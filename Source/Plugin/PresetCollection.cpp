@@ -2,51 +2,17 @@
 
 #include "Instrument/FactoryContent.h"
 #include "Instrument/InitialPreset.h"
-#include "Instrument/LoudnessMatch.h"
 #include "Object/OneLine.h"
 #include "Plugin/FactoryPrograms.h"
 #include "Plugin/ObjectEmbedding.h"
 #include "Plugin/PresetObjects.h"
+#include "Plugin/PresetSound.h"
 
 namespace idiophone {
 namespace {
 
-constexpr double anyRateHz = 48000; // both sides of a match use the same rate
-
 juce::File below(const juce::File& settings, const char* name) {
     return settings == juce::File() ? settings : settings.getChildFile(name);
-}
-
-Sound soundWith(Preset preset,
-                std::shared_ptr<const Instrument> instrument,
-                std::string id,
-                std::uint64_t content = 0) {
-    const auto values = preset.parameters;
-    preset.parameters = preset.matched();
-    preset.matchedTo.reset();
-    return {.preset = std::move(preset),
-            .instrument = std::move(instrument),
-            .parameters = values,
-            .missing = nullptr,
-            .presetId = std::move(id),
-            .presetContent = content,
-            .stored = values};
-}
-
-/// Stores values so that the preset sounds as it does now when "match loudness" takes its own
-/// material and mallet as the reference. If no level can do that, stores the present reference too.
-void storeValues(const Sound& sound, Preset& preset) {
-    preset.parameters = withSetupOf({}, sound.parameters);
-    LoudnessMatch match(sound.instrument, sound.preset.surface, anyRateHz, sound.preset.parameters);
-    match.prepare(preset.parameters);
-    const auto& level = parameterInfo(ParameterId::level);
-    const double wanted = preset.parameters[level.parameter] + match.gainDb();
-    if (level.minimum <= wanted && wanted <= level.maximum) {
-        preset.parameters.set(level.parameter, wanted);
-        preset.matchedTo.reset();
-    } else {
-        preset.matchedTo = withSetupOf({}, sound.preset.parameters);
-    }
 }
 
 /// Leaves the folder empty.

@@ -71,6 +71,11 @@ void Processor::prepareToPlay(double sampleRateHz, int) {
         rateHz, [&](std::unique_ptr<Player> player) { engine.prepare(rateHz, std::move(player)); });
 }
 
+void Processor::releaseResources() {
+    const auto held = session.lock();
+    messages.players.collect();
+}
+
 /// Some wrappers call it with every block. Offline, the host hears of no controller and so sends no
 /// echo.
 void Processor::setNonRealtime(bool isOffline) noexcept {

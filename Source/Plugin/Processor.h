@@ -27,7 +27,7 @@ public:
 
     bool isBusesLayoutSupported(const BusesLayout& layouts) const override;
     void prepareToPlay(double sampleRateHz, int maximumBlockSize) override;
-    void releaseResources() override { session.poll(); }
+    void releaseResources() override;
     void reset() override { messages.reset = true; }
     void setNonRealtime(bool isOffline) noexcept override;
     void processBlock(juce::AudioBuffer<float>& buffer, juce::MidiBuffer& midi) override;

@@ -30,72 +30,19 @@ int unitsOfObjects(const Sound& sound) {
 
 } // namespace
 
-/// A step in which some parameters changed together.
-class SoundHistory::ParameterStep final : public juce::UndoableAction {
+/// A step that is done when it is made.
+class SoundHistory::Step final : public juce::UndoableAction {
 public:
-    ParameterStep(SoundHistory& owner, std::vector<Change> done)
-        : history(owner), changes(std::move(done)) {}
+    Step(std::function<bool()> undoIt, std::function<bool()> doItAgain, int size)
+        : undone(std::move(undoIt)), doneAgain(std::move(doItAgain)), units(size) {}
 
-    bool perform() override {
-        if (std::exchange(isDone, true)) // the first time, the user has done it already
-            history.change(changes, true);
-        return true;
-    }
-    bool undo() override {
-        history.change(changes, false);
-        return true;
-    }
-    int getSizeInUnits() override { return unitsOfParameters; }
-
-private:
-    SoundHistory& history;
-    std::vector<Change> changes;
-    bool isDone = false;
-};
-
-/// A step from one session to another.
-class SoundHistory::LoadStep final : public juce::UndoableAction {
-public:
-    LoadStep(SoundHistory& owner, std::shared_ptr<LoadedSessions> done)
-        : history(owner), sessions(std::move(done)) {
-        const auto& [before, after] = *sessions;
-        units = unitsOfSound;
-        if (before.playing.instrument != after.playing.instrument)
-            units += unitsOfObjects(before.playing);
-    }
-
-    bool perform() override {
-        return !std::exchange(isDone, true) || history.play(sessions->after);
-    }
-    bool undo() override { return history.play(sessions->before); }
+    bool perform() override { return !std::exchange(isDone, true) || doneAgain(); }
+    bool undo() override { return undone(); }
     int getSizeInUnits() override { return units; }
 
 private:
-    SoundHistory& history;
-    std::shared_ptr<LoadedSessions> sessions;
+    std::function<bool()> undone, doneAgain;
     int units;
-    bool isDone = false;
-};
-
-/// A step of a change outside the sound.
-class SoundHistory::DoneStep final : public juce::UndoableAction {
-public:
-    DoneStep(std::function<void()> undoIt, std::function<void()> doItAgain)
-        : undone(std::move(undoIt)), doneAgain(std::move(doItAgain)) {}
-
-    bool perform() override {
-        if (std::exchange(isDone, true))
-            doneAgain();
-        return true;
-    }
-    bool undo() override {
-        undone();
-        return true;
-    }
-    int getSizeInUnits() override { return unitsOfTunings; }
-
-private:
-    std::function<void()> undone, doneAgain;
     bool isDone = false;
 };
 
@@ -153,40 +100,46 @@ void SoundHistory::record(const std::string& name, const std::function<void()>& 
 }
 
 void SoundHistory::recordDone(const std::string& name,
-                              std::function<void()> undone,
-                              std::function<void()> doneAgain) {
+                              const std::function<void()>& undone,
+                              const std::function<void()>& doneAgain) {
     endAudition();
     followHost();
     closeEdit();
-    push(new DoneStep(std::move(undone), std::move(doneAgain)), name);
+    const auto always = [](const std::function<void()>& work) {
+        return [work] {
+            work();
+            return true;
+        };
+    };
+    push(new Step(always(undone), always(doneAgain), unitsOfTunings), name);
+}
+
+bool SoundHistory::playsB() {
+    followHost();
+    return other.playsB;
 }
 
 void SoundHistory::renewSounds(const std::function<void(Sound&)>& renew) {
     const auto renewIn = [&](Session& kept) {
         renew(kept.playing);
-        if (kept.other)
-            renew(*kept.other);
+        if (kept.other.sound)
+            renew(*kept.other.sound);
     };
     for (const auto& known : loads)
         if (const auto sessions = known.lock()) {
             renewIn(sessions->before);
             renewIn(sessions->after);
         }
-    if (other)
-        renew(*other);
+    if (other.sound)
+        renew(*other.sound);
     if (beforeAudition)
         renewIn(*beforeAudition);
-}
-
-Session SoundHistory::session() const {
-    return {.playing = holder.loadedSound(), .other = other, .playsB = isB};
 }
 
 bool SoundHistory::play(const Session& wanted) {
     if (holder.loadedSound() != wanted.playing && !holder.playSound(wanted.playing))
         return false;
     other = wanted.other;
-    isB = wanted.playsB;
     return true;
 }
 
@@ -201,10 +154,9 @@ void SoundHistory::followHost() {
 void SoundHistory::recordPrograms(Sound before) {
     if (beforeAudition)
         changes.clear();
-    closeEdit([values = before.parameters](ParameterId parameter) { return values[parameter]; });
-    const auto from =
-        std::exchange(beforeAudition, std::nullopt)
-            .value_or(Session{.playing = std::move(before), .other = other, .playsB = isB});
+    closeEdit(&before.parameters);
+    const auto from = std::exchange(beforeAudition, std::nullopt)
+                          .value_or(Session{.playing = std::move(before), .other = other});
     const auto name = holder.loadedLabel().name;
     if (const auto known = programs.lock()) {
         known->after = session();
@@ -218,30 +170,36 @@ void SoundHistory::forgetAll() {
     knownHostLoads = hostLoads.counted();
     steps.clearUndoHistory();
     programs.reset();
-    other.reset();
-    isB = false;
+    other = {};
     beforeAudition.reset();
     changes.clear();
 }
 
-void SoundHistory::closeEdit() {
-    closeEdit([this](ParameterId parameter) { return parameters[parameter].exactValue(); });
-}
-
-void SoundHistory::closeEdit(const std::function<double(ParameterId)>& valueOf) {
+void SoundHistory::closeEdit(const ParameterValues* values) {
     auto done = std::exchange(changes, {});
     for (auto& change : done)
-        change.after = valueOf(change.parameter);
+        change.after = values != nullptr ? (*values)[change.parameter]
+                                         : parameters[change.parameter].exactValue();
     std::erase_if(done, [](const Change& change) { return change.after == change.before; });
     if (done.empty())
         return;
     const auto name = !editName.empty()  ? editName
                       : done.size() == 1 ? std::string(parameterInfo(done.front().parameter).name)
                                          : std::to_string(done.size()) + " parameters";
-    push(new ParameterStep(*this, std::move(done)), name);
+    const auto undo = [this, done] {
+        for (auto change = done.rbegin(); change != done.rend(); ++change)
+            parameters[change->parameter].changeByHand(change->before);
+        return true;
+    };
+    const auto redo = [this, done] {
+        for (const auto& change : done)
+            parameters[change.parameter].changeByHand(change.after);
+        return true;
+    };
+    push(new Step(undo, redo, unitsOfParameters), name);
 }
 
-void SoundHistory::push(juce::UndoableAction* step, const std::string& name) {
+void SoundHistory::push(Step* step, const std::string& name) {
     programs.reset();
     steps.beginNewTransaction(fromUtf8(name));
     steps.perform(step);
@@ -255,8 +213,85 @@ bool SoundHistory::pushLoad(const std::string& name, const Session& before) {
         LoadedSessions{.before = before, .after = std::move(after)});
     std::erase_if(loads, [](const auto& known) { return known.expired(); });
     loads.push_back(sessions);
-    push(new LoadStep(*this, std::move(sessions)), name);
+    auto units = unitsOfSound;
+    if (before.playing.instrument != sessions->after.playing.instrument)
+        units += unitsOfObjects(before.playing);
+    push(new Step([this, sessions] { return play(sessions->before); },
+                  [this, sessions] { return play(sessions->after); }, units),
+         name);
     return true;
+}
+
+void SoundHistory::beginGesture(ParameterId parameter) {
+    followHost();
+    if (gestures.none() && openEdits == 0)
+        closeEdit();
+    gestures.set(static_cast<std::size_t>(parameter));
+}
+
+void SoundHistory::willChange(ParameterId parameter) {
+    if (openEdits == 0 && !gestures.test(static_cast<std::size_t>(parameter)))
+        return;
+    followHost();
+    const auto known =
+        std::ranges::any_of(changes, [&](const Change& c) { return c.parameter == parameter; });
+    if (!known)
+        changes.push_back({.parameter = parameter, .before = parameters[parameter].exactValue()});
+}
+
+void SoundHistory::endGesture(ParameterId parameter) {
+    followHost();
+    gestures.reset(static_cast<std::size_t>(parameter));
+    if (gestures.none() && openEdits == 0)
+        closeEdit();
+}
+
+void SoundHistory::endAllGestures() {
+    followHost();
+    gestures.reset();
+    openEdits = 0;
+    closeEdit();
+    editName.clear();
+}
+
+void SoundHistory::beginEdit(const std::string& name) {
+    followHost();
+    if (openEdits++ > 0)
+        return;
+    closeEdit();
+    editName = name;
+}
+
+void SoundHistory::endEdit() {
+    followHost();
+    if (openEdits == 0 || --openEdits > 0)
+        return;
+    closeEdit();
+    editName.clear();
+}
+
+void SoundHistory::audition(const std::function<void()>& load) {
+    followHost();
+    closeEdit();
+    if (!beforeAudition)
+        beforeAudition = session();
+    load();
+}
+
+void SoundHistory::keepAudition() {
+    followHost();
+    if (const auto before = std::exchange(beforeAudition, std::nullopt)) {
+        closeEdit();
+        pushLoad(holder.loadedLabel().name, *before);
+    }
+}
+
+void SoundHistory::endAudition() {
+    followHost();
+    if (const auto before = std::exchange(beforeAudition, std::nullopt)) {
+        changes.clear();
+        play(*before);
+    }
 }
 
 } // namespace idiophone

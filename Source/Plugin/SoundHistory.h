@@ -1,9 +1,8 @@
-// Keeps undo and redo steps for all changes of the sound in the window, and the variants A and B.
-// It stores sounds; the holder plays them.
+// Keeps undo and redo steps for all changes of the sound in the window. It stores sounds; the
+// holder plays them.
 #pragma once
 
 #include "Editor/EditHistory.h"
-#include "Editor/SoundVariants.h"
 #include "Plugin/HostLoads.h"
 #include "Plugin/HostParameters.h"
 #include "Plugin/Sound.h"
@@ -15,19 +14,18 @@
 
 namespace idiophone {
 
-/// The current sound, the other variant, and whether the current one is B.
-struct Session {
-    Sound playing;
-    std::optional<Sound> other;
+/// The variant of A and B that does not play, if it was made, and whether B plays.
+struct OtherVariant {
+    std::optional<Sound> sound;
     bool playsB = false;
 
-    bool operator==(const Session&) const = default;
+    bool operator==(const OtherVariant&) const = default;
 };
 
 /// For the message thread. A state or program loaded by the host clears all steps and the other
 /// variant. Programs that MIDI asks for are a step. Consecutive ones
 /// are one step, as a song may change them all the time.
-class SoundHistory final : public EditHistory, public SoundVariants {
+class SoundHistory final : public EditHistory {
 public:
     /// Does not call the holder yet.
     SoundHistory(SoundHolder& holder, HostParameters& parameters, HostLoads& hostLoads);
@@ -41,11 +39,6 @@ public:
     void redo() override;
     void beginEdit(const std::string& name) override;
     void endEdit() override;
-
-    bool playsB() override;
-    void compare() override;
-    void copyToOther() override;
-    void mutate(double strength, std::uint32_t seed) override;
 
     /// A change by hand starts with `beginGesture` and ends with `endGesture`. Call `willChange`
     /// before each change between them.
@@ -61,8 +54,13 @@ public:
 
     /// Makes one step of a change outside the sound that is done already.
     void recordDone(const std::string& name,
-                    std::function<void()> undone,
-                    std::function<void()> doneAgain);
+                    const std::function<void()>& undone,
+                    const std::function<void()>& doneAgain);
+
+    /// Returns whether B plays. A new session begins with A.
+    bool playsB();
+    /// Call it within `record`, so that a change belongs to its step.
+    OtherVariant& otherVariant() noexcept { return other; }
 
     /// Passes every sound of the steps and the other variant through `renew`. For data that was
     /// replaced for good, also for the current sound: a preview by the whole analysis, or a preset
@@ -76,9 +74,13 @@ public:
     void endAudition();
 
 private:
-    class ParameterStep;
-    class LoadStep;
-    class DoneStep;
+    class Step;
+    struct Session {
+        Sound playing;
+        OtherVariant other;
+
+        bool operator==(const Session&) const = default;
+    };
     struct LoadedSessions {
         Session before, after;
     };
@@ -87,17 +89,15 @@ private:
         double before = 0, after = 0;
     };
 
-    Session session() const;
+    Session session() const { return {.playing = holder.loadedSound(), .other = other}; }
     /// Returns whether it plays. If a step fails, all steps are cleared.
     bool play(const Session& wanted);
-    void change(const std::vector<Change>& changes, bool forward);
     void followHost();
     void forgetAll();
     void recordPrograms(Sound before);
-    void closeEdit();
-    /// Closes the edit with these final values.
-    void closeEdit(const std::function<double(ParameterId)>& valueOf);
-    void push(juce::UndoableAction* step, const std::string& name);
+    /// Closes the open edit, with the present values or those given.
+    void closeEdit(const ParameterValues* values = nullptr);
+    void push(Step* step, const std::string& name);
     /// Returns whether there is anything to undo.
     bool pushLoad(const std::string& name, const Session& before);
 
@@ -109,8 +109,7 @@ private:
     int knownHostLoads = -1;                          ///< host loads counted before the steps
     std::weak_ptr<LoadedSessions> programs; ///< sessions of the newest step, if MIDI made it
 
-    std::optional<Sound> other;
-    bool isB = false;
+    OtherVariant other;
     std::optional<Session> beforeAudition;
 
     std::bitset<parameterCount> gestures; ///< open gestures

@@ -4,13 +4,14 @@
 #include "Editor/ProcessorView.h"
 #include "Plugin/ImportSession.h"
 #include "Plugin/InstrumentSession.h"
+#include "Plugin/MaterialSession.h"
 #include "Plugin/ModeSession.h"
 #include "Plugin/ParameterEdits.h"
 #include "Plugin/PresetCollection.h"
 #include "Plugin/SoundHistory.h"
 #include "Plugin/StageSession.h"
 #include "Plugin/TuningSession.h"
-#include "Plugin/MaterialSession.h"
+#include "Plugin/VariantSession.h"
 
 namespace idiophone {
 
@@ -29,6 +30,7 @@ struct WindowSession {
 
     MidiLearn& controllers;
     SoundHistory history;
+    VariantSession variants;
     ParameterEdits edits;
     MaterialSession materials;
     InstrumentSession instrument;

@@ -144,7 +144,7 @@ TEST_CASE("A change of level in either direction is never louder than the two so
                          .presetId = {},
                          .stored = state.parameters};
         };
-        history.compare(); // A and B are equal
+        processor.windowSession().variants.compare(); // A and B are equal
         history.record("Load", [&] { processor.soundSession().playSound(sound(next)); });
         float allowed = nextAlone;
         bool playsNext = true;
@@ -157,8 +157,8 @@ TEST_CASE("A change of level in either direction is never louder than the two so
             CHECK(loudest(render(processor, shortly, blockSize, strike())) <=
                   margin * (allowed + last));
         };
-        goOver([&] { history.compare(); });
-        goOver([&] { history.compare(); });
+        goOver([&] { processor.windowSession().variants.compare(); });
+        goOver([&] { processor.windowSession().variants.compare(); });
         goOver([&] { history.undo(); });
         goOver([&] { history.redo(); });
     }
@@ -190,7 +190,7 @@ TEST_CASE("Many parameters that change at once make neither ringing nor struck s
                                                   values[to]);
     };
     history.record("First", [&] { change(0); });
-    history.compare();
+    processor.windowSession().variants.compare();
     history.record("Second", [&] { change(1); });
     std::size_t playing = 1;
     const auto goOver = [&](const std::function<void()>& step) {
@@ -202,8 +202,8 @@ TEST_CASE("Many parameters that change at once make neither ringing nor struck s
               margin * (most[playing] + last));
     };
     for (int time = 0; time < 2; ++time) {
-        goOver([&] { history.compare(); });
-        goOver([&] { history.compare(); });
+        goOver([&] { processor.windowSession().variants.compare(); });
+        goOver([&] { processor.windowSession().variants.compare(); });
         goOver([&] { history.undo(); }); // the second comparison
         goOver([&] { history.redo(); });
         goOver([&] { change(0); });

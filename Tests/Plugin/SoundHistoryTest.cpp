@@ -54,11 +54,11 @@ TEST_CASE("Undo returns every earlier state, and redo every later one") {
     step([&] { drag(processor, tau, {0.5}); });
     step([&] { load(processor, 3); });
     step([&] { drag(processor, material, {5}); });
-    step([&] { history.mutate(0.5, 3); });
-    step([&] { history.compare(); });
+    step([&] { processor.windowSession().variants.mutate(0.5, 3); });
+    step([&] { processor.windowSession().variants.compare(); });
     step([&] { load(processor, 8); });
     step([&] { drag(processor, size, {2, 3}); });
-    step([&] { history.compare(); });
+    step([&] { processor.windowSession().variants.compare(); });
     for (std::size_t i = states.size() - 1; i > 0; --i) {
         CHECK(saved(processor) == states[i]);
         history.undo();
@@ -85,8 +85,8 @@ TEST_CASE("A state or program loaded by the host clears the steps and the other 
     Processor processor;
     auto& history = processor.windowSession().history;
     drag(processor, density, {1000});
-    history.compare();
-    CHECK(history.playsB());
+    processor.windowSession().variants.compare();
+    CHECK(processor.windowSession().variants.playsB());
     SECTION("a state") {
         restore(processor, testState());
     }
@@ -95,7 +95,7 @@ TEST_CASE("A state or program loaded by the host clears the steps and the other 
     }
     const auto before = saved(processor);
     CHECK_FALSE(history.canUndo());
-    CHECK_FALSE(history.playsB());
+    CHECK_FALSE(processor.windowSession().variants.playsB());
     history.undo();
     CHECK(saved(processor) == before);
     drag(processor, density, {1200});
@@ -121,7 +121,7 @@ TEST_CASE("MIDI program changes in a row are one step, whose undo returns the un
     const auto before = saved(processor);
 
     SECTION("in a row") {
-        history.compare();
+        processor.windowSession().variants.compare();
         const auto compared = saved(processor);
         ask(2);
         CHECK(history.undoName() == factoryPresets()[2].name);
@@ -130,7 +130,7 @@ TEST_CASE("MIDI program changes in a row are one step, whose undo returns the un
         CHECK(history.undoName() == factoryPresets()[4].name);
         history.undo();
         CHECK(saved(processor) == compared);
-        CHECK(history.playsB());
+        CHECK(processor.windowSession().variants.playsB());
         history.redo();
         CHECK(processor.getCurrentProgram() == 4);
         history.undo();
@@ -254,10 +254,10 @@ TEST_CASE("Undo, compare and mutate while notes ring make no step larger than th
     restore(processor, testState());
     processor.prepareToPlay(48000, 480);
     auto& history = processor.windowSession().history;
-    history.compare(); // B has another mallet and material
+    processor.windowSession().variants.compare(); // B has another mallet and material
     drag(processor, malletHardness, {200});
     drag(processor, material, {firstLibraryMaterial});
-    history.compare();
+    processor.windowSession().variants.compare();
     const auto ringing = render(processor, 9600, 480, oneNote()).left;
     float natural = largestStep({ringing.end() - 4800, ringing.end()});
     float last = ringing.back();
@@ -269,9 +269,9 @@ TEST_CASE("Undo, compare and mutate while notes ring make no step larger than th
         CHECK(largestStep(after) <= 1.5f * natural);
         last = after.back();
     };
-    check([&] { history.compare(); });
+    check([&] { processor.windowSession().variants.compare(); });
     check([&] { history.undo(); });
-    check([&] { history.mutate(1, 4); });
+    check([&] { processor.windowSession().variants.mutate(1, 4); });
     check([&] { history.undo(); });
     check([&] { history.redo(); });
 }
@@ -290,8 +290,8 @@ TEST_CASE("Undo and redo of loads during audio keep the sound finite and restore
     auto& history = processor.windowSession().history;
     for (std::size_t i = 0; i < 20; ++i) {
         load(processor, i % 4 + 1);
-        history.mutate(0.3, static_cast<std::uint32_t>(i));
-        history.compare();
+        processor.windowSession().variants.mutate(0.3, static_cast<std::uint32_t>(i));
+        processor.windowSession().variants.compare();
         history.undo();
         history.undo();
         history.redo();
