@@ -21,7 +21,7 @@ PresetDetails called(const std::string& name, const std::string& folder = "") {
 struct Browser {
     UserSettings user;
     Processor processor;
-    PresetCollection& shelf = processor.view().presets;
+    PresetCollection& shelf = processor.windowSession().presets;
     PresetBrowser browser{shelf};
     int closed = 0;
 
