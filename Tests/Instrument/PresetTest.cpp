@@ -113,9 +113,9 @@ TEST_CASE("An invalid preset is refused with its fault and the fault's place") {
     checkRefused(head + map + R"(,"parameters":[]})", "parameters is not a JSON object");
     checkRefused(head + map + R"(,"parameters":{"tau":"loud"}})",
                  "parameters.tau is a value that it cannot take");
-    checkRefused(head + map + R"(,"surface":3})", "surface: it is not an Idiophone surface");
+    checkRefused(head + map + R"(,"surface":3})", "surface is not an Idiophone surface");
     checkRefused(head + map + R"(,"surface":{"format":"idiophone-surface","version":1}})",
-                 "surface: it lacks 'spectrum_exponent'");
+                 "surface lacks 'spectrum_exponent'");
     checkRefused(head + map + R"(,"seed":1.5})", "seed is not a whole number");
     for (const char* seed : {"-1", "4294967296"})
         checkRefused(head + map + R"(,"seed":)" + seed + "}",

@@ -135,7 +135,7 @@ TEST_CASE("The members of a kind are checked") {
     CHECK(faultOfKind(R"({"name": "a", "object": "ring"}, {"name": "a", "object": "ring"})") ==
           "test.json: kinds[1].name is 'a' like that of another kind");
     CHECK(faultOfKind(R"({"name": "a", "object": "ring", "surface": {"format": "x"}})") ==
-          "test.json: kinds[0].surface: it is not an Idiophone surface");
+          "test.json: kinds[0].surface is not an Idiophone surface");
 }
 
 TEST_CASE("A scene file that is too large is refused before it is parsed") {
