@@ -46,7 +46,7 @@ juce::String parameterTooltip(const ParameterInfo& info) {
 
 juce::String controllerSentence(const ParameterInfo& info, const MidiLearnView& midi) {
     if (midi.learningParameter() == info.parameter)
-        return "Move a MIDI controller to assign it";
+        return "Move the MIDI controller to assign to this parameter";
     if (const auto number = midi.controllerOf(info.parameter))
         return "Moved by MIDI controller " + juce::String(*number);
     return {};
