@@ -68,7 +68,7 @@ TEST_CASE("A material made custom keeps the figures that it had") {
     EditParts parts;
     const double inEffect = parts.edits.effectiveValue(density);
     parts.edits.makeCustom(density);
-    CHECK(parts.edits.value(material) == customMaterial);
+    CHECK(parts.edits.value(material) == double(customMaterial));
     CHECK(parts.edits.value(density) == inEffect);
     CHECK(parts.edits.isLive(density));
 }
@@ -164,8 +164,7 @@ TEST_CASE("An opened object plays, and its keys can be laid along a path") {
         writtenFile("bar.modal", {reinterpret_cast<const char*>(modal.data()), modal.size()});
     REQUIRE(imports.canOpen(file));
     imports.openFile(file);
-    while (imports.importStatus().isWorking())
-        waitFor();
+    waitUntil([&] { return !imports.importStatus().isWorking(); });
     CHECK(imports.importStatus().error == "");
     imports.poll();
     CHECK(parts.session.loadedLabel().tags == std::vector<std::string>{"imported"});

@@ -31,7 +31,7 @@ void restoreState(Processor& processor, const std::string& state) {
 /// Sets exact values; a host's would be rounded.
 void setToDefaults(Processor& processor) {
     for (const auto& info : parameterTable())
-        processor.setValue(info.parameter, info.defaultValue);
+        processor.parameters()[info.parameter].changeByHand(info.defaultValue);
 }
 
 } // namespace
