@@ -53,14 +53,17 @@ Result<AnalysisSettings> settingsFrom(const AnalyseOptions& options) {
 }
 
 /// Returns the requested unit or a guess, with a sentence if the guess is unsure or not metres.
-UnitGuess unitOf(const Mesh& meshInFileUnits, const AnalyseOptions& options) {
+Result<UnitGuess> unitOf(const Mesh& meshInFileUnits, const AnalyseOptions& options) {
     if (!options.unit) {
         UnitGuess guess = guessLengthUnit(meshInFileUnits);
         if (guess.isSure && guess.unit.metresPerUnit == 1)
             guess.sentence.clear();
         return guess;
     }
-    return UnitGuess{.unit = *lengthUnitNamed(*options.unit), .isSure = true, .sentence = {}};
+    const auto unit = lengthUnitNamed(*options.unit);
+    if (!unit)
+        return failure("--unit " + *options.unit + ": use m, cm, mm, in or ft");
+    return UnitGuess{.unit = *unit, .isSure = true, .sentence = {}};
 }
 
 Result<ModalObject> analyseFile(const AnalyseOptions& options) {
@@ -71,14 +74,16 @@ Result<ModalObject> analyseFile(const AnalyseOptions& options) {
     if (!mesh)
         return tl::unexpected(mesh.error());
     const auto unit = unitOf(*mesh, options);
-    mesh->vertices *= unit.unit.metresPerUnit;
+    if (!unit)
+        return tl::unexpected(unit.error());
+    mesh->vertices *= unit->unit.metresPerUnit;
     ProgressLine progress(options.mesh.filename().string());
     auto object = analyse(*mesh, *settings, progress.control());
     if (!object && object.error().message != cancelledMessage)
         return failure(options.mesh.string() + ": " + object.error().message);
-    if (object && !unit.sentence.empty()) {
+    if (object && !unit->sentence.empty()) {
         auto& notes = object->provenance.notes;
-        notes = unit.sentence + (notes.empty() ? "" : " ") + notes;
+        notes = unit->sentence + (notes.empty() ? "" : " ") + notes;
     }
     return object;
 }
@@ -150,10 +155,9 @@ void addAnalyse(CLI::App& program, Action& chosen) {
                      "Approximate number of tetrahedra of a solid; fewer give a lower band edge")
         ->check(CLI::Range(100, 200000))
         ->capture_default_str();
-    command
-        ->add_option("--unit", options->unit,
-                     "Unit of the mesh file (default: guessed from its size)")
-        ->check(CLI::IsMember({"m", "cm", "mm", "in", "ft"}));
+    command->add_option("--unit", options->unit,
+                        "Unit of the mesh file: m, cm, mm, in or ft (default: guessed from its "
+                        "size)");
     command->add_flag("--largest-part", options->largestPart,
                       "Analyses only the largest connected part");
     command->add_flag("--all-around", options->allAround,

@@ -150,7 +150,7 @@ Error BadLines::error(const std::filesystem::path& file) const {
         sentences += (sentences.empty() ? "" : "\n") + file.string() + ": line " +
                      std::to_string(line) + ": " + sentence;
     if (count > first.size())
-        sentences += "\nand " + std::to_string(count - first.size()) + " more bad lines";
+        sentences += "\nand " + std::to_string(count - first.size()) + " more bad lines.";
     return {sentences};
 }
 
