@@ -11,6 +11,10 @@ function(idiophone_embed_files variable function)
         DEPENDS idiophone_embed_files "${source}.list" ${ARGN}
         VERBATIM)
     # One literal gains nothing from them.
-    set_source_files_properties("${source}" PROPERTIES SKIP_PRECOMPILE_HEADERS ON SKIP_UNITY_BUILD_INCLUSION ON)
+    set_source_files_properties("${source}" PROPERTIES
+        SKIP_PRECOMPILE_HEADERS ON SKIP_UNITY_BUILD_INCLUSION ON)
+    if(NOT MSVC)
+        set_source_files_properties("${source}" PROPERTIES COMPILE_OPTIONS -Wno-overlength-strings)
+    endif()
     set(${variable} "${source}" PARENT_SCOPE)
 endfunction()
