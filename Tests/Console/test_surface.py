@@ -100,7 +100,7 @@ class Surfaces(ConsoleTest):
                 ("promise.wav", wav(sound, frames_promised=10 ** 8), "header says"),
                 ("text.wav", "RIFF, but not really", "not a WAV file"),
                 ("doubles.wav", riff(wav_format(bits=64), (b"data", bytes(8 * RATE))),
-                 "floating-point numbers of 32"),
+                 "32-bit floats"),
                 ("nothing.wav", b"", "WAV file")):
             path = self.write(name, content)
             self.refuse("surface", path, "-o", self.folder / "out.json", naming=name,
