@@ -22,7 +22,8 @@ TEST_CASE("A played sound reaches the engine as a player with its values") {
 
 TEST_CASE("A sound without an instrument does not play") {
     SessionParts parts;
-    CHECK_FALSE(parts.session.playSound({}));
+    const Sound nothing;
+    CHECK_FALSE(parts.session.playSound(nothing));
     CHECK(parts.session.number() == 0);
     CHECK(parts.session.instrument() == nullptr);
 }
