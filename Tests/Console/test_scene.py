@@ -108,7 +108,7 @@ class Scenes(ConsoleTest):
         with huge.open("wb") as file:
             file.truncate((1 << 28) + 1)
         for name, sentence in ((HEADS / "endless.sofa", "damaged"),
-                               (no_head, "it is no SOFA file"),
+                               (no_head, "it is not a SOFA file"),
                                (self.folder / "nowhere.sofa", "cannot be opened"),
                                (self.folder, "it is a directory"),
                                (huge, "it is larger than 256 MiB")):
