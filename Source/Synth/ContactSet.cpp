@@ -80,6 +80,8 @@ void ContactSet::addMotion(std::span<const ModeRun> modes,
 }
 
 void ContactSet::join(std::span<const ModeRun> modes) noexcept {
+    if (modes.empty())
+        return;
     for (Contact& contact : contacts) {
         compute(contact);
         hold(contact, modes);

@@ -126,7 +126,8 @@ void ModalResonator::applySettings(const SynthesisSettings& settings) noexcept {
     output.setDamping(requestedDamping, cellIndex);
     active.setTau(newTau);
     groups.set(wanted);
-    if (groups.areBehind() && (!active.none() || contacts.sounding() || active.holdsAboveTau()))
+    if (groups.areBehind() &&
+        (!active.blocks().none() || contacts.sounding() || active.holdsAboveTau()))
         movePoles();
     if (contactsMove)
         contacts.holdAgain(cellIndex);
@@ -160,7 +161,7 @@ void ModalResonator::mix(std::int32_t share, const CellOutput& cell) noexcept {
     if (contacts.empty() && !forces.actedIn(cellIndex - 1))
         active.choose(share, cellIndex);
     mixedLastCell = active.mixedCount();
-    output.render(active.blocks(), active.mixedRuns(), cell);
+    output.render(active.blocks().list(), active.mixedRuns(), cell);
     contacts.mix(increments, cellIndex, cell);
 }
 
@@ -209,11 +210,11 @@ bool ModalResonator::strike(const Strike& asked,
     if (!isPulse)
         contacts.computeImpulse();
     increments.start(isPulse ? -1 : 1, sampleInCell);
-    if (active.joinStruck(increments.energies(), allowance, !contacts.empty(), cellIndex + 1)) {
-        contacts.join(active.joined());
-        if (isPulse && !contacts.empty())
-            contacts.compute(contact); // the other contacts used the scratch
-    }
+    const auto joined =
+        active.joinStruck(increments.energies(), allowance, !contacts.empty(), cellIndex + 1);
+    contacts.join(joined);
+    if (isPulse && !joined.empty() && !contacts.empty())
+        contacts.compute(contact); // the other contacts used the scratch
 
     int from = firstSampleFrom(sampleInCell);
     if (isPulse) {
@@ -248,8 +249,7 @@ bool ModalResonator::applyForce(const ForceCell& force,
         return false;
     prepareBank();
     widen(forces.begin(cellIndex, listening));
-    if (active.joinAll(allowance, !contacts.empty(), cellIndex + 1))
-        contacts.join(active.joined());
+    contacts.join(active.joinAll(allowance, !contacts.empty(), cellIndex + 1));
     forces.apply(force, cell);
     return true;
 }
@@ -279,7 +279,7 @@ void ModalResonator::report(SoundingGroups& report) const noexcept {
         if (static_cast<std::size_t>(end) > report.amplitudes.size())
             break;
         report.starts[g + 1] = end;
-        report.amplitudes[g] = active.amplitude(g, cellIndex);
+        report.amplitudes[g] = active.blocks().amplitude(g, cellIndex);
         report.standings[g] = standing(g);
         report.count = g + 1;
     }

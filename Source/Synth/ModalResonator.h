@@ -92,7 +92,7 @@ public:
     void report(SoundingGroups& groups) const noexcept;
 
     bool silent() const noexcept {
-        return active.none() && !contacts.sounding() && !output.fading();
+        return active.blocks().none() && !contacts.sounding() && !output.fading();
     }
     std::int32_t modesMixed() const noexcept { return mixedLastCell; }
     std::size_t channelsSounding() const noexcept { return bank.channels(); }
