@@ -53,15 +53,15 @@ void ActiveModes::survey(Change allowed) noexcept {
     demanded = {found.amplitudes, ringing};
 }
 
-void ActiveModes::choose(std::int32_t share, std::int64_t grid) noexcept {
-    const bool all = share >= demanded.modes;
+void ActiveModes::choose(std::int32_t allowance, std::int64_t grid) noexcept {
+    const bool all = allowance >= demanded.modes;
     if (all && mixedIsRinging)
         return;
     if (all)
         for (const std::int32_t b : activeBlocks.list())
             scratch.wanted[index(b)] = flags[index(b)].rings;
     else
-        selectStrongest(static_cast<std::size_t>(std::max(share, 0)));
+        selectStrongest(static_cast<std::size_t>(std::max(allowance, 0)));
     scratch.leaving.clear();
     scratch.joining.clear();
     for (const std::int32_t number : activeBlocks.list()) {

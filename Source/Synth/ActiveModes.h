@@ -1,5 +1,5 @@
-// The modes of a bank that ring (above τ) and those that are mixed , which the budget and
-// contacts decide. Blocks without any of them rest.
+// The modes of a bank that ring (above τ) and those that are mixed, which the budget and contacts
+// decide. Blocks without any of them rest.
 #pragma once
 
 #include "Synth/ActiveBlocks.h"
@@ -41,8 +41,8 @@ public:
     enum class Change { any, joinOnly, none };
     /// Finds the modes above τ at t_c of Raghuvanshi & Lin 2006, eq. 14.
     void survey(Change allowed) noexcept;
-    /// Mixes the strongest `share` ringing modes.
-    void choose(std::int32_t share, std::int64_t grid) noexcept;
+    /// Mixes the strongest `allowance` ringing modes.
+    void choose(std::int32_t allowance, std::int64_t grid) noexcept;
     /// Activates all blocks that hold something above τ; the next survey finds the ringing modes.
     void wake(std::int64_t grid) noexcept;
 

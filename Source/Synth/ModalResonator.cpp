@@ -19,22 +19,21 @@ constexpr double shortestContactSamples = 2;
 
 } // namespace
 
-ModalResonator::ModalResonator(SynthesiserSlot slot,
+ModalResonator::ModalResonator(SynthesiserSlot ownSlot,
                                ModeGroups::ModeWeights modeWeights,
                                std::uint32_t seed,
                                std::size_t channels,
                                double sampleRateHz,
                                SynthesisScratch& scratch)
-    : object(slot.object ? std::move(slot.object) : std::make_shared<const ModalObject>()),
-      slotSizeRatio(slot.sizeRatio), pitch(slot.pitch), outputChannels(channels),
-      bank(object->modeCount(), object->radiation.empty() ? 1 : channels, sampleRateHz),
-      output(bank, tubeShares(*object), sampleRateHz, scratch),
-      groups(*object, std::move(modeWeights), seed, sampleRateHz, scratch),
-      residues(*object, groups, bank, channels, scratch), active(bank, output, scratch),
+    : slot(std::move(ownSlot)), object(*slot.object), outputChannels(channels),
+      bank(object.modeCount(), object.radiation.empty() ? 1 : channels, sampleRateHz),
+      output(bank, tubeShares(object), sampleRateHz, scratch),
+      groups(object, std::move(modeWeights), seed, sampleRateHz, scratch),
+      residues(object, groups, bank, channels, scratch), active(bank, output, scratch),
       increments(bank, output, active, scratch),
-      contacts(*object, bank, output, active, residues, scratch),
+      contacts(object, bank, output, active, residues, scratch),
       forces(bank, output, active, residues, scratch) {
-    bank.resize(object->modeCount());
+    bank.resize(object.modeCount());
     output.findTubeParts(groups.starts());
     applySettings({});
     movePoles();
@@ -96,19 +95,18 @@ void ModalResonator::applySettings(const SynthesisSettings& settings) noexcept {
     SynthesisSettings own = settings;
     if (requestedMaterial)
         own.material = requestedMaterial;
-    const LiveConditions live = liveConditions(object->material, own, slotSizeRatio,
-                                               requestedFrequencyRatio, pitch ? &*pitch : nullptr);
+    const LiveConditions live = liveConditions(slot, own, requestedFrequencyRatio);
     const GroupConditions wanted{.law = live.law,
                                  .compression = settings.compression,
                                  .thicknessRatio =
-                                     object->hasLiveThickness() ? settings.thicknessRatio : 1,
+                                     object.hasLiveThickness() ? settings.thicknessRatio : 1,
                                  .imperfection = settings.imperfection};
     // Even τ = 0 drops states below an inaudible floor.
     const double newTau = std::max(settings.tau * pascalsPerTau, faintestVelocity);
     listening = {.nearGain = contactMicrophonePascals * live.gainRatio / wanted.thicknessRatio,
                  .farGain = live.radiationGainRatio / wanted.thicknessRatio,
-                 .farShare = object->radiation.empty() ? 0 : settings.radiation};
-    sizeNow = slotSizeRatio * settings.sizeRatio;
+                 .farShare = object.radiation.empty() ? 0 : settings.radiation};
+    sizeNow = slot.sizeRatio * settings.sizeRatio;
 
     const bool polesMove = groups.differFrom(wanted);
     const bool contactsMove = polesMove || requestedDamping != output.damping() ||
@@ -157,9 +155,9 @@ void ModalResonator::catchUp(const SynthesisSettings& settings) noexcept {
     --cellIndex;
 }
 
-void ModalResonator::mix(std::int32_t share, const CellOutput& cell) noexcept {
+void ModalResonator::mix(std::int32_t allowance, const CellOutput& cell) noexcept {
     if (contacts.empty() && !forces.actedIn(cellIndex - 1))
-        active.choose(share, cellIndex);
+        active.choose(allowance, cellIndex);
     mixedLastCell = active.mixedCount();
     output.render(active.blocks().list(), active.mixedRuns(), cell);
     contacts.mix(increments, cellIndex, cell);
@@ -190,7 +188,7 @@ bool ModalResonator::strike(const Strike& asked,
                             std::int32_t allowance,
                             const CellOutput& cell) noexcept {
     const bool isPulse = asked.durationSeconds * output.sampleRateHz() >= shortestContactSamples;
-    const bool isValid = isOn(*object, asked.point) && allFinite(asked.impulseNewtonSeconds) &&
+    const bool isValid = isOn(object, asked.point) && allFinite(asked.impulseNewtonSeconds) &&
                          std::isfinite(asked.durationSeconds) && asked.durationSeconds >= 0 &&
                          sampleInCell >= 0 && sampleInCell < cellSamples;
     if (!isValid || (isPulse && contacts.full()))
@@ -235,7 +233,7 @@ bool ModalResonator::strike(const Strike& asked,
 
 bool ModalResonator::validPlace(const ForcePlace& place) const noexcept {
     const auto isValid = [&](const ForcePoint& at) {
-        return isOn(*object, at.point) && allFinite(at.direction);
+        return isOn(object, at.point) && allFinite(at.direction);
     };
     return std::isfinite(place.fraction) && isValid(place.points[0]) &&
            (place.fraction == 0 || isValid(place.points[1]));

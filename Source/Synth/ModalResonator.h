@@ -24,10 +24,10 @@ namespace idiophone {
 /// its end.
 class ModalResonator {
 public:
-    /// `channels` is the channel count of the cells, 1 or 2. A resonator sounds in stereo from the
-    /// first far-heard strike (`SynthesisSettings::radiation`) until it is silent again. Weights
-    /// and seed: see ModeGroups. `scratch` has room for this object and outlives it; resonators on
-    /// one thread share it.
+    /// The slot has an object. `channels` is the channel count of the cells, 1 or 2. A resonator
+    /// sounds in stereo from the first far-heard strike (`SynthesisSettings::radiation`) until it
+    /// is silent again. Weights and seed: see ModeGroups. `scratch` has room for the slot's object
+    /// and outlives this; resonators on one thread share it.
     ModalResonator(SynthesiserSlot slot,
                    ModeGroups::ModeWeights modeWeights,
                    std::uint32_t seed,
@@ -43,7 +43,7 @@ public:
     /// Replaces the settings' material; empty: use the settings'. Its values must be in range.
     void setMaterial(const std::optional<LiveMaterial>& material) noexcept;
     /// Mutes modes with values ≠ 0 from the next `beginCell` on ([modes of the object], or empty:
-    /// none). They fade out and in, and ring on unheard in between.
+    /// none). They fade out and in, and ring on unmixed in between.
     void setSilencedModes(std::span<const std::uint8_t> silenced) noexcept;
 
     /// Moves to the grid point of cell `index`: applies pending settings and drops modes at t_c
@@ -61,9 +61,9 @@ public:
     /// a contact.
     ModeDemand demand() const noexcept { return active.demand(); }
 
-    /// Mixes the strongest `share` modes into the cell. During a contact its modes stay, whatever
-    /// the share, as its forced part was summed over them.
-    void mix(std::int32_t share, const CellOutput& cell) noexcept;
+    /// Mixes the strongest `allowance` modes into the cell. During a contact its modes stay,
+    /// whatever the allowance, as its forced part was summed over them.
+    void mix(std::int32_t allowance, const CellOutput& cell) noexcept;
 
     /// Call it after `mix`, before a strike. Applies what was set since `beginCell`: to the strike
     /// at once, and to ringing modes from the next grid point, where their states hold. During a
@@ -120,9 +120,8 @@ private:
     bool asleep = false;         ///< silent, and nothing is pending
     bool controlsChanged = true;
 
-    std::shared_ptr<const ModalObject> object;
-    double slotSizeRatio;
-    std::optional<PitchMode> pitch;
+    SynthesiserSlot slot;
+    const ModalObject& object; ///< of the slot
     std::size_t outputChannels;
     double requestedDamping = 0;
     double requestedFrequencyRatio = 1;

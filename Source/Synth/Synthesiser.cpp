@@ -28,12 +28,10 @@ struct Synthesiser::Implementation {
     std::int64_t nextCell = 0;
 
     std::vector<SlotStatus> status;
-    std::vector<std::int32_t> slotShares; ///< of every slot, 0 if silent
-    std::vector<char> isSounding;         ///< of every slot
-    std::vector<char> wasTouched;         ///< of every slot, since its last reset
+    std::vector<char> wasTouched; ///< of every slot, since its last reset
     std::int64_t mixedNow = 0; ///< number of mixed modes, including those that strikes have added
     // The slots that ring in this cell, with their demands and shares.
-    std::vector<std::int32_t> sounding;
+    std::vector<std::int32_t> sounding; ///< ascending
     std::vector<ModeDemand> demands;
     std::vector<std::int32_t> shares;
     std::vector<std::int32_t> ranking;
@@ -52,22 +50,23 @@ Synthesiser::Synthesiser(std::vector<SynthesiserSlot> slots,
     auto& all = *implementation;
     all.sampleRate = sampleRateHz;
     std::size_t maximumModes = 0;
-    for (const SynthesiserSlot& slot : slots)
-        maximumModes = std::max(maximumModes, slot.object ? slot.object->modeCount() : 0);
+    for (SynthesiserSlot& slot : slots) {
+        if (!slot.object)
+            slot.object = std::make_shared<const ModalObject>();
+        maximumModes = std::max(maximumModes, slot.object->modeCount());
+    }
     all.scratch = std::make_unique<SynthesisScratch>(maximumModes, channels);
     std::map<const ModalObject*, ModeGroups::ModeWeights> known; // one for all slots of an object
     for (SynthesiserSlot& slot : slots) {
         auto& modeWeights = known[slot.object.get()];
         if (!modeWeights)
-            modeWeights = std::make_shared<const std::vector<double>>(
-                slot.object ? summedSquareShapes(*slot.object) : std::vector<double>());
+            modeWeights =
+                std::make_shared<const std::vector<double>>(summedSquareShapes(*slot.object));
         all.objects.emplace_back(std::move(slot), modeWeights,
                                  static_cast<std::uint32_t>(all.objects.size()), channels,
                                  sampleRateHz, *all.scratch);
     }
     all.status.resize(slots.size());
-    all.slotShares.resize(slots.size());
-    all.isSounding.resize(slots.size());
     all.wasTouched.resize(slots.size());
     all.sounding.reserve(slots.size());
     all.demands.reserve(slots.size());
@@ -135,7 +134,6 @@ void Synthesiser::mixInto(CellOf cellOf) noexcept {
                     all.shares);
     for (std::size_t k = 0; k < all.sounding.size(); ++k) {
         const auto slot = static_cast<std::size_t>(all.sounding[k]);
-        all.slotShares[slot] = all.shares[k];
         all.objects[slot].mix(all.shares[k], cellOf(slot));
         all.mixedNow += all.objects[slot].modesMixedNow();
     }
@@ -144,17 +142,12 @@ void Synthesiser::mixInto(CellOf cellOf) noexcept {
 }
 
 void Synthesiser::Implementation::listSounding() {
-    for (const std::int32_t slot : sounding) {
-        slotShares[static_cast<std::size_t>(slot)] = 0;
-        isSounding[static_cast<std::size_t>(slot)] = 0;
-    }
     sounding.clear();
     demands.clear();
     for (std::size_t slot = 0; slot < objects.size(); ++slot) {
         if (!objects[slot].beginCell(nextCell, settings, settingsChanged))
             continue;
         sounding.push_back(static_cast<std::int32_t>(slot));
-        isSounding[slot] = 1;
         demands.push_back(objects[slot].demand());
     }
     settingsChanged = false;
@@ -163,24 +156,25 @@ void Synthesiser::Implementation::listSounding() {
 
 void Synthesiser::Implementation::report() {
     std::fill(status.begin(), status.end(), SlotStatus{});
-    for (const std::int32_t sounded : sounding) {
-        const auto slot = static_cast<std::size_t>(sounded);
+    for (std::size_t k = 0; k < sounding.size(); ++k) {
+        const auto slot = static_cast<std::size_t>(sounding[k]);
         const ModalResonator& object = objects[slot];
         status[slot] = {static_cast<float>(object.demand().amplitude),
                         object.demand().modes,
                         object.modesMixed(),
                         static_cast<std::int32_t>(object.channelsSounding()),
-                        slotShares[slot],
+                        shares[k],
                         object.groupCount(),
                         object.groupsAudible()};
     }
 }
 
 std::int32_t Synthesiser::Implementation::allowance(std::size_t slot) const {
-    const std::size_t objectsThen = sounding.size() + (isSounding[slot] ? 0 : 1);
+    const bool sounds = std::ranges::binary_search(sounding, static_cast<std::int32_t>(slot));
+    const std::size_t objectsThen = sounding.size() + (sounds ? 0 : 1);
     const double budget = std::min(settings.modeBudget, 1e9);
     const double unused = std::max(0.0, budget - static_cast<double>(mixedNow));
-    return std::max({slotShares[slot],
+    return std::max({status[slot].share,
                      static_cast<std::int32_t>(budget / static_cast<double>(objectsThen)),
                      objects[slot].modesMixedNow() + static_cast<std::int32_t>(unused)});
 }
@@ -228,9 +222,7 @@ void Synthesiser::reset() noexcept {
         if (std::exchange(all.wasTouched[slot], 0) != 0)
             all.objects[slot].reset();
     std::fill(all.status.begin(), all.status.end(), SlotStatus{});
-    std::fill(all.slotShares.begin(), all.slotShares.end(), 0);
     all.sounding.clear();
-    std::fill(all.isSounding.begin(), all.isSounding.end(), char{0});
     all.mixedNow = 0;
 }
 
@@ -255,9 +247,7 @@ const SynthesisSettings& Synthesiser::settings() const noexcept {
 }
 
 bool Synthesiser::silent() const noexcept {
-    const auto& objects = implementation->objects;
-    return std::all_of(objects.begin(), objects.end(),
-                       [](const ModalResonator& object) { return object.silent(); });
+    return std::ranges::all_of(implementation->objects, &ModalResonator::silent);
 }
 
 double Synthesiser::sampleRateHz() const noexcept {
