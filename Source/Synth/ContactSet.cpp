@@ -56,7 +56,6 @@ bool ContactSet::compute(const Contact& contact) noexcept {
     return reasonable;
 }
 
-/// Adds `factor` times the forced motion of modes.
 void ContactSet::hold(Contact& contact,
                       std::span<const ModeRun> modes,
                       double factor) const noexcept {

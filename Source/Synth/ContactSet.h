@@ -34,10 +34,9 @@ public:
     bool compute(const Contact& contact) noexcept;
     /// Computes the scratch's contact for an impulse.
     void computeImpulse() noexcept { scratch.contact.setImpulse(bank.poles()); }
-    /// Adds the forced motion of modes, with the scratch's residues and contact, to the contact.
-    void hold(Contact& contact, std::span<const ModeRun> modes) const noexcept {
-        hold(contact, modes, 1);
-    }
+    /// Adds `factor` times the forced motion of modes, with the scratch's residues and contact, to
+    /// the contact.
+    void hold(Contact& contact, std::span<const ModeRun> modes, double factor = 1) const noexcept;
     /// Lets modes join all contacts.
     void join(std::span<const ModeRun> modes) noexcept;
     /// Adds the forced part to cell number `index` and returns the contact's end in its samples.
@@ -67,7 +66,6 @@ private:
 
     void move(Forced become, std::int64_t grid) noexcept;
     void move(Contact& contact, double factor, Forced become, std::int64_t grid) noexcept;
-    void hold(Contact& contact, std::span<const ModeRun> modes, double factor) const noexcept;
     void
     addMotion(std::span<const ModeRun> modes, double factor, ForcedMotion& motion) const noexcept;
     void render(const Contact& contact,

@@ -48,9 +48,7 @@ void ModePoles::forget() noexcept {
 void ModePoles::update(double lowestHz,
                        double highestHz,
                        std::span<const std::uint8_t> silenced) noexcept {
-    heavyModes.clear();
-    audibleModes = 0;
-    resonancesHz.clear();
+    forget();
     for (std::size_t g = 0; g < count; ++g) {
         const ModalPole own = pole(g);
         const double hz = naturalFrequencyHz(own);
