@@ -47,8 +47,8 @@ void StateIncrements::gather(const ModalBank& bank,
                              const UnitContact& unit,
                              const ModeResidues& residues,
                              double factor,
-                             double share) noexcept {
-    gatherIncrements(unit, residues, factor, share / (2 * std::numbers::pi), bank.paddedSize(),
+                             double force) noexcept {
+    gatherIncrements(unit, residues, factor, force / (2 * std::numbers::pi), bank.paddedSize(),
                      bank.channels(), *this);
 }
 

@@ -29,7 +29,7 @@ HWY_INLINE hn::Vec<Floats> dot(hn::Vec<Floats> x,
 
 void project(const ShapePoint& point,
              const std::array<float, 3>& struck,
-             const std::array<float, 3>& heard,
+             const std::array<float, 3>& listening,
              std::size_t count,
              float* HWY_RESTRICT struckGains,
              float* HWY_RESTRICT listeningGains) {
@@ -44,7 +44,7 @@ void project(const ShapePoint& point,
             hn::LoadInterleaved3(f, point.rows[k] + 3 * i, x, y, z);
             const auto weight = hn::Set(f, point.weights[k]);
             struckGain = hn::MulAdd(dot(x, y, z, struck), weight, struckGain);
-            listeningGain = hn::MulAdd(dot(x, y, z, heard), weight, listeningGain);
+            listeningGain = hn::MulAdd(dot(x, y, z, listening), weight, listeningGain);
         }
         hn::StoreU(struckGain, f, struckGains + i);
         hn::StoreU(listeningGain, f, listeningGains + i);
@@ -57,7 +57,7 @@ void project(const ShapePoint& point,
                 return shape[0] * direction[0] + shape[1] * direction[1] + shape[2] * direction[2];
             };
             struckGains[i] += point.weights[k] * along(struck);
-            listeningGains[i] += point.weights[k] * along(heard);
+            listeningGains[i] += point.weights[k] * along(listening);
         }
     }
 }
@@ -242,11 +242,11 @@ HWY_EXPORT(cosine);
 
 void projectShapes(const ShapePoint& point,
                    const std::array<float, 3>& struck,
-                   const std::array<float, 3>& heard,
+                   const std::array<float, 3>& listening,
                    std::size_t count,
                    float* struckGains,
                    float* listeningGains) noexcept {
-    HWY_DYNAMIC_DISPATCH(project)(point, struck, heard, count, struckGains, listeningGains);
+    HWY_DYNAMIC_DISPATCH(project)(point, struck, listening, count, struckGains, listeningGains);
 }
 
 void forcedStates(const PulseInstant& pulse,
