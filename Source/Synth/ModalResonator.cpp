@@ -39,36 +39,34 @@ ModalResonator::ModalResonator(SynthesiserSlot ownSlot,
     movePoles();
 }
 
-void ModalResonator::controlChanged() noexcept {
+template <class Value>
+void ModalResonator::request(Value& requested, const Value& wanted) noexcept {
+    if (wanted == requested)
+        return;
+    requested = wanted;
     controlsChanged = true;
     asleep = false;
 }
 
 void ModalResonator::setDamping(double dampingPerSecond) noexcept {
-    if (!(dampingPerSecond >= 0) || !std::isfinite(dampingPerSecond) ||
-        dampingPerSecond == requestedDamping)
-        return;
-    requestedDamping = dampingPerSecond;
-    controlChanged();
+    if (dampingPerSecond >= 0 && std::isfinite(dampingPerSecond))
+        request(requestedDamping, dampingPerSecond);
 }
 
-void ModalResonator::setFrequencyRatio(double newRatio) noexcept {
-    if (!(newRatio > 0) || !std::isfinite(newRatio) || newRatio == requestedFrequencyRatio)
-        return;
-    requestedFrequencyRatio = newRatio;
-    controlChanged();
+void ModalResonator::setFrequencyRatio(double ratio) noexcept {
+    if (ratio > 0 && std::isfinite(ratio))
+        request(requestedFrequencyRatio, ratio);
 }
 
 void ModalResonator::setMaterial(const std::optional<LiveMaterial>& material) noexcept {
-    if (material == requestedMaterial)
-        return;
-    requestedMaterial = material;
-    controlChanged();
+    request(requestedMaterial, material);
 }
 
 void ModalResonator::setSilencedModes(std::span<const std::uint8_t> silenced) noexcept {
-    if (groups.requestSilenced(silenced))
-        controlChanged();
+    if (!groups.requestSilenced(silenced))
+        return;
+    controlsChanged = true;
+    asleep = false;
 }
 
 bool ModalResonator::beginSoundingCell(std::int64_t cell,
@@ -158,7 +156,6 @@ void ModalResonator::catchUp(const SynthesisSettings& settings) noexcept {
 void ModalResonator::mix(std::int32_t allowance, const CellOutput& cell) noexcept {
     if (contacts.empty() && !forces.actedIn(cellIndex - 1))
         active.choose(allowance, cellIndex);
-    mixedLastCell = active.mixedCount();
     output.render(active.blocks().list(), active.mixedRuns(), cell);
     contacts.mix(increments, cellIndex, cell);
 }
@@ -260,7 +257,6 @@ void ModalResonator::reset() noexcept {
     increments.reset();
     forces.reset();
     output.reset();
-    mixedLastCell = 0;
 }
 
 void ModalResonator::report(SoundingGroups& report) const noexcept {

@@ -13,7 +13,6 @@
 #include "Synth/SynthesiserSlot.h"
 
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <span>
 
@@ -94,14 +93,13 @@ public:
     bool silent() const noexcept {
         return active.blocks().none() && !contacts.sounding() && !output.fading();
     }
-    std::int32_t modesMixed() const noexcept { return mixedLastCell; }
     std::size_t channelsSounding() const noexcept { return bank.channels(); }
     std::int32_t groupCount() const noexcept { return static_cast<std::int32_t>(bank.size()); }
     std::int32_t groupsAudible() const noexcept {
         return static_cast<std::int32_t>(bank.poles().audibleCount());
     }
     /// Number of mixed modes, including those that strikes have added since `mix`.
-    std::int32_t modesMixedNow() const noexcept { return active.mixedCount(); }
+    std::int32_t modesMixed() const noexcept { return active.mixedCount(); }
 
 private:
     bool beginSoundingCell(std::int64_t cell,
@@ -109,7 +107,8 @@ private:
                            bool settingsChanged) noexcept;
     void applySettings(const SynthesisSettings& settings) noexcept;
     void movePoles() noexcept;
-    void controlChanged() noexcept;
+    template <class Value>
+    void request(Value& requested, const Value& wanted) noexcept;
     void prepareBank() noexcept;
     void widen(double farShare) noexcept;
     bool validPlace(const ForcePlace& place) const noexcept;
@@ -128,7 +127,6 @@ private:
     std::optional<LiveMaterial> requestedMaterial; ///< empty: the settings'
     Listening listening;                           ///< for strikes from now on
     double sizeNow = 1; ///< size over the reference size, for strikes from now on
-    std::int32_t mixedLastCell = 0;
 
     ModalBank bank;
     BankOutput output;

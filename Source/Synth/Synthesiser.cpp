@@ -135,7 +135,7 @@ void Synthesiser::mixInto(CellOf cellOf) noexcept {
     for (std::size_t k = 0; k < all.sounding.size(); ++k) {
         const auto slot = static_cast<std::size_t>(all.sounding[k]);
         all.objects[slot].mix(all.shares[k], cellOf(slot));
-        all.mixedNow += all.objects[slot].modesMixedNow();
+        all.mixedNow += all.objects[slot].modesMixed();
     }
     all.scratch->tubesNow = all.scratch->tubes.end;
     all.report();
@@ -176,7 +176,7 @@ std::int32_t Synthesiser::Implementation::allowance(std::size_t slot) const {
     const double unused = std::max(0.0, budget - static_cast<double>(mixedNow));
     return std::max({status[slot].share,
                      static_cast<std::int32_t>(budget / static_cast<double>(objectsThen)),
-                     objects[slot].modesMixedNow() + static_cast<std::int32_t>(unused)});
+                     objects[slot].modesMixed() + static_cast<std::int32_t>(unused)});
 }
 
 /// Applies `act` to one resonator and updates the count of mixed modes for the others.
@@ -185,9 +185,9 @@ bool Synthesiser::Implementation::on(std::size_t slot, Simulation act) {
     ModalResonator& object = objects[slot];
     wasTouched[slot] = 1;
     const std::int32_t allowed = allowance(slot);
-    mixedNow -= object.modesMixedNow();
+    mixedNow -= object.modesMixed();
     const bool done = act(object, allowed);
-    mixedNow += object.modesMixedNow();
+    mixedNow += object.modesMixed();
     return done;
 }
 
