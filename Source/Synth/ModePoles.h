@@ -26,7 +26,6 @@ public:
     ModalPole pole(std::size_t g) const noexcept {
         return {coefficients.stiffness[g], coefficients.damping[g]};
     }
-    bool audible(std::size_t g) const noexcept { return audibles[g] != 0; }
     std::size_t audibleCount() const noexcept { return audibleModes; }
     const float* audibleWeights() const noexcept { return audibles.data(); } ///< 1 or 0
     /// Frequencies of lightly damped modes within the band in Hz, ascending, silenced or not. A
