@@ -3,7 +3,6 @@
 #pragma once
 
 #include "Synth/BankOutput.h"
-#include "Synth/ModeIndex.h"
 
 #include <cstddef>
 #include <cstdint>

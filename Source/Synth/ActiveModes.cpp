@@ -1,7 +1,5 @@
 #include "Synth/ActiveModes.h"
 
-#include "Synth/ModeIndex.h"
-
 #include <algorithm>
 #include <bit>
 #include <cmath>

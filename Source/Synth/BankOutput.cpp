@@ -1,7 +1,5 @@
 #include "Synth/BankOutput.h"
 
-#include "Synth/ModeIndex.h"
-
 #include <algorithm>
 #include <cmath>
 #include <utility>

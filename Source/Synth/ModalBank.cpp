@@ -2,7 +2,6 @@
 
 #include "Synth/ForceKernel.h"
 #include "Synth/IncrementKernel.h"
-#include "Synth/ModeIndex.h"
 #include "Synth/ModeMix.h"
 
 #include <algorithm>

@@ -1,6 +1,5 @@
 #include "Synth/ModeFader.h"
 
-#include "Synth/ModeIndex.h"
 #include "Synth/SynthesisSettings.h"
 
 #include <algorithm>

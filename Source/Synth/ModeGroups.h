@@ -4,7 +4,6 @@
 
 #include "Synth/Imperfection.h"
 #include "Synth/ModalPole.h"
-#include "Synth/ModeIndex.h"
 #include "Synth/ModeResidues.h"
 #include "Synth/SynthesisScratch.h"
 

@@ -1,7 +1,5 @@
 #include "Synth/ModePoles.h"
 
-#include "Synth/ModeIndex.h"
-
 #include <algorithm>
 #include <utility>
 

@@ -2,7 +2,6 @@
 
 #include "Synth/IncrementKernel.h"
 #include "Synth/ModalBank.h"
-#include "Synth/ModeIndex.h"
 #include "Synth/ModeMix.h"
 #include "Synth/UnitContact.h"
 
