@@ -42,9 +42,9 @@ void ActiveBlocks::wake(float threshold, std::int64_t grid) noexcept {
 void ActiveBlocks::bringUpToDate(std::size_t block, std::int64_t grid) noexcept {
     const Block& resting = blocks[block];
     if (bank.energyOfLoudest(block) > 0)
-        bank.advanceBlock(
-            block, output.cellSeconds() * static_cast<double>(grid - resting.restsSince),
-            std::exp(resting.restsAtDampingLog - output.dampingLog(grid)), faintestVelocity);
+        bank.advanceBlock(block,
+                          output.cellSeconds() * static_cast<double>(grid - resting.restsSince),
+                          std::exp(resting.restsAtDampingLog - output.dampingLog(grid)));
     rest(block, grid);
 }
 

@@ -47,7 +47,7 @@ void ActiveModes::survey(Change allowed) noexcept {
     }
     if (found.faint)
         for (const std::int32_t b : activeBlocks.list())
-            bank.clearFaint(index(b), faintestVelocity);
+            bank.clearFaint(index(b));
     demanded = {found.amplitudes, ringing};
 }
 

@@ -34,11 +34,6 @@ void ModalBank::setChannels(std::size_t wanted) noexcept {
     channelCount = std::min(channelCount, wanted);
 }
 
-void ModalBank::resize(std::size_t count) noexcept {
-    modes.resize(count);
-    clear();
-}
-
 void ModalBank::clear() noexcept {
     for (auto* arrays : {&states.x, &states.y})
         for (auto& array : *arrays)
@@ -109,16 +104,14 @@ float ModalBank::energyOfLoudest(std::size_t block) const noexcept {
     return *std::max_element(first, first + modeBlock);
 }
 
-void ModalBank::clearFaint(std::size_t block, double faintest) noexcept {
+void ModalBank::clearFaint(std::size_t block) noexcept {
     for (std::size_t g = block * modeBlock; g < (block + 1) * modeBlock; ++g)
-        if (!(static_cast<double>(energy[g]) > faintest * faintest && energy[g] < largestEnergy))
+        if (!(static_cast<double>(energy[g]) > faintestVelocity * faintestVelocity &&
+              energy[g] < largestEnergy))
             silence(g);
 }
 
-void ModalBank::advanceBlock(std::size_t block,
-                             double seconds,
-                             double factor,
-                             double faintest) noexcept {
+void ModalBank::advanceBlock(std::size_t block, double seconds, double factor) noexcept {
     const std::size_t first = block * modeBlock;
     const std::size_t end = first + modeBlock;
     modes.heavy().save(states, first, end, channelCount);
@@ -133,7 +126,7 @@ void ModalBank::advanceBlock(std::size_t block,
     }
     modes.heavy().advance(first, end, seconds, factor, channelCount, states);
     modes.heavy().measure(first, end, states, channelCount, energy);
-    clearFaint(block, faintest);
+    clearFaint(block);
 }
 
 void ModalBank::renderFrom(ModeStates& from,

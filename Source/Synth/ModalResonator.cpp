@@ -33,7 +33,6 @@ ModalResonator::ModalResonator(SynthesiserSlot ownSlot,
       increments(bank, output, active, scratch),
       contacts(object, bank, output, active, residues, scratch),
       forces(bank, output, active, residues, scratch) {
-    bank.resize(object.modeCount());
     output.findTubeParts(groups.starts());
     applySettings({});
     movePoles();
@@ -170,7 +169,7 @@ void ModalResonator::prepareBank() noexcept {
         movePoles();
 }
 
-/// Opens the second channel at the first strike that is heard far.
+/// Opens the second channel at the first strike with far sound.
 void ModalResonator::widen(double farShare) noexcept {
     if (!(farShare > 0) || outputChannels == 1 || bank.channels() == maximumChannels)
         return;

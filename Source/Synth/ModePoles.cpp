@@ -9,13 +9,7 @@ ModePoles::ModePoles(std::size_t capacity, double sampleRateHz)
     : secondsPerSample(1 / sampleRateHz), count(capacity), coefficients(paddedSize()),
       audibles(paddedSize()), heavyModes(capacity, sampleRateHz) {
     resonancesHz.reserve(capacity);
-}
-
-void ModePoles::resize(std::size_t modes) noexcept {
-    count = modes;
-    forget();
     std::ranges::fill(coefficients.stiffness, 1.0);
-    std::ranges::fill(coefficients.damping, 0.0);
 }
 
 void ModePoles::regroup(std::size_t modes, std::span<const ModeShare> shares) noexcept {

@@ -18,7 +18,6 @@ ModalPole poleAt(double frequencyHz, double damping = 10) {
 
 ModePoles polesAt(const std::vector<double>& frequenciesHz) {
     ModePoles poles(frequenciesHz.size(), sampleRateHz);
-    poles.resize(frequenciesHz.size());
     for (std::size_t g = 0; g < frequenciesHz.size(); ++g)
         poles.set(g, poleAt(frequenciesHz[g]));
     return poles;
