@@ -27,7 +27,7 @@ bool GroupResidues::compute(const StrikePoint& point,
                   scratch.struckGains.data(), scratch.listeningGains.data());
     if (groups.conditions().imperfection > 0)
         for (auto* gains : {&scratch.struckGains, &scratch.listeningGains})
-            turnPairs(groups.pairs(), std::span(*gains));
+            rotatePairs(groups.pairs(), std::span(*gains));
     const double farShare = listening.farShare;
     const auto near = static_cast<float>(listening.nearGain);
     const auto far = static_cast<float>(listening.farGain);
@@ -103,7 +103,7 @@ void GroupResidues::findRadiation(std::int32_t direction) noexcept {
     }
     if (ofPairs)
         for (auto* channel : {&first, &second})
-            turnPairs(groups.pairs(), std::span(*channel));
+            rotatePairs(groups.pairs(), std::span(*channel));
     if (outputChannels == 1 && direction < 0)
         std::ranges::transform(
             first, second, first.begin(),

@@ -24,9 +24,9 @@ namespace idiophone {
 class ModalResonator {
 public:
     /// The slot has an object. `channels` is the channel count of the cells, 1 or 2. A resonator
-    /// sounds in stereo from the first far-heard strike (`SynthesisSettings::radiation`) until it
-    /// is silent again. Weights and seed: see ModeGroups. `scratch` has room for the slot's object
-    /// and outlives this; resonators on one thread share it.
+    /// sounds in stereo from the first strike with far sound (`SynthesisSettings::radiation`) until
+    /// it is silent again. Weights and seed: see ModeGroups. `scratch` has room for the slot's
+    /// object and outlives this; resonators on one thread share it.
     ModalResonator(SynthesiserSlot slot,
                    ModeGroups::ModeWeights modeWeights,
                    std::uint32_t seed,
@@ -87,7 +87,7 @@ public:
 
     void reset() noexcept;
 
-    /// Reports the groups of modes as heard in the current cell.
+    /// Reports the groups of modes in the current cell.
     void report(SoundingGroups& groups) const noexcept;
 
     bool silent() const noexcept {

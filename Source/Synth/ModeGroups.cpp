@@ -60,7 +60,7 @@ bool ModeGroups::follow() noexcept {
     if (eigenvaluesAreBehind) {
         for (std::size_t mode = 0; mode < modeEigenvalues.size(); ++mode)
             modeEigenvalues[mode] = object.eigenvalueAt(mode, current.thicknessRatio);
-        partPairs(modePairs, current.imperfection, modeEigenvalues);
+        splitPairs(modePairs, current.imperfection, modeEigenvalues);
     }
     const std::size_t groups =
         groupModes(modeEigenvalues, current.law, current.compression, scratch.groupStarts,

@@ -39,8 +39,8 @@ struct Synthesiser::Implementation {
     void listSounding();
     void report();
     std::int32_t allowance(std::size_t slot) const;
-    template <class Simulation>
-    bool on(std::size_t slot, Simulation act);
+    template <class Action>
+    bool apply(std::size_t slot, Action action);
 };
 
 Synthesiser::Synthesiser(std::vector<SynthesiserSlot> slots,
@@ -179,14 +179,14 @@ std::int32_t Synthesiser::Implementation::allowance(std::size_t slot) const {
                      objects[slot].modesMixed() + static_cast<std::int32_t>(unused)});
 }
 
-/// Applies `act` to one resonator and updates the count of mixed modes for the others.
-template <class Simulation>
-bool Synthesiser::Implementation::on(std::size_t slot, Simulation act) {
+/// Applies an action to one resonator and updates the count of mixed modes for the others.
+template <class Action>
+bool Synthesiser::Implementation::apply(std::size_t slot, Action action) {
     ModalResonator& object = objects[slot];
     wasTouched[slot] = 1;
     const std::int32_t allowed = allowance(slot);
     mixedNow -= object.modesMixed();
-    const bool done = act(object, allowed);
+    const bool done = action(object, allowed);
     mixedNow += object.modesMixed();
     return done;
 }
@@ -196,7 +196,7 @@ bool Synthesiser::strike(std::size_t slot,
                          double sampleInCell,
                          const CellOutput& cell) noexcept {
     auto& all = *implementation;
-    return slot < slotCount() && all.on(slot, [&](ModalResonator& object, std::int32_t allowed) {
+    return slot < slotCount() && all.apply(slot, [&](ModalResonator& object, std::int32_t allowed) {
         object.catchUp(all.settings);
         return object.strike(strike, sampleInCell, allowed, cell);
     });
@@ -210,7 +210,7 @@ bool Synthesiser::applyForce(std::size_t slot,
                              const ForceCell& force,
                              const CellOutput& cell) noexcept {
     auto& all = *implementation;
-    return slot < slotCount() && all.on(slot, [&](ModalResonator& object, std::int32_t allowed) {
+    return slot < slotCount() && all.apply(slot, [&](ModalResonator& object, std::int32_t allowed) {
         return object.applyForce(force, allowed, cell);
     });
 }
