@@ -12,7 +12,7 @@ using namespace idiophone;
 
 namespace {
 
-/// The second batch of a bank, with random tables and states.
+/// The second batch of a bank, with random tables and states, also of modes beyond it.
 struct SecondBatch {
     static constexpr std::size_t first = batchModes;
     static constexpr std::size_t end = first + 3 * modeBlock;
@@ -23,7 +23,7 @@ struct SecondBatch {
         for (float& entry : tables)
             entry = values(random);
         for (std::size_t b = 0; b < subBlocks; ++b)
-            for (std::size_t place = 0; place < end - first; ++place) {
+            for (std::size_t place = 0; place < batchModes; ++place) {
                 ahead.x[b][place] = values(random);
                 ahead.y[b][place] = values(random);
             }
@@ -37,7 +37,7 @@ struct SecondBatch {
                double(table[subBlockSamples]) * double(ahead.y[b][place]);
     }
 
-    AlignedVector<float> tables = AlignedVector<float>(2 * subBlockSamples * end);
+    AlignedVector<float> tables = AlignedVector<float>(2 * subBlockSamples * (end + modeBlock));
     SubBlockStates ahead{};
 };
 
