@@ -166,13 +166,13 @@ void sum(const ChannelResidues& residues,
     std::size_t g = first;
     for (; g + hn::MaxLanes(f) <= end; g += hn::MaxLanes(f)) {
         const auto quadrature = hn::LoadU(f, residues.im.data() + g);
-        const FloatComplex heard{hn::MulAdd(quadrature, hn::LoadU(f, unit.quadratureRe.data() + g),
-                                            hn::LoadU(f, residues.re.data() + g)),
-                                 hn::Mul(quadrature, hn::LoadU(f, unit.quadratureIm.data() + g))};
+        const FloatComplex weight{hn::MulAdd(quadrature, hn::LoadU(f, unit.quadratureRe.data() + g),
+                                             hn::LoadU(f, residues.re.data() + g)),
+                                  hn::Mul(quadrature, hn::LoadU(f, unit.quadratureIm.data() + g))};
         const FloatComplex swing =
-            product(heard, FloatComplex{hn::LoadU(f, unit.swingRe.data() + g),
-                                        hn::LoadU(f, unit.swingIm.data() + g)});
-        steady = hn::MulAdd(heard.re, hn::LoadU(f, unit.steady.data() + g), steady);
+            product(weight, FloatComplex{hn::LoadU(f, unit.swingRe.data() + g),
+                                         hn::LoadU(f, unit.swingIm.data() + g)});
+        steady = hn::MulAdd(weight.re, hn::LoadU(f, unit.steady.data() + g), steady);
         swingRe = hn::Add(swing.re, swingRe);
         swingIm = hn::Add(swing.im, swingIm);
     }
@@ -183,12 +183,13 @@ void sum(const ChannelResidues& residues,
     total.swing += std::complex<double>(sumOf(swingRe), sumOf(swingIm));
     for (; g < end; ++g) {
         const auto quadrature = static_cast<double>(residues.im[g]);
-        const std::complex<double> heard(static_cast<double>(residues.re[g]) +
-                                             quadrature * static_cast<double>(unit.quadratureRe[g]),
-                                         quadrature * static_cast<double>(unit.quadratureIm[g]));
-        total.steady += heard.real() * static_cast<double>(unit.steady[g]);
+        const std::complex<double> weight(static_cast<double>(residues.re[g]) +
+                                              quadrature *
+                                                  static_cast<double>(unit.quadratureRe[g]),
+                                          quadrature * static_cast<double>(unit.quadratureIm[g]));
+        total.steady += weight.real() * static_cast<double>(unit.steady[g]);
         total.swing +=
-            idiophone::product(heard, std::complex<double>(unit.swingRe[g], unit.swingIm[g]));
+            idiophone::product(weight, std::complex<double>(unit.swingRe[g], unit.swingIm[g]));
     }
 }
 
