@@ -66,6 +66,14 @@ Matrix lambIntegrals(const Matrix& squaredAxes) noexcept {
     return sum;
 }
 
+/// Returns the radius of the sphere with the same volumes along the impulse.
+double radiusAlong(const RigidRadiator& body, const std::array<float, 3>& impulse) noexcept {
+    constexpr Matrix identity{1, 0, 0, 0, 1, 0, 0, 0, 1};
+    const double square = between(impulse, identity, impulse);
+    const double volume = square > 0 ? between(impulse, body.volumes, impulse) / square : 0;
+    return std::cbrt(volume / (2 * pi));
+}
+
 } // namespace
 
 RigidRadiator rigidRadiator(const ModalObject& object) noexcept {
@@ -93,25 +101,6 @@ RigidRadiator rigidRadiator(const ModalObject& object) noexcept {
     return isSound ? result : RigidRadiator{};
 }
 
-double clickSeconds(const RigidRadiator& body,
-                    const std::array<float, 3>& impulse,
-                    double contactSeconds,
-                    double sizeRatio) noexcept {
-    constexpr Matrix identity{1, 0, 0, 0, 1, 0, 0, 0, 1};
-    const double square = between(impulse, identity, impulse);
-    const double volume = square > 0 ? between(impulse, body.volumes, impulse) / square : 0;
-    const double radius = sizeRatio * std::cbrt(volume / (2 * pi));
-    return std::hypot(contactSeconds, 3.72 * radius / soundMetresPerSecond);
-}
-
-double clickPascalMetres(const RigidRadiator& body,
-                         const std::array<float, 3>& impulse,
-                         const std::array<float, 3>& towards,
-                         double seconds) noexcept {
-    return airDensityKgPerM3 / (4 * pi * soundMetresPerSecond) *
-           between(towards, body.volumes, impulse) / body.massKg * 2 * pi / (seconds * seconds);
-}
-
 RigidClick rigidClick(const RigidRadiator& body,
                       const std::array<float, 3>& impulse,
                       double contactSeconds,
@@ -120,11 +109,16 @@ RigidClick rigidClick(const RigidRadiator& body,
                       const std::array<std::array<float, 3>, 2>& towards) noexcept {
     // A minimum length keeps the spectrum at low frequencies, so that the click does not alias.
     constexpr double shortestSamples = 4;
-    const double seconds = std::max(clickSeconds(body, impulse, contactSeconds, sizeRatio),
-                                    shortestSamples / sampleRateHz);
-    return {.seconds = seconds,
-            .pascalMetres = {clickPascalMetres(body, impulse, towards[0], seconds),
-                             clickPascalMetres(body, impulse, towards[1], seconds)}};
+    const double radius = sizeRatio * radiusAlong(body, impulse);
+    const double seconds =
+        std::max(std::hypot(contactSeconds, 3.72 * radius / soundMetresPerSecond),
+                 shortestSamples / sampleRateHz);
+    RigidClick click{.seconds = seconds};
+    for (std::size_t side = 0; side < towards.size(); ++side)
+        click.pascalMetres[side] = airDensityKgPerM3 / (4 * pi * soundMetresPerSecond) *
+                                   between(towards[side], body.volumes, impulse) / body.massKg * 2 *
+                                   pi / (seconds * seconds);
+    return click;
 }
 
 } // namespace idiophone

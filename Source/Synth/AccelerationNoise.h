@@ -24,31 +24,21 @@ struct RigidRadiator {
 /// modes in its analysis is held or measured, and does not click. Neither allocates nor throws.
 RigidRadiator rigidRadiator(const ModalObject& object) noexcept;
 
-/// Returns the length of the click of a contact of T = `contactSeconds` ≥ 0: √(T² + (3.72 a/c)²).
-/// Here a is the radius of the sphere with the same volumes along the impulse. The spectrum of a
-/// sine of length 3.72 a/c peaks at ka = √2, as a sphere's response to an impulse does. Any thread.
-double clickSeconds(const RigidRadiator& body,
-                    const std::array<float, 3>& impulseNewtonSeconds,
-                    double contactSeconds,
-                    double sizeRatio) noexcept;
-
-/// Returns the amplitude P [Pa·m] of the far pressure times the distance, for a click of length
-/// `seconds` > 0. `towards` is the direction, of length 1. The force on the air is a dipole, p r =
-/// ρ0/(4π c) towards · volumes · da/dt (Landau & Lifshitz, Fluid Mechanics, section 74), with a =
-/// (J/(M T))(1 − cos Ωt), Ω = 2π/T. So p r = P sin Ωt for 0 ≤ t ≤ T, and 0 outside. Any thread.
-double clickPascalMetres(const RigidRadiator& body,
-                         const std::array<float, 3>& impulseNewtonSeconds,
-                         const std::array<float, 3>& towards,
-                         double seconds) noexcept;
-
 /// A click p r = P sin Ωt for 0 ≤ t ≤ T, Ω = 2π/T.
 struct RigidClick {
     double seconds = 1;                   ///< T
     std::array<double, 2> pascalMetres{}; ///< P to the left and to the right
 };
 
-/// Returns the click of a strike in two directions of length 1, at least 4 samples long. The body's
-/// size does not change P, as its volumes scale with its mass. Any thread.
+/// Returns the click of a contact in two directions of length 1. Any thread.
+///
+/// T is √(`contactSeconds`² + (3.72 a/c)²) and at least 4 samples. Here a is the radius of the
+/// sphere with the same volumes along the impulse J. The spectrum of a sine of length 3.72 a/c
+/// peaks at ka = √2, as a sphere's response to an impulse does.
+///
+/// The force on the air is a dipole, p r = ρ0/(4π c) towards · volumes · da/dt (Landau & Lifshitz,
+/// Fluid Mechanics, section 74), with a = (J/(M T))(1 − cos Ωt). The body's size does not change P,
+/// as its volumes scale with its mass.
 RigidClick rigidClick(const RigidRadiator& body,
                       const std::array<float, 3>& impulseNewtonSeconds,
                       double contactSeconds,

@@ -1,8 +1,7 @@
 #include "Synth/ActiveModes.h"
 
-#include "Synth/ModeIndex.h"
-
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace idiophone {
@@ -17,20 +16,10 @@ constexpr float smallestFade = 1e-6f;
 } // namespace
 
 ActiveModes::ActiveModes(ModalBank& ownBank, BankOutput& ownOutput, SynthesisScratch& sharedScratch)
-    : bank(ownBank), output(ownOutput), scratch(sharedScratch), states(ownBank.blockCount()) {
-    activeBlocks.reserve(states.size());
+    : bank(ownBank), output(ownOutput), scratch(sharedScratch), activeBlocks(ownBank, ownOutput),
+      flags(ownBank.blockCount()) {
     mixed.reserve(bank.size());
     runs.reserve(bank.size());
-}
-
-float ActiveModes::amplitude(std::size_t g, std::int64_t grid) const noexcept {
-    const double held = std::sqrt(static_cast<double>(bank.energies()[g]));
-    const Block& block = states[g / modeBlock];
-    if (block.active || held == 0)
-        return static_cast<float>(held);
-    const double seconds = output.cellSeconds() * static_cast<double>(grid - block.restsSince);
-    return static_cast<float>(held * std::exp(block.restsAtDampingLog - output.dampingLog(grid) -
-                                              decayBound(bank.pole(g)) * seconds));
 }
 
 bool ActiveModes::holdsAboveTau() const noexcept {
@@ -43,43 +32,43 @@ bool ActiveModes::holdsAboveTau() const noexcept {
 void ActiveModes::survey(Change allowed) noexcept {
     const EnergySurvey found =
         surveyEnergies(bank.energies(), bank.poles().audibleWeights(), tauEnergy(), faintEnergy,
-                       activeBlocks, scratch.aboveTau.data());
+                       activeBlocks.list(), scratch.aboveTau.data());
     std::int32_t ringing = found.modes;
-    for (const std::int32_t number : activeBlocks) {
-        Block& block = states[index(number)];
+    for (const std::int32_t number : activeBlocks.list()) {
+        const unsigned before = flags[index(number)].rings;
         const std::uint16_t above = scratch.aboveTau[index(number)];
-        if (block.rings == above)
+        if (before == above)
             continue;
-        const unsigned kept = allowed == Change::joinOnly ? block.rings : 0u;
-        const unsigned rings = allowed == Change::none ? block.rings : above | kept;
+        const unsigned kept = allowed == Change::joinOnly ? before : 0u;
+        const unsigned rings = allowed == Change::none ? before : above | kept;
         ringing += std::popcount(rings) - std::popcount(above);
-        mixedIsRinging = mixedIsRinging && rings == block.rings;
-        block.rings = static_cast<std::uint16_t>(rings);
+        mixedIsRinging = mixedIsRinging && rings == before;
+        flags[index(number)].rings = static_cast<std::uint16_t>(rings);
     }
     if (found.faint)
-        for (const std::int32_t b : activeBlocks)
-            bank.clearFaint(index(b), faintestVelocity);
+        for (const std::int32_t b : activeBlocks.list())
+            bank.clearFaint(index(b));
     demanded = {found.amplitudes, ringing};
 }
 
-void ActiveModes::choose(std::int32_t share, std::int64_t grid) noexcept {
-    const bool all = share >= demanded.modes;
+void ActiveModes::choose(std::int32_t allowance, std::int64_t grid) noexcept {
+    const bool all = allowance >= demanded.modes;
     if (all && mixedIsRinging)
         return;
     if (all)
-        for (const std::int32_t b : activeBlocks)
-            scratch.wanted[index(b)] = states[index(b)].rings;
+        for (const std::int32_t b : activeBlocks.list())
+            scratch.wanted[index(b)] = flags[index(b)].rings;
     else
-        selectStrongest(static_cast<std::size_t>(std::max(share, 0)));
+        selectStrongest(static_cast<std::size_t>(std::max(allowance, 0)));
     scratch.leaving.clear();
     scratch.joining.clear();
-    for (const std::int32_t number : activeBlocks) {
+    for (const std::int32_t number : activeBlocks.list()) {
         const std::size_t b = index(number);
-        const unsigned before = states[b].mixed;
+        const unsigned before = flags[b].mixed;
         const unsigned now = scratch.wanted[b];
         appendModes(b, before & ~now, scratch.leaving);
         appendModes(b, now & ~before, scratch.joining);
-        states[b].mixed = scratch.wanted[b];
+        flags[b].mixed = scratch.wanted[b];
     }
     mixedIsRinging = all;
     output.fade(scratch.leaving, 1);
@@ -91,9 +80,9 @@ void ActiveModes::choose(std::int32_t share, std::int64_t grid) noexcept {
 
 void ActiveModes::selectStrongest(std::size_t maximum) noexcept {
     scratch.candidates.clear();
-    for (const std::int32_t number : activeBlocks) {
+    for (const std::int32_t number : activeBlocks.list()) {
         scratch.wanted[index(number)] = 0;
-        appendModes(index(number), states[index(number)].rings, scratch.candidates);
+        appendModes(index(number), flags[index(number)].rings, scratch.candidates);
     }
     keepLoudest(scratch.candidates, bank.energies(), maximum);
     for (const std::int32_t g : scratch.candidates)
@@ -102,78 +91,44 @@ void ActiveModes::selectStrongest(std::size_t maximum) noexcept {
 
 void ActiveModes::listMixed() noexcept {
     mixed.clear();
-    for (const std::int32_t number : activeBlocks)
-        appendModes(index(number), states[index(number)].mixed, mixed);
+    for (const std::int32_t number : activeBlocks.list())
+        appendModes(index(number), flags[index(number)].mixed, mixed);
     findRuns(mixed, runs);
     ++changes;
 }
 
-void ActiveModes::rest(Block& block, std::int64_t grid) const noexcept {
-    block.restsSince = grid;
-    block.restsAtDampingLog = output.dampingLog(grid);
-}
-
 void ActiveModes::retireBlocks(std::int64_t grid) noexcept {
-    std::erase_if(activeBlocks, [&](std::int32_t number) {
-        Block& block = states[index(number)];
-        if ((block.rings | block.mixed) != 0)
-            return false;
-        block.active = false;
-        rest(block, grid);
-        return true;
-    });
-}
-
-/// Returns whether the block holds anything but zeros.
-bool ActiveModes::bringUpToDate(std::size_t b, std::int64_t grid) noexcept {
-    if (!(bank.energyOfLoudest(b) > 0))
-        return false;
-    Block& block = states[b];
-    bank.advanceBlock(b, output.cellSeconds() * static_cast<double>(grid - block.restsSince),
-                      std::exp(block.restsAtDampingLog - output.dampingLog(grid)),
-                      faintestVelocity);
-    rest(block, grid);
-    return bank.energyOfLoudest(b) > 0;
+    activeBlocks.retire([&](std::size_t b) { return (flags[b].rings | flags[b].mixed) == 0; },
+                        grid);
 }
 
 void ActiveModes::wake(std::int64_t grid) noexcept {
-    const auto isLoud = [&](std::size_t b) { return bank.energyOfLoudest(b) > tauEnergy(); };
-    for (std::size_t b = 0; b < bank.blockCount(); ++b)
-        if (!states[b].active && isLoud(b) && bringUpToDate(b, grid) && isLoud(b))
-            activate(b);
-}
-
-void ActiveModes::activate(std::size_t b) noexcept {
-    if (states[b].active)
-        return;
-    states[b].active = true;
+    activeBlocks.wake(tauEnergy(), grid);
     mixedIsRinging = false;
-    const auto number = static_cast<std::int32_t>(b);
-    activeBlocks.insert(std::ranges::lower_bound(activeBlocks, number), number);
 }
 
 /// Mixes the audible modes of `energies` above `threshold`. If the allowance is too small for all,
 /// takes the loudest.
-bool ActiveModes::join(const float* energies,
-                       float threshold,
-                       const float* loudness,
-                       std::int32_t allowance,
-                       bool duringContact,
-                       std::int64_t grid) noexcept {
+std::span<const ModeRun> ActiveModes::join(const float* energies,
+                                           float threshold,
+                                           const float* loudness,
+                                           std::int32_t allowance,
+                                           bool duringContact,
+                                           std::int64_t grid) noexcept {
     if (allMixed())
-        return false;
+        return {};
     surveyEnergies(energies, bank.poles().audibleWeights(), threshold, 0, bank.allBlocks(),
                    scratch.wanted.data());
     scratch.joining.clear();
     for (std::size_t b = 0; b < bank.blockCount(); ++b) {
-        const unsigned barred = states[b].mixed | (duringContact ? states[b].rings : 0u);
+        const unsigned barred = flags[b].mixed | (duringContact ? flags[b].rings : 0u);
         appendModes(b, scratch.wanted[b] & ~barred, scratch.joining);
     }
     keepLoudest(scratch.joining, loudness,
                 static_cast<std::size_t>(std::max(allowance - mixedCount(), 0)));
     std::ranges::sort(scratch.joining);
     if (scratch.joining.empty())
-        return false;
+        return {};
     scratch.leaving.clear();
     for (const std::int32_t mode : scratch.joining)
         admit(index(mode), grid);
@@ -182,37 +137,31 @@ bool ActiveModes::join(const float* energies,
     findRuns(scratch.joining, scratch.joiningRuns);
     listMixed();
     mixedIsRinging = false;
-    return true;
+    return scratch.joiningRuns;
 }
 
 /// Mixes a struck mode. Earlier motion that τ had cut stays cut.
 void ActiveModes::admit(std::size_t g, std::int64_t grid) noexcept {
     const std::size_t b = g / modeBlock;
-    if (!states[b].active) {
-        bringUpToDate(b, grid);
-        activate(b);
+    if (!activeBlocks.contains(b)) {
+        activeBlocks.bringUpToDate(b, grid);
+        activeBlocks.activate(b);
     }
     if (rings(g))
         scratch.leaving.push_back(static_cast<std::int32_t>(g));
     else
         bank.silence(g);
-    states[b].rings |= bitOf(g);
-    states[b].mixed |= bitOf(g);
-}
-
-void ActiveModes::bringRestingUpToDate(std::int64_t grid) noexcept {
-    for (std::size_t b = 0; b < bank.blockCount(); ++b)
-        if (!states[b].active && !bringUpToDate(b, grid))
-            rest(states[b], grid);
+    flags[b].rings |= bitOf(g);
+    flags[b].mixed |= bitOf(g);
 }
 
 void ActiveModes::listRinging() noexcept {
     surveyEnergies(bank.energies(), bank.poles().audibleWeights(), tauEnergy(), 0, bank.allBlocks(),
                    scratch.aboveTau.data());
     for (std::size_t b = 0; b < bank.blockCount(); ++b) {
-        states[b].rings = scratch.aboveTau[b] | states[b].mixed;
-        if (states[b].rings != 0)
-            activate(b);
+        flags[b].rings = scratch.aboveTau[b] | flags[b].mixed;
+        if (flags[b].rings != 0)
+            activeBlocks.activate(b);
     }
     mixedIsRinging = false;
 }
@@ -224,7 +173,7 @@ void ActiveModes::fadeInaudible(const ModeGroups& groups, std::int64_t grid) noe
         if (groups.audible(g))
             continue;
         scratch.leaving.push_back(mode);
-        Block& block = states[g / modeBlock];
+        Flags& block = flags[g / modeBlock];
         block.mixed = static_cast<std::uint16_t>(block.mixed & ~bitOf(g));
         block.rings = static_cast<std::uint16_t>(block.rings & ~bitOf(g));
     }
@@ -240,13 +189,11 @@ void ActiveModes::regroup(const ModeGroups& groups, std::int64_t grid) noexcept 
     fadeChanges(groups.shares());
     bank.regroup(groups.size(), groups.shares(), scratch.states);
     output.findTubeParts(groups.starts());
-    activeBlocks.clear();
-    for (std::size_t b = 0; b < states.size(); ++b) {
-        const bool active = (scratch.aboveTau[b] | scratch.wanted[b]) != 0;
-        states[b] = {.rings = scratch.aboveTau[b], .mixed = scratch.wanted[b], .active = active};
-        rest(states[b], grid);
-        if (active)
-            activeBlocks.push_back(static_cast<std::int32_t>(b));
+    activeBlocks.restAll(grid);
+    for (std::size_t b = 0; b < flags.size(); ++b) {
+        flags[b] = {.rings = scratch.aboveTau[b], .mixed = scratch.wanted[b]};
+        if ((flags[b].rings | flags[b].mixed) != 0)
+            activeBlocks.activate(b);
     }
     mixedIsRinging = false;
     listMixed();
@@ -288,8 +235,8 @@ void ActiveModes::fadeChanges(std::span<const ModeShare> shares) noexcept {
 }
 
 void ActiveModes::reset() noexcept {
-    std::ranges::fill(states, Block{});
-    activeBlocks.clear();
+    std::ranges::fill(flags, Flags{});
+    activeBlocks.restAll(0);
     mixed.clear();
     runs.clear();
     mixedIsRinging = true;

@@ -37,7 +37,7 @@ void BankOutput::findTubeParts(std::span<const std::int32_t> groupStarts) noexce
     constexpr float smallestShare = 1e-3f; // a smaller pulsation is inaudible
     tubeParts.clear();
     for (std::size_t g = 0; !tubeShares.empty() && g + 1 < groupStarts.size(); ++g) {
-        const float share = tubeShares[static_cast<std::size_t>(groupStarts[g])];
+        const float share = tubeShares[index(groupStarts[g])];
         if (std::abs(share) > smallestShare)
             tubeParts.push_back({static_cast<std::int32_t>(g), share});
     }
@@ -71,16 +71,16 @@ void BankOutput::fade(std::span<const std::int32_t> modes, float share) noexcept
 /// The discs hardly move during the 3 ms of a fade.
 void BankOutput::fade(std::span<const std::int32_t> modes, std::span<float> shares) noexcept {
     for (std::size_t k = 0; k < modes.size(); ++k)
-        shares[k] *= openingNow(static_cast<std::size_t>(modes[k]));
+        shares[k] *= openingNow(index(modes[k]));
     fader.change(bank, modes, shares);
 }
 
-void BankOutput::add(const ChannelOutputs& sound,
+void BankOutput::add(const CellSound& sound,
                      std::size_t from,
                      std::size_t count,
                      const CellOutput& cell) const noexcept {
     for (std::size_t c = 0; c < cell.channels(); ++c) {
-        const float* added = sound[std::min(c, bank.channels() - 1)];
+        const auto& added = sound[std::min(c, bank.channels() - 1)];
         float* output = cell[c].data() + from;
         for (std::size_t k = 0; k < count; ++k)
             output[k] += added[k];

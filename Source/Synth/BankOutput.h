@@ -55,12 +55,10 @@ public:
     bool fading() const noexcept { return fader.active(); }
 
     /// Adds `count` samples to the cell from sample `from` on. A mono sound goes to both channels.
-    void add(CellSound& sound,
+    void add(const CellSound& sound,
              std::size_t from,
              std::size_t count,
-             const CellOutput& cell) const noexcept {
-        add(outputsOf(sound), from, count, cell);
-    }
+             const CellOutput& cell) const noexcept;
     /// Takes the part that the discs block out of the cell; overwrites `tube`, the tube's part of
     /// a sound in the cell.
     void closeTubes(CellSound& tube,
@@ -76,10 +74,6 @@ public:
     void reset() noexcept { fader.reset(); }
 
 private:
-    void add(const ChannelOutputs& sound,
-             std::size_t from,
-             std::size_t count,
-             const CellOutput& cell) const noexcept;
     void renderTo(const ChannelOutputs& outputs,
                   std::span<const std::int32_t> blocks,
                   std::span<const ModeRun> runs) noexcept;

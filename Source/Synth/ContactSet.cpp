@@ -56,7 +56,6 @@ bool ContactSet::compute(const Contact& contact) noexcept {
     return reasonable;
 }
 
-/// Adds `factor` times the forced motion of modes.
 void ContactSet::hold(Contact& contact,
                       std::span<const ModeRun> modes,
                       double factor) const noexcept {
@@ -80,6 +79,8 @@ void ContactSet::addMotion(std::span<const ModeRun> modes,
 }
 
 void ContactSet::join(std::span<const ModeRun> modes) noexcept {
+    if (modes.empty())
+        return;
     for (Contact& contact : contacts) {
         compute(contact);
         hold(contact, modes);

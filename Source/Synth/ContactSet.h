@@ -1,17 +1,44 @@
-// The contacts of a resonator under way, and the clicks of its rigid body.
+// The contacts of mallets with a resonator that are under way, and the clicks of its rigid body.
 #pragma once
 
 #include "Synth/AccelerationNoise.h"
 #include "Synth/ActiveModes.h"
-#include "Synth/Contact.h"
 #include "Synth/GroupResidues.h"
 #include "Synth/PendingIncrements.h"
 
+#include <array>
+#include <complex>
 #include <cstdint>
+#include <numbers>
 #include <span>
 #include <vector>
 
 namespace idiophone {
+
+/// G0 and H of a contact (StrikeKernel.h), summed over some modes, for each channel.
+struct ForcedMotion {
+    std::array<double, maximumChannels> steadyVelocity{};
+    std::array<std::complex<double>, maximumChannels> swing{};
+};
+
+/// The forced part of a strike's response. The free part is in the states of the modes.
+struct Contact {
+    Strike strike;       ///< duration kept clear of resonances
+    Listening listening; ///< as at its start
+    std::int64_t startCell = 0;
+    double startSample = 0;
+    ForcedMotion mixed{}; ///< of the mixed modes
+    ForcedMotion tube{};  ///< the tube's part of `mixed`
+
+    /// Returns e^{iΩt} at a sample of a cell.
+    std::complex<double>
+    phaseAt(std::int64_t cell, double sample, double sampleRateHz) const noexcept {
+        const double cells = static_cast<double>(cell - startCell);
+        const double samples = cells * static_cast<int>(cellSize) + sample - startSample;
+        const double turns = samples / (sampleRateHz * strike.durationSeconds);
+        return std::polar(1.0, 2 * std::numbers::pi * turns);
+    }
+};
 
 /// Memory is reserved by the constructor; every other member is for the audio thread.
 class ContactSet {
@@ -34,10 +61,9 @@ public:
     bool compute(const Contact& contact) noexcept;
     /// Computes the scratch's contact for an impulse.
     void computeImpulse() noexcept { scratch.contact.setImpulse(bank.poles()); }
-    /// Adds the forced motion of modes, with the scratch's residues and contact, to the contact.
-    void hold(Contact& contact, std::span<const ModeRun> modes) const noexcept {
-        hold(contact, modes, 1);
-    }
+    /// Adds `factor` times the forced motion of modes, with the scratch's residues and contact, to
+    /// the contact.
+    void hold(Contact& contact, std::span<const ModeRun> modes, double factor = 1) const noexcept;
     /// Lets modes join all contacts.
     void join(std::span<const ModeRun> modes) noexcept;
     /// Adds the forced part to cell number `index` and returns the contact's end in its samples.
@@ -47,7 +73,7 @@ public:
     /// Adds the sound of all contacts and clicks, and ends those that end in this cell.
     void mix(PendingIncrements& increments, std::int64_t index, const CellOutput& cell) noexcept;
 
-    /// Starts the click of the rigid body, which is only heard far. `size` is over the reference.
+    /// Starts the click of the rigid body, which has no near sound. `size` is over the reference.
     void startClick(const Contact& contact,
                     double size,
                     std::size_t outputChannels,
@@ -67,7 +93,6 @@ private:
 
     void move(Forced become, std::int64_t grid) noexcept;
     void move(Contact& contact, double factor, Forced become, std::int64_t grid) noexcept;
-    void hold(Contact& contact, std::span<const ModeRun> modes, double factor) const noexcept;
     void
     addMotion(std::span<const ModeRun> modes, double factor, ForcedMotion& motion) const noexcept;
     void render(const Contact& contact,

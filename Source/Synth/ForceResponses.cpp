@@ -1,7 +1,6 @@
 #include "Synth/ForceResponses.h"
 
 #include "Synth/ForceKernel.h"
-#include "Synth/ModeIndex.h"
 
 #include <algorithm>
 #include <array>

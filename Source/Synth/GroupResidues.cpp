@@ -27,7 +27,7 @@ bool GroupResidues::compute(const StrikePoint& point,
                   scratch.struckGains.data(), scratch.listeningGains.data());
     if (groups.conditions().imperfection > 0)
         for (auto* gains : {&scratch.struckGains, &scratch.listeningGains})
-            turnPairs(groups.pairs(), std::span(*gains));
+            rotatePairs(groups.pairs(), std::span(*gains));
     const double farShare = listening.farShare;
     const auto near = static_cast<float>(listening.nearGain);
     const auto far = static_cast<float>(listening.farGain);
@@ -57,24 +57,18 @@ bool GroupResidues::compute(const StrikePoint& point,
         }
     }
     bank.poles().heavy().makeReal(scratch.groupResidues, bank.channels());
-    if (areReasonable())
-        return true;
-    for (std::size_t c = 0; c < bank.channels(); ++c) {
-        std::fill_n(scratch.groupResidues[c].re.begin(), bank.paddedSize(), 0.0f);
-        std::fill_n(scratch.groupResidues[c].im.begin(), bank.paddedSize(), 0.0f);
-    }
-    return false;
-}
-
-bool GroupResidues::areReasonable() const noexcept {
-    const auto allSmall = [this](const AlignedVector<float>& values) {
+    const auto used = std::span(scratch.groupResidues).first(bank.channels());
+    const auto areSmall = [this](const AlignedVector<float>& values) {
         return allWithin(std::span(values).first(bank.paddedSize()), largestResidue);
     };
-    return std::all_of(scratch.groupResidues.begin(),
-                       scratch.groupResidues.begin() + static_cast<std::ptrdiff_t>(bank.channels()),
-                       [&](const ChannelResidues& residues) {
-                           return allSmall(residues.re) && allSmall(residues.im);
-                       });
+    if (std::ranges::all_of(used, areSmall, &ChannelResidues::re) &&
+        std::ranges::all_of(used, areSmall, &ChannelResidues::im))
+        return true;
+    for (ChannelResidues& residues : used) {
+        std::fill_n(residues.re.begin(), bank.paddedSize(), 0.0f);
+        std::fill_n(residues.im.begin(), bank.paddedSize(), 0.0f);
+    }
+    return false;
 }
 
 /// Blends near into far residues by magnitude and phase, so that no mode cancels between the two.
@@ -109,7 +103,7 @@ void GroupResidues::findRadiation(std::int32_t direction) noexcept {
     }
     if (ofPairs)
         for (auto* channel : {&first, &second})
-            turnPairs(groups.pairs(), std::span(*channel));
+            rotatePairs(groups.pairs(), std::span(*channel));
     if (outputChannels == 1 && direction < 0)
         std::ranges::transform(
             first, second, first.begin(),

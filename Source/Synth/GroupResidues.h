@@ -35,7 +35,6 @@ public:
 private:
     void blendNear(float farShare, ChannelResidues& residues) const noexcept;
     void findRadiation(std::int32_t direction) noexcept;
-    bool areReasonable() const noexcept;
 
     const ModalObject& object;
     ModeGroups& groups;

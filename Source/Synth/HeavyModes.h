@@ -38,7 +38,6 @@ public:
     /// Sets the rotations of heavy modes to 0 and fills in their tables.
     void correct(PoleArrays& poles) const noexcept;
 
-    std::span<const HeavyMode> all() const noexcept { return modes; }
     /// Returns the heavy modes among `first` to `end` − 1.
     std::span<const HeavyMode> in(std::size_t first, std::size_t end) const noexcept {
         const auto from = std::ranges::lower_bound(modes, first, {}, &HeavyMode::mode);

@@ -19,18 +19,18 @@ std::vector<ModePair> modePairs(const ModalObject& object, std::uint32_t seed) {
         pairs.push_back({.first = static_cast<std::int32_t>(mode),
                          .cosine = std::cos(angle),
                          .sine = std::sin(angle),
-                         .part = (1 + drawn()) / 2});
+                         .splitting = (1 + drawn()) / 2});
         ++mode;
     }
     return pairs;
 }
 
-void partPairs(std::span<const ModePair> pairs,
-               double imperfection,
-               std::span<double> eigenvalues) noexcept {
+void splitPairs(std::span<const ModePair> pairs,
+                double imperfection,
+                std::span<double> eigenvalues) noexcept {
     for (const ModePair& pair : pairs) {
         // Half of the splitting on either side, and twice that in eigenvalues.
-        const double change = imperfection * static_cast<double>(pair.part);
+        const double change = imperfection * static_cast<double>(pair.splitting);
         eigenvalues[static_cast<std::size_t>(pair.first)] *= 1 - change;
         eigenvalues[static_cast<std::size_t>(pair.first) + 1] *= 1 + change;
     }

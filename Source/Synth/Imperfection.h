@@ -16,7 +16,7 @@ namespace idiophone {
 struct ModePair {
     std::int32_t first = 0; ///< first mode; the second is the next one
     float cosine = 1, sine = 0;
-    float part = 0; ///< this pair's splitting, as a share of the imperfection, 0.5 to 1
+    float splitting = 0; ///< in frequency, as a fraction of the imperfection, 0.5 to 1
 };
 
 /// Returns the pairs of an object: neighbours within 0.05 % in frequency, except the two modes that
@@ -25,14 +25,14 @@ struct ModePair {
 std::vector<ModePair> modePairs(const ModalObject& object, std::uint32_t seed);
 
 /// Splits each pair by first-order perturbation of the mass: one eigenvalue falls and the other
-/// rises. Their frequencies differ by `imperfection` times the pair's share. Any thread.
-void partPairs(std::span<const ModePair> pairs,
-               double imperfection,
-               std::span<double> eigenvalues) noexcept;
+/// rises. Their frequencies differ by `imperfection` times the pair's splitting. Any thread.
+void splitPairs(std::span<const ModePair> pairs,
+                double imperfection,
+                std::span<double> eigenvalues) noexcept;
 
 /// Rotates values that belong to the shapes of each pair, such as gains or weights. Any thread.
 template <class Value>
-void turnPairs(std::span<const ModePair> pairs, std::span<Value> ofModes) noexcept {
+void rotatePairs(std::span<const ModePair> pairs, std::span<Value> ofModes) noexcept {
     for (const ModePair& pair : pairs) {
         Value& first = ofModes[static_cast<std::size_t>(pair.first)];
         Value& second = ofModes[static_cast<std::size_t>(pair.first) + 1];

@@ -11,7 +11,7 @@ namespace idiophone {
 
 /// Sets the increments to the residues times the unit's states, which hold at a time between two
 /// samples and are moved to the next one, and `energies` to their |s|² in the louder channel. Modes
-/// above the band, which are not heard, get another phase.
+/// above the band, which are inaudible, get another phase.
 void startIncrements(const PoleArrays& poles,
                      const UnitContact& unit,
                      const BeforeSample& before,

@@ -2,7 +2,6 @@
 
 #include "Synth/ForceKernel.h"
 #include "Synth/IncrementKernel.h"
-#include "Synth/ModeIndex.h"
 #include "Synth/ModeMix.h"
 
 #include <algorithm>
@@ -33,11 +32,6 @@ void ModalBank::setChannels(std::size_t wanted) noexcept {
         std::ranges::copy(states.y[0], states.y[channelCount].begin());
     }
     channelCount = std::min(channelCount, wanted);
-}
-
-void ModalBank::resize(std::size_t count) noexcept {
-    modes.resize(count);
-    clear();
 }
 
 void ModalBank::clear() noexcept {
@@ -110,16 +104,14 @@ float ModalBank::energyOfLoudest(std::size_t block) const noexcept {
     return *std::max_element(first, first + modeBlock);
 }
 
-void ModalBank::clearFaint(std::size_t block, double faintest) noexcept {
+void ModalBank::clearFaint(std::size_t block) noexcept {
     for (std::size_t g = block * modeBlock; g < (block + 1) * modeBlock; ++g)
-        if (!(static_cast<double>(energy[g]) > faintest * faintest && energy[g] < largestEnergy))
+        if (!(static_cast<double>(energy[g]) > faintestVelocity * faintestVelocity &&
+              energy[g] < largestEnergy))
             silence(g);
 }
 
-void ModalBank::advanceBlock(std::size_t block,
-                             double seconds,
-                             double factor,
-                             double faintest) noexcept {
+void ModalBank::advanceBlock(std::size_t block, double seconds, double factor) noexcept {
     const std::size_t first = block * modeBlock;
     const std::size_t end = first + modeBlock;
     modes.heavy().save(states, first, end, channelCount);
@@ -134,7 +126,7 @@ void ModalBank::advanceBlock(std::size_t block,
     }
     modes.heavy().advance(first, end, seconds, factor, channelCount, states);
     modes.heavy().measure(first, end, states, channelCount, energy);
-    clearFaint(block, faintest);
+    clearFaint(block);
 }
 
 void ModalBank::renderFrom(ModeStates& from,

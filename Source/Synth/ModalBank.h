@@ -11,6 +11,7 @@ namespace idiophone {
 /// Memory is reserved by the constructor; every other member is for the audio thread.
 class ModalBank {
 public:
+    /// Starts with `capacity` silent modes. Call `movePoles` next, which sets their poles.
     ModalBank(std::size_t capacity, std::size_t channelCapacity, double sampleRateHz);
 
     std::size_t size() const noexcept { return modes.size(); }
@@ -29,9 +30,6 @@ public:
     /// States passed in are read and written for this many.
     std::size_t channels() const noexcept { return channelCount; }
     void setChannels(std::size_t wanted) noexcept;
-
-    /// Starts again with `count` modes, all silent. Call `movePoles` next, which sets their poles.
-    void resize(std::size_t count) noexcept;
 
     /// Replaces the modes by `count` new ones, which take over the states as `shares` say (both
     /// indices ascend). If the shares of each old mode sum to 1, no velocity steps. Every new mode
@@ -64,9 +62,9 @@ public:
     float energyOfLoudest(std::size_t block) const noexcept;
 
     /// Moves one block by exact free motion over any time, times `factor`; then `clearFaint`.
-    void advanceBlock(std::size_t block, double seconds, double factor, double faintest) noexcept;
-    /// Sets states to zero that are below `faintest` [m/s], not finite or absurdly large.
-    void clearFaint(std::size_t block, double faintest) noexcept;
+    void advanceBlock(std::size_t block, double seconds, double factor) noexcept;
+    /// Sets states to zero that are below `faintestVelocity`, not finite or absurdly large.
+    void clearFaint(std::size_t block) noexcept;
 
     /// Adds a cell of the modes in `runs` to `output`. Moves the states of `blocks` (ascending,
     /// containing all of `runs`) by a cell, times `scale`. Also adds `parts` (ascending) of these

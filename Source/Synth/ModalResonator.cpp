@@ -19,57 +19,53 @@ constexpr double shortestContactSamples = 2;
 
 } // namespace
 
-ModalResonator::ModalResonator(SynthesiserSlot slot,
+ModalResonator::ModalResonator(SynthesiserSlot ownSlot,
                                ModeGroups::ModeWeights modeWeights,
                                std::uint32_t seed,
                                std::size_t channels,
                                double sampleRateHz,
                                SynthesisScratch& scratch)
-    : object(slot.object ? std::move(slot.object) : std::make_shared<const ModalObject>()),
-      slotSizeRatio(slot.sizeRatio), pitch(slot.pitch), outputChannels(channels),
-      bank(object->modeCount(), object->radiation.empty() ? 1 : channels, sampleRateHz),
-      output(bank, tubeShares(*object), sampleRateHz, scratch),
-      groups(*object, std::move(modeWeights), seed, sampleRateHz, scratch),
-      residues(*object, groups, bank, channels, scratch), active(bank, output, scratch),
+    : slot(std::move(ownSlot)), object(*slot.object), outputChannels(channels),
+      bank(object.modeCount(), object.radiation.empty() ? 1 : channels, sampleRateHz),
+      output(bank, tubeShares(object), sampleRateHz, scratch),
+      groups(object, std::move(modeWeights), seed, sampleRateHz, scratch),
+      residues(object, groups, bank, channels, scratch), active(bank, output, scratch),
       increments(bank, output, active, scratch),
-      contacts(*object, bank, output, active, residues, scratch),
+      contacts(object, bank, output, active, residues, scratch),
       forces(bank, output, active, residues, scratch) {
-    bank.resize(object->modeCount());
     output.findTubeParts(groups.starts());
     applySettings({});
     movePoles();
 }
 
-void ModalResonator::controlChanged() noexcept {
+template <class Value>
+void ModalResonator::request(Value& requested, const Value& wanted) noexcept {
+    if (wanted == requested)
+        return;
+    requested = wanted;
     controlsChanged = true;
     asleep = false;
 }
 
 void ModalResonator::setDamping(double dampingPerSecond) noexcept {
-    if (!(dampingPerSecond >= 0) || !std::isfinite(dampingPerSecond) ||
-        dampingPerSecond == requestedDamping)
-        return;
-    requestedDamping = dampingPerSecond;
-    controlChanged();
+    if (dampingPerSecond >= 0 && std::isfinite(dampingPerSecond))
+        request(requestedDamping, dampingPerSecond);
 }
 
-void ModalResonator::setFrequencyRatio(double newRatio) noexcept {
-    if (!(newRatio > 0) || !std::isfinite(newRatio) || newRatio == requestedFrequencyRatio)
-        return;
-    requestedFrequencyRatio = newRatio;
-    controlChanged();
+void ModalResonator::setFrequencyRatio(double ratio) noexcept {
+    if (ratio > 0 && std::isfinite(ratio))
+        request(requestedFrequencyRatio, ratio);
 }
 
 void ModalResonator::setMaterial(const std::optional<LiveMaterial>& material) noexcept {
-    if (material == requestedMaterial)
-        return;
-    requestedMaterial = material;
-    controlChanged();
+    request(requestedMaterial, material);
 }
 
 void ModalResonator::setSilencedModes(std::span<const std::uint8_t> silenced) noexcept {
-    if (groups.requestSilenced(silenced))
-        controlChanged();
+    if (!groups.requestSilenced(silenced))
+        return;
+    controlsChanged = true;
+    asleep = false;
 }
 
 bool ModalResonator::beginSoundingCell(std::int64_t cell,
@@ -96,19 +92,18 @@ void ModalResonator::applySettings(const SynthesisSettings& settings) noexcept {
     SynthesisSettings own = settings;
     if (requestedMaterial)
         own.material = requestedMaterial;
-    const LiveConditions live = liveConditions(object->material, own, slotSizeRatio,
-                                               requestedFrequencyRatio, pitch ? &*pitch : nullptr);
+    const LiveConditions live = liveConditions(slot, own, requestedFrequencyRatio);
     const GroupConditions wanted{.law = live.law,
                                  .compression = settings.compression,
                                  .thicknessRatio =
-                                     object->hasLiveThickness() ? settings.thicknessRatio : 1,
+                                     object.hasLiveThickness() ? settings.thicknessRatio : 1,
                                  .imperfection = settings.imperfection};
     // Even τ = 0 drops states below an inaudible floor.
     const double newTau = std::max(settings.tau * pascalsPerTau, faintestVelocity);
     listening = {.nearGain = contactMicrophonePascals * live.gainRatio / wanted.thicknessRatio,
                  .farGain = live.radiationGainRatio / wanted.thicknessRatio,
-                 .farShare = object->radiation.empty() ? 0 : settings.radiation};
-    sizeNow = slotSizeRatio * settings.sizeRatio;
+                 .farShare = object.radiation.empty() ? 0 : settings.radiation};
+    sizeNow = slot.sizeRatio * settings.sizeRatio;
 
     const bool polesMove = groups.differFrom(wanted);
     const bool contactsMove = polesMove || requestedDamping != output.damping() ||
@@ -126,7 +121,8 @@ void ModalResonator::applySettings(const SynthesisSettings& settings) noexcept {
     output.setDamping(requestedDamping, cellIndex);
     active.setTau(newTau);
     groups.set(wanted);
-    if (groups.areBehind() && (!active.none() || contacts.sounding() || active.holdsAboveTau()))
+    if (groups.areBehind() &&
+        (!active.blocks().none() || contacts.sounding() || active.holdsAboveTau()))
         movePoles();
     if (contactsMove)
         contacts.holdAgain(cellIndex);
@@ -156,11 +152,10 @@ void ModalResonator::catchUp(const SynthesisSettings& settings) noexcept {
     --cellIndex;
 }
 
-void ModalResonator::mix(std::int32_t share, const CellOutput& cell) noexcept {
+void ModalResonator::mix(std::int32_t allowance, const CellOutput& cell) noexcept {
     if (contacts.empty() && !forces.actedIn(cellIndex - 1))
-        active.choose(share, cellIndex);
-    mixedLastCell = active.mixedCount();
-    output.render(active.blocks(), active.mixedRuns(), cell);
+        active.choose(allowance, cellIndex);
+    output.render(active.blocks().list(), active.mixedRuns(), cell);
     contacts.mix(increments, cellIndex, cell);
 }
 
@@ -174,7 +169,7 @@ void ModalResonator::prepareBank() noexcept {
         movePoles();
 }
 
-/// Opens the second channel at the first strike that is heard far.
+/// Opens the second channel at the first strike with far sound.
 void ModalResonator::widen(double farShare) noexcept {
     if (!(farShare > 0) || outputChannels == 1 || bank.channels() == maximumChannels)
         return;
@@ -189,7 +184,7 @@ bool ModalResonator::strike(const Strike& asked,
                             std::int32_t allowance,
                             const CellOutput& cell) noexcept {
     const bool isPulse = asked.durationSeconds * output.sampleRateHz() >= shortestContactSamples;
-    const bool isValid = isOn(*object, asked.point) && allFinite(asked.impulseNewtonSeconds) &&
+    const bool isValid = isOn(object, asked.point) && allFinite(asked.impulseNewtonSeconds) &&
                          std::isfinite(asked.durationSeconds) && asked.durationSeconds >= 0 &&
                          sampleInCell >= 0 && sampleInCell < cellSamples;
     if (!isValid || (isPulse && contacts.full()))
@@ -209,11 +204,11 @@ bool ModalResonator::strike(const Strike& asked,
     if (!isPulse)
         contacts.computeImpulse();
     increments.start(isPulse ? -1 : 1, sampleInCell);
-    if (active.joinStruck(increments.energies(), allowance, !contacts.empty(), cellIndex + 1)) {
-        contacts.join(active.joined());
-        if (isPulse && !contacts.empty())
-            contacts.compute(contact); // the other contacts used the scratch
-    }
+    const auto joined =
+        active.joinStruck(increments.energies(), allowance, !contacts.empty(), cellIndex + 1);
+    contacts.join(joined);
+    if (isPulse && !joined.empty() && !contacts.empty())
+        contacts.compute(contact); // the other contacts used the scratch
 
     int from = firstSampleFrom(sampleInCell);
     if (isPulse) {
@@ -234,7 +229,7 @@ bool ModalResonator::strike(const Strike& asked,
 
 bool ModalResonator::validPlace(const ForcePlace& place) const noexcept {
     const auto isValid = [&](const ForcePoint& at) {
-        return isOn(*object, at.point) && allFinite(at.direction);
+        return isOn(object, at.point) && allFinite(at.direction);
     };
     return std::isfinite(place.fraction) && isValid(place.points[0]) &&
            (place.fraction == 0 || isValid(place.points[1]));
@@ -248,8 +243,7 @@ bool ModalResonator::applyForce(const ForceCell& force,
         return false;
     prepareBank();
     widen(forces.begin(cellIndex, listening));
-    if (active.joinAll(allowance, !contacts.empty(), cellIndex + 1))
-        contacts.join(active.joined());
+    contacts.join(active.joinAll(allowance, !contacts.empty(), cellIndex + 1));
     forces.apply(force, cell);
     return true;
 }
@@ -262,7 +256,6 @@ void ModalResonator::reset() noexcept {
     increments.reset();
     forces.reset();
     output.reset();
-    mixedLastCell = 0;
 }
 
 void ModalResonator::report(SoundingGroups& report) const noexcept {
@@ -279,7 +272,7 @@ void ModalResonator::report(SoundingGroups& report) const noexcept {
         if (static_cast<std::size_t>(end) > report.amplitudes.size())
             break;
         report.starts[g + 1] = end;
-        report.amplitudes[g] = active.amplitude(g, cellIndex);
+        report.amplitudes[g] = active.blocks().amplitude(g, cellIndex);
         report.standings[g] = standing(g);
         report.count = g + 1;
     }

@@ -13,7 +13,6 @@
 #include "Synth/SynthesiserSlot.h"
 
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <span>
 
@@ -24,10 +23,10 @@ namespace idiophone {
 /// its end.
 class ModalResonator {
 public:
-    /// `channels` is the channel count of the cells, 1 or 2. A resonator sounds in stereo from the
-    /// first far-heard strike (`SynthesisSettings::radiation`) until it is silent again. Weights
-    /// and seed: see ModeGroups. `scratch` has room for this object and outlives it; resonators on
-    /// one thread share it.
+    /// The slot has an object. `channels` is the channel count of the cells, 1 or 2. A resonator
+    /// sounds in stereo from the first strike with far sound (`SynthesisSettings::radiation`) until
+    /// it is silent again. Weights and seed: see ModeGroups. `scratch` has room for the slot's
+    /// object and outlives this; resonators on one thread share it.
     ModalResonator(SynthesiserSlot slot,
                    ModeGroups::ModeWeights modeWeights,
                    std::uint32_t seed,
@@ -43,7 +42,7 @@ public:
     /// Replaces the settings' material; empty: use the settings'. Its values must be in range.
     void setMaterial(const std::optional<LiveMaterial>& material) noexcept;
     /// Mutes modes with values ≠ 0 from the next `beginCell` on ([modes of the object], or empty:
-    /// none). They fade out and in, and ring on unheard in between.
+    /// none). They fade out and in, and ring on unmixed in between.
     void setSilencedModes(std::span<const std::uint8_t> silenced) noexcept;
 
     /// Moves to the grid point of cell `index`: applies pending settings and drops modes at t_c
@@ -61,9 +60,9 @@ public:
     /// a contact.
     ModeDemand demand() const noexcept { return active.demand(); }
 
-    /// Mixes the strongest `share` modes into the cell. During a contact its modes stay, whatever
-    /// the share, as its forced part was summed over them.
-    void mix(std::int32_t share, const CellOutput& cell) noexcept;
+    /// Mixes the strongest `allowance` modes into the cell. During a contact its modes stay,
+    /// whatever the allowance, as its forced part was summed over them.
+    void mix(std::int32_t allowance, const CellOutput& cell) noexcept;
 
     /// Call it after `mix`, before a strike. Applies what was set since `beginCell`: to the strike
     /// at once, and to ringing modes from the next grid point, where their states hold. During a
@@ -88,20 +87,19 @@ public:
 
     void reset() noexcept;
 
-    /// Reports the groups of modes as heard in the current cell.
+    /// Reports the groups of modes in the current cell.
     void report(SoundingGroups& groups) const noexcept;
 
     bool silent() const noexcept {
-        return active.none() && !contacts.sounding() && !output.fading();
+        return active.blocks().none() && !contacts.sounding() && !output.fading();
     }
-    std::int32_t modesMixed() const noexcept { return mixedLastCell; }
     std::size_t channelsSounding() const noexcept { return bank.channels(); }
     std::int32_t groupCount() const noexcept { return static_cast<std::int32_t>(bank.size()); }
     std::int32_t groupsAudible() const noexcept {
         return static_cast<std::int32_t>(bank.poles().audibleCount());
     }
     /// Number of mixed modes, including those that strikes have added since `mix`.
-    std::int32_t modesMixedNow() const noexcept { return active.mixedCount(); }
+    std::int32_t modesMixed() const noexcept { return active.mixedCount(); }
 
 private:
     bool beginSoundingCell(std::int64_t cell,
@@ -109,7 +107,8 @@ private:
                            bool settingsChanged) noexcept;
     void applySettings(const SynthesisSettings& settings) noexcept;
     void movePoles() noexcept;
-    void controlChanged() noexcept;
+    template <class Value>
+    void request(Value& requested, const Value& wanted) noexcept;
     void prepareBank() noexcept;
     void widen(double farShare) noexcept;
     bool validPlace(const ForcePlace& place) const noexcept;
@@ -120,16 +119,14 @@ private:
     bool asleep = false;         ///< silent, and nothing is pending
     bool controlsChanged = true;
 
-    std::shared_ptr<const ModalObject> object;
-    double slotSizeRatio;
-    std::optional<PitchMode> pitch;
+    SynthesiserSlot slot;
+    const ModalObject& object; ///< of the slot
     std::size_t outputChannels;
     double requestedDamping = 0;
     double requestedFrequencyRatio = 1;
     std::optional<LiveMaterial> requestedMaterial; ///< empty: the settings'
     Listening listening;                           ///< for strikes from now on
     double sizeNow = 1; ///< size over the reference size, for strikes from now on
-    std::int32_t mixedLastCell = 0;
 
     ModalBank bank;
     BankOutput output;

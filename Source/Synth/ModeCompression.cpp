@@ -33,10 +33,10 @@ struct FirstMode {
             return false;
         // Compare squares, as a root for every mode would dominate the cost.
         const double meanDecay = (pole.damping + next.damping) / 4;
-        const double most = std::min(noticeable, meanDecay);
+        const double tolerance = std::min(noticeable, meanDecay);
         const double squared = next.stiffness - next.damping * next.damping / 4;
-        const double low = std::max(frequency - most, 0.0);
-        const double high = frequency + most;
+        const double low = std::max(frequency - tolerance, 0.0);
+        const double high = frequency + tolerance;
         return squared <= high * high && squared >= low * low;
     }
 

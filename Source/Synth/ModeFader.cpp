@@ -3,7 +3,6 @@
 #include "Synth/SynthesisSettings.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -29,29 +28,20 @@ ModeFader::ModeFader(const ModalBank& bank, double sampleRateHz) : states(bank.e
 void ModeFader::change(ModalBank& bank,
                        std::span<const std::int32_t> modes,
                        std::span<const float> shares) noexcept {
-    for (std::size_t k = 0; k < modes.size(); ++k)
-        take(bank, modes[k], static_cast<double>(shares[k]));
-    fade(bank, modes);
-}
-
-void ModeFader::take(const ModalBank& bank, std::int32_t mode, double share) noexcept {
-    const auto g = static_cast<std::size_t>(mode);
-    for (std::size_t c = 0; c < bank.channels(); ++c) {
-        states.x[c][g] = share * bank.state(g, c).x;
-        states.y[c][g] = share * bank.state(g, c).y;
-    }
-}
-
-/// Renders the saved states of these modes.
-void ModeFader::fade(ModalBank& bank, std::span<const std::int32_t> modes) noexcept {
     if (modes.empty())
         return;
     channels = bank.channels();
+    for (std::size_t k = 0; k < modes.size(); ++k)
+        for (std::size_t c = 0; c < channels; ++c) {
+            const auto share = static_cast<double>(shares[k]);
+            const ModalState state = bank.state(index(modes[k]), c);
+            states.set(index(modes[k]), c, {share * state.x, share * state.y});
+        }
     findRuns(modes, runs);
-    alignas(64) std::array<std::array<float, cellSamples>, maximumChannels> cell;
+    alignas(64) CellSound cell;
     for (std::size_t start = 0; start < window.size(); start += cellSamples) {
         cell = {};
-        bank.renderFrom(states, runs, {cell[0].data(), cell[1].data()});
+        bank.renderFrom(states, runs, outputsOf(cell));
         for (std::size_t c = 0; c < channels; ++c)
             for (std::size_t k = 0; k < cellSamples; ++k)
                 tails[c][start + k] += window[start + k] * cell[c][k];
@@ -59,8 +49,7 @@ void ModeFader::fade(ModalBank& bank, std::span<const std::int32_t> modes) noexc
     // Later renders also move the modes between two runs. They must not decay into denormals.
     for (std::size_t c = 0; c < channels; ++c)
         for (const std::int32_t mode : modes)
-            states.x[c][static_cast<std::size_t>(mode)] =
-                states.y[c][static_cast<std::size_t>(mode)] = 0;
+            states.set(index(mode), c, {});
     remaining = window.size();
 }
 

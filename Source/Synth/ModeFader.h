@@ -39,9 +39,6 @@ public:
     void reset() noexcept;
 
 private:
-    void take(const ModalBank& bank, std::int32_t mode, double share) noexcept;
-    void fade(ModalBank& bank, std::span<const std::int32_t> modes) noexcept;
-
     std::vector<float> window; ///< raised cosine from 1 to 0, in whole cells
     /// The rest of the fades in each channel, from its next sample.
     std::array<std::vector<float>, maximumChannels> tails;

@@ -60,7 +60,7 @@ bool ModeGroups::follow() noexcept {
     if (eigenvaluesAreBehind) {
         for (std::size_t mode = 0; mode < modeEigenvalues.size(); ++mode)
             modeEigenvalues[mode] = object.eigenvalueAt(mode, current.thicknessRatio);
-        partPairs(modePairs, current.imperfection, modeEigenvalues);
+        splitPairs(modePairs, current.imperfection, modeEigenvalues);
     }
     const std::size_t groups =
         groupModes(modeEigenvalues, current.law, current.compression, scratch.groupStarts,
@@ -69,25 +69,23 @@ bool ModeGroups::follow() noexcept {
         groups == count &&
         std::ranges::equal(starts().first(groups), std::span(scratch.groupStarts).first(groups));
     if (!same)
-        share(groups);
+        findShares(groups);
     if (!same || eigenvaluesAreBehind)
-        name(groups);
+        takeOver(groups);
     eigenvaluesAreBehind = false;
     return !same;
 }
 
 /// Divides a group's state among its modes by their mean-square shapes, as if the object had been
 /// struck everywhere. The struck points are not stored.
-void ModeGroups::share(std::size_t groups) noexcept {
+void ModeGroups::findShares(std::size_t groups) noexcept {
     scratch.groupShares.clear();
     const std::span<const double> weights(*modeWeights);
     const auto& newStarts = scratch.groupStarts;
     for (std::size_t from = 0, to = 0; from < count && to < groups;) {
-        const auto start = static_cast<std::size_t>(groupStarts[from]);
-        const auto end = static_cast<std::size_t>(groupStarts[from + 1]);
-        const auto newStart = static_cast<std::size_t>(newStarts[to]);
-        const auto newEnd = static_cast<std::size_t>(newStarts[to + 1]);
-        const std::size_t first = std::max(start, newStart);
+        const std::size_t start = index(groupStarts[from]), end = index(groupStarts[from + 1]);
+        const std::size_t newEnd = index(newStarts[to + 1]);
+        const std::size_t first = std::max(start, index(newStarts[to]));
         const std::size_t modes = std::min(end, newEnd) - first;
         const double total = sum(weights.subspan(start, end - start));
         const double share = total > 0 ? sum(weights.subspan(first, modes)) / total
@@ -99,18 +97,16 @@ void ModeGroups::share(std::size_t groups) noexcept {
     }
 }
 
-void ModeGroups::name(std::size_t groups) noexcept {
+/// Takes over the new groups and computes the values of each.
+void ModeGroups::takeOver(std::size_t groups) noexcept {
     lostSharesLaw.reset();
     count = groups;
     std::copy_n(scratch.groupStarts.begin(), groups + 1, groupStarts.begin());
     for (std::size_t g = 0; g < groups; ++g) {
-        const auto first = static_cast<std::size_t>(groupStarts[g]);
-        const auto modes = static_cast<std::size_t>(groupStarts[g + 1]) - first;
-        const auto weights = std::span(*modeWeights).subspan(first, modes);
-        groupEigenvalues[g] =
-            mergedEigenvalue(std::span(modeEigenvalues).subspan(first, modes), weights);
+        const auto weights = ofGroup<double>(g, *modeWeights);
+        groupEigenvalues[g] = mergedEigenvalue(ofGroup<double>(g, modeEigenvalues), weights);
         if (!modeDampings.empty())
-            groupDampings[g] = mergedDamping(dampingsOf(first, modes), weights);
+            groupDampings[g] = mergedDamping(ofGroup<ModeDamping>(g, modeDampings), weights);
     }
 }
 
@@ -138,29 +134,26 @@ void ModeGroups::merge(std::span<const std::complex<float>> modes,
             set(g, modes[g]);
     } else {
         if (lostSharesLaw != current.law)
-            findLost();
+            findLostShares();
         std::span<const float> shares(lostShares);
         for (std::size_t g = 0; g < count; ++g) {
-            const auto first = static_cast<std::size_t>(groupStarts[g]);
-            const auto members = static_cast<std::size_t>(groupStarts[g + 1]) - first;
-            set(g,
-                members == 1 ? modes[first] : mergedResidue(modes.subspan(first, members), shares));
-            shares = shares.subspan(pairsOf(members));
+            const auto members = ofGroup(g, modes);
+            set(g, members.size() == 1 ? members[0] : mergedResidue(members, shares));
+            shares = shares.subspan(pairsOf(members.size()));
         }
     }
     for (std::size_t g = count; g % modeBlock != 0; ++g)
         set(g, 0);
 }
 
-void ModeGroups::findLost() noexcept {
+void ModeGroups::findLostShares() noexcept {
     lostSharesLaw = current.law;
     std::span<float> shares(lostShares);
     for (std::size_t g = 0; g < count; ++g) {
-        const auto first = static_cast<std::size_t>(groupStarts[g]);
-        const auto modes = static_cast<std::size_t>(groupStarts[g + 1]) - first;
-        findLostShares(std::span(modeEigenvalues).subspan(first, modes), current.law, shares,
-                       dampingsOf(first, modes));
-        shares = shares.subspan(pairsOf(modes));
+        const auto eigenvaluesOfModes = ofGroup<double>(g, modeEigenvalues);
+        idiophone::findLostShares(eigenvaluesOfModes, current.law, shares,
+                                  ofGroup<ModeDamping>(g, modeDampings));
+        shares = shares.subspan(pairsOf(eigenvaluesOfModes.size()));
     }
 }
 

@@ -68,8 +68,7 @@ public:
 
     bool inBand(std::size_t g) const noexcept;
     bool silenced(std::size_t g) const noexcept {
-        return !silencedModes.empty() &&
-               silencedModes[static_cast<std::size_t>(groupStarts[g])] != 0;
+        return !silencedModes.empty() && silencedModes[index(groupStarts[g])] != 0;
     }
     bool audible(std::size_t g) const noexcept { return inBand(g) && !silenced(g); }
     /// Returns [G], or empty if no mode is silenced; valid until the next call.
@@ -79,12 +78,15 @@ public:
     void merge(std::span<const std::complex<float>> modes, ChannelResidues& residues) noexcept;
 
 private:
-    void share(std::size_t groups) noexcept;
-    void name(std::size_t groups) noexcept;
-    void findLost() noexcept;
-    std::span<const ModeDamping> dampingsOf(std::size_t first, std::size_t modes) const noexcept {
-        return modeDampings.empty() ? std::span<const ModeDamping>()
-                                    : std::span(modeDampings).subspan(first, modes);
+    void findShares(std::size_t groups) noexcept;
+    void takeOver(std::size_t groups) noexcept;
+    void findLostShares() noexcept;
+    /// Returns the values of a group's modes, or nothing if there are no values.
+    template <class Value>
+    std::span<const Value> ofGroup(std::size_t g, std::span<const Value> ofModes) const noexcept {
+        const std::size_t first = index(groupStarts[g]);
+        return ofModes.empty() ? ofModes
+                               : ofModes.subspan(first, index(groupStarts[g + 1]) - first);
     }
 
     const ModalObject& object;

@@ -1,7 +1,5 @@
 #include "Synth/ModeMix.h"
 
-#include "Synth/ModeIndex.h"
-
 #include <algorithm>
 
 namespace idiophone {

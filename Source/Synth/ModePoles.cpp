@@ -1,7 +1,5 @@
 #include "Synth/ModePoles.h"
 
-#include "Synth/ModeIndex.h"
-
 #include <algorithm>
 #include <utility>
 
@@ -11,13 +9,7 @@ ModePoles::ModePoles(std::size_t capacity, double sampleRateHz)
     : secondsPerSample(1 / sampleRateHz), count(capacity), coefficients(paddedSize()),
       audibles(paddedSize()), heavyModes(capacity, sampleRateHz) {
     resonancesHz.reserve(capacity);
-}
-
-void ModePoles::resize(std::size_t modes) noexcept {
-    count = modes;
-    forget();
     std::ranges::fill(coefficients.stiffness, 1.0);
-    std::ranges::fill(coefficients.damping, 0.0);
 }
 
 void ModePoles::regroup(std::size_t modes, std::span<const ModeShare> shares) noexcept {
@@ -48,9 +40,7 @@ void ModePoles::forget() noexcept {
 void ModePoles::update(double lowestHz,
                        double highestHz,
                        std::span<const std::uint8_t> silenced) noexcept {
-    heavyModes.clear();
-    audibleModes = 0;
-    resonancesHz.clear();
+    forget();
     for (std::size_t g = 0; g < count; ++g) {
         const ModalPole own = pole(g);
         const double hz = naturalFrequencyHz(own);

@@ -16,6 +16,7 @@ namespace idiophone {
 /// stored in blocks of `modeBlock`; the padding beyond `size` is oscillating modes.
 class ModePoles {
 public:
+    /// Starts with `capacity` inaudible modes. Set their poles and call `update` next.
     ModePoles(std::size_t capacity, double sampleRateHz);
 
     std::size_t size() const noexcept { return count; }
@@ -26,7 +27,6 @@ public:
     ModalPole pole(std::size_t g) const noexcept {
         return {coefficients.stiffness[g], coefficients.damping[g]};
     }
-    bool audible(std::size_t g) const noexcept { return audibles[g] != 0; }
     std::size_t audibleCount() const noexcept { return audibleModes; }
     const float* audibleWeights() const noexcept { return audibles.data(); } ///< 1 or 0
     /// Frequencies of lightly damped modes within the band in Hz, ascending, silenced or not. A
@@ -41,8 +41,6 @@ public:
     const HeavyModes& heavy() const noexcept { return heavyModes; }
     HeavyModes& heavy() noexcept { return heavyModes; }
 
-    /// Starts again with `modes` inaudible modes. Set their poles and call `update` next.
-    void resize(std::size_t modes) noexcept;
     /// Replaces the modes by `modes` new ones, each with the pole of the first mode that it takes
     /// from (ModalBank::regroup).
     void regroup(std::size_t modes, std::span<const ModeShare> shares) noexcept;

@@ -1,11 +1,18 @@
-// Sets of modes, as runs of consecutive numbers or as shares.
+// Sets of modes, as runs of consecutive numbers or as shares. Numbers of modes and blocks are
+// stored in 32 bits.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 namespace idiophone {
+
+/// Converts a number of a mode or block (≥ 0) to an array index.
+constexpr std::size_t index(std::int32_t number) noexcept {
+    return static_cast<std::size_t>(number);
+}
 
 /// Modes first to first + count − 1.
 struct ModeRun {

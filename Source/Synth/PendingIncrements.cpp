@@ -38,9 +38,7 @@ void PendingIncrements::sound(int from, int until, const CellOutput& cell) noexc
         return;
     const auto first = static_cast<std::size_t>(from);
     const auto samples = static_cast<std::size_t>(until - from);
-    alignas(64) CellSound sound;
-    for (std::size_t c = 0; c < bank.channels(); ++c)
-        sound[c].fill(0);
+    alignas(64) CellSound sound{};
     const bool pulses = output.tubesPulse();
     const ChannelOutputs tube = outputsOf(scratch.tubeSound);
     if (pulses)

@@ -20,7 +20,7 @@ struct Entitlement {
     double fall = 0;
 
     double at(std::size_t rank) const noexcept {
-        return rank == 0 ? top : std::max(0.0, top - fall * static_cast<double>(rank));
+        return std::max(0.0, top - fall * static_cast<double>(rank));
     }
     /// Rounds down; values within rounding error of a whole number count as whole.
     double wholeAt(std::size_t rank) const noexcept {

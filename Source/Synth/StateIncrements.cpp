@@ -2,7 +2,6 @@
 
 #include "Synth/IncrementKernel.h"
 #include "Synth/ModalBank.h"
-#include "Synth/ModeIndex.h"
 #include "Synth/ModeMix.h"
 #include "Synth/UnitContact.h"
 
@@ -47,8 +46,8 @@ void StateIncrements::gather(const ModalBank& bank,
                              const UnitContact& unit,
                              const ModeResidues& residues,
                              double factor,
-                             double share) noexcept {
-    gatherIncrements(unit, residues, factor, share / (2 * std::numbers::pi), bank.paddedSize(),
+                             double force) noexcept {
+    gatherIncrements(unit, residues, factor, force / (2 * std::numbers::pi), bank.paddedSize(),
                      bank.channels(), *this);
 }
 

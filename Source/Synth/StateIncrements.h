@@ -47,12 +47,12 @@ struct StateIncrements {
     void clear() noexcept;
 
     /// Adds residues times the unit's states times `factor`, with the immediate sound of the
-    /// contact's force `share` (0 to 2, in units of 1/T).
+    /// contact's `force` (0 to 2, in units of 1/T).
     void gather(const ModalBank& bank,
                 const UnitContact& unit,
                 const ModeResidues& residues,
                 double factor,
-                double share) noexcept;
+                double force) noexcept;
 
     /// Adds the first 16 · `subBlockCount` samples (at most a cell) of the sound over `runs`, and
     /// `parts` of these modes, as `ModalBank::render` does.

@@ -29,7 +29,7 @@ HWY_INLINE hn::Vec<Floats> dot(hn::Vec<Floats> x,
 
 void project(const ShapePoint& point,
              const std::array<float, 3>& struck,
-             const std::array<float, 3>& heard,
+             const std::array<float, 3>& listening,
              std::size_t count,
              float* HWY_RESTRICT struckGains,
              float* HWY_RESTRICT listeningGains) {
@@ -44,7 +44,7 @@ void project(const ShapePoint& point,
             hn::LoadInterleaved3(f, point.rows[k] + 3 * i, x, y, z);
             const auto weight = hn::Set(f, point.weights[k]);
             struckGain = hn::MulAdd(dot(x, y, z, struck), weight, struckGain);
-            listeningGain = hn::MulAdd(dot(x, y, z, heard), weight, listeningGain);
+            listeningGain = hn::MulAdd(dot(x, y, z, listening), weight, listeningGain);
         }
         hn::StoreU(struckGain, f, struckGains + i);
         hn::StoreU(listeningGain, f, listeningGains + i);
@@ -57,7 +57,7 @@ void project(const ShapePoint& point,
                 return shape[0] * direction[0] + shape[1] * direction[1] + shape[2] * direction[2];
             };
             struckGains[i] += point.weights[k] * along(struck);
-            listeningGains[i] += point.weights[k] * along(heard);
+            listeningGains[i] += point.weights[k] * along(listening);
         }
     }
 }
@@ -166,13 +166,13 @@ void sum(const ChannelResidues& residues,
     std::size_t g = first;
     for (; g + hn::MaxLanes(f) <= end; g += hn::MaxLanes(f)) {
         const auto quadrature = hn::LoadU(f, residues.im.data() + g);
-        const FloatComplex heard{hn::MulAdd(quadrature, hn::LoadU(f, unit.quadratureRe.data() + g),
-                                            hn::LoadU(f, residues.re.data() + g)),
-                                 hn::Mul(quadrature, hn::LoadU(f, unit.quadratureIm.data() + g))};
+        const FloatComplex weight{hn::MulAdd(quadrature, hn::LoadU(f, unit.quadratureRe.data() + g),
+                                             hn::LoadU(f, residues.re.data() + g)),
+                                  hn::Mul(quadrature, hn::LoadU(f, unit.quadratureIm.data() + g))};
         const FloatComplex swing =
-            product(heard, FloatComplex{hn::LoadU(f, unit.swingRe.data() + g),
-                                        hn::LoadU(f, unit.swingIm.data() + g)});
-        steady = hn::MulAdd(heard.re, hn::LoadU(f, unit.steady.data() + g), steady);
+            product(weight, FloatComplex{hn::LoadU(f, unit.swingRe.data() + g),
+                                         hn::LoadU(f, unit.swingIm.data() + g)});
+        steady = hn::MulAdd(weight.re, hn::LoadU(f, unit.steady.data() + g), steady);
         swingRe = hn::Add(swing.re, swingRe);
         swingIm = hn::Add(swing.im, swingIm);
     }
@@ -183,12 +183,13 @@ void sum(const ChannelResidues& residues,
     total.swing += std::complex<double>(sumOf(swingRe), sumOf(swingIm));
     for (; g < end; ++g) {
         const auto quadrature = static_cast<double>(residues.im[g]);
-        const std::complex<double> heard(static_cast<double>(residues.re[g]) +
-                                             quadrature * static_cast<double>(unit.quadratureRe[g]),
-                                         quadrature * static_cast<double>(unit.quadratureIm[g]));
-        total.steady += heard.real() * static_cast<double>(unit.steady[g]);
+        const std::complex<double> weight(static_cast<double>(residues.re[g]) +
+                                              quadrature *
+                                                  static_cast<double>(unit.quadratureRe[g]),
+                                          quadrature * static_cast<double>(unit.quadratureIm[g]));
+        total.steady += weight.real() * static_cast<double>(unit.steady[g]);
         total.swing +=
-            idiophone::product(heard, std::complex<double>(unit.swingRe[g], unit.swingIm[g]));
+            idiophone::product(weight, std::complex<double>(unit.swingRe[g], unit.swingIm[g]));
     }
 }
 
@@ -242,11 +243,11 @@ HWY_EXPORT(cosine);
 
 void projectShapes(const ShapePoint& point,
                    const std::array<float, 3>& struck,
-                   const std::array<float, 3>& heard,
+                   const std::array<float, 3>& listening,
                    std::size_t count,
                    float* struckGains,
                    float* listeningGains) noexcept {
-    HWY_DYNAMIC_DISPATCH(project)(point, struck, heard, count, struckGains, listeningGains);
+    HWY_DYNAMIC_DISPATCH(project)(point, struck, listening, count, struckGains, listeningGains);
 }
 
 void forcedStates(const PulseInstant& pulse,

@@ -21,11 +21,11 @@ struct ShapePoint {
     std::size_t used = 0;
 };
 
-/// Computes struckGains[i] = φ_i(p) · struck and listeningGains[i] = φ_i(p) · heard for any `count`
-/// of modes.
+/// Computes struckGains[i] = φ_i(p) · struck and listeningGains[i] = φ_i(p) · listening for any
+/// `count` of modes.
 void projectShapes(const ShapePoint& point,
                    const std::array<float, 3>& struck,
-                   const std::array<float, 3>& heard,
+                   const std::array<float, 3>& listening,
                    std::size_t count,
                    float* struckGains,
                    float* listeningGains) noexcept;

@@ -10,14 +10,27 @@ bool positive(double value) {
     return value > 0 && std::isfinite(value);
 }
 
-/// Within these bounds the cube of a size and its reciprocal fit single precision.
-bool validSize(double ratio) {
-    return ratio >= 1e-6 && ratio <= 1e6;
-}
-
 bool notNegative(double value) {
     return value >= 0 && std::isfinite(value);
 }
+
+struct Range {
+    double SynthesisSettings::*setting;
+    double lowest, highest;
+};
+
+using Limits = std::numeric_limits<double>;
+constexpr Range ranges[] = {
+    {&SynthesisSettings::tau, 0, Limits::max()},
+    {&SynthesisSettings::qualitySlope, 0, Limits::infinity()},
+    {&SynthesisSettings::modeBudget, 0, Limits::infinity()},
+    {&SynthesisSettings::compression, 0, Limits::infinity()},
+    {&SynthesisSettings::sizeRatio, 1e-6, 1e6}, // so that its cube fits single precision
+    {&SynthesisSettings::thicknessRatio, 0.1, 10},
+    {&SynthesisSettings::imperfection, 0, 0.01},
+    {&SynthesisSettings::frequencyRatio, Limits::min(), Limits::max()},
+    {&SynthesisSettings::radiation, 0, 1},
+};
 
 } // namespace
 
@@ -29,22 +42,9 @@ bool valid(const LiveMaterial& material) noexcept {
 }
 
 SynthesisSettings corrected(SynthesisSettings wanted, const SynthesisSettings& previous) noexcept {
-    const auto keepUnless = [](bool good, double& value, double before) {
-        if (!good)
-            value = before;
-    };
-    keepUnless(wanted.tau >= 0 && std::isfinite(wanted.tau), wanted.tau, previous.tau);
-    keepUnless(wanted.qualitySlope >= 0, wanted.qualitySlope, previous.qualitySlope);
-    keepUnless(wanted.modeBudget >= 0, wanted.modeBudget, previous.modeBudget);
-    keepUnless(wanted.compression >= 0, wanted.compression, previous.compression);
-    keepUnless(validSize(wanted.sizeRatio), wanted.sizeRatio, previous.sizeRatio);
-    keepUnless(wanted.thicknessRatio >= 0.1 && wanted.thicknessRatio <= 10, wanted.thicknessRatio,
-               previous.thicknessRatio);
-    keepUnless(wanted.imperfection >= 0 && wanted.imperfection <= 0.01, wanted.imperfection,
-               previous.imperfection);
-    keepUnless(wanted.radiation >= 0 && wanted.radiation <= 1, wanted.radiation,
-               previous.radiation);
-    keepUnless(positive(wanted.frequencyRatio), wanted.frequencyRatio, previous.frequencyRatio);
+    for (const auto& [setting, lowest, highest] : ranges)
+        if (!(wanted.*setting >= lowest && wanted.*setting <= highest))
+            wanted.*setting = previous.*setting;
     if (wanted.material && !valid(*wanted.material))
         wanted.material = previous.material;
     return wanted;

@@ -28,12 +28,10 @@ struct Synthesiser::Implementation {
     std::int64_t nextCell = 0;
 
     std::vector<SlotStatus> status;
-    std::vector<std::int32_t> slotShares; ///< of every slot, 0 if silent
-    std::vector<char> isSounding;         ///< of every slot
-    std::vector<char> wasTouched;         ///< of every slot, since its last reset
+    std::vector<char> wasTouched; ///< of every slot, since its last reset
     std::int64_t mixedNow = 0; ///< number of mixed modes, including those that strikes have added
     // The slots that ring in this cell, with their demands and shares.
-    std::vector<std::int32_t> sounding;
+    std::vector<std::int32_t> sounding; ///< ascending
     std::vector<ModeDemand> demands;
     std::vector<std::int32_t> shares;
     std::vector<std::int32_t> ranking;
@@ -41,8 +39,8 @@ struct Synthesiser::Implementation {
     void listSounding();
     void report();
     std::int32_t allowance(std::size_t slot) const;
-    template <class Simulation>
-    bool on(std::size_t slot, Simulation act);
+    template <class Action>
+    bool apply(std::size_t slot, Action action);
 };
 
 Synthesiser::Synthesiser(std::vector<SynthesiserSlot> slots,
@@ -52,22 +50,23 @@ Synthesiser::Synthesiser(std::vector<SynthesiserSlot> slots,
     auto& all = *implementation;
     all.sampleRate = sampleRateHz;
     std::size_t maximumModes = 0;
-    for (const SynthesiserSlot& slot : slots)
-        maximumModes = std::max(maximumModes, slot.object ? slot.object->modeCount() : 0);
+    for (SynthesiserSlot& slot : slots) {
+        if (!slot.object)
+            slot.object = std::make_shared<const ModalObject>();
+        maximumModes = std::max(maximumModes, slot.object->modeCount());
+    }
     all.scratch = std::make_unique<SynthesisScratch>(maximumModes, channels);
     std::map<const ModalObject*, ModeGroups::ModeWeights> known; // one for all slots of an object
     for (SynthesiserSlot& slot : slots) {
         auto& modeWeights = known[slot.object.get()];
         if (!modeWeights)
-            modeWeights = std::make_shared<const std::vector<double>>(
-                slot.object ? summedSquareShapes(*slot.object) : std::vector<double>());
+            modeWeights =
+                std::make_shared<const std::vector<double>>(summedSquareShapes(*slot.object));
         all.objects.emplace_back(std::move(slot), modeWeights,
                                  static_cast<std::uint32_t>(all.objects.size()), channels,
                                  sampleRateHz, *all.scratch);
     }
     all.status.resize(slots.size());
-    all.slotShares.resize(slots.size());
-    all.isSounding.resize(slots.size());
     all.wasTouched.resize(slots.size());
     all.sounding.reserve(slots.size());
     all.demands.reserve(slots.size());
@@ -135,26 +134,20 @@ void Synthesiser::mixInto(CellOf cellOf) noexcept {
                     all.shares);
     for (std::size_t k = 0; k < all.sounding.size(); ++k) {
         const auto slot = static_cast<std::size_t>(all.sounding[k]);
-        all.slotShares[slot] = all.shares[k];
         all.objects[slot].mix(all.shares[k], cellOf(slot));
-        all.mixedNow += all.objects[slot].modesMixedNow();
+        all.mixedNow += all.objects[slot].modesMixed();
     }
     all.scratch->tubesNow = all.scratch->tubes.end;
     all.report();
 }
 
 void Synthesiser::Implementation::listSounding() {
-    for (const std::int32_t slot : sounding) {
-        slotShares[static_cast<std::size_t>(slot)] = 0;
-        isSounding[static_cast<std::size_t>(slot)] = 0;
-    }
     sounding.clear();
     demands.clear();
     for (std::size_t slot = 0; slot < objects.size(); ++slot) {
         if (!objects[slot].beginCell(nextCell, settings, settingsChanged))
             continue;
         sounding.push_back(static_cast<std::int32_t>(slot));
-        isSounding[slot] = 1;
         demands.push_back(objects[slot].demand());
     }
     settingsChanged = false;
@@ -163,37 +156,38 @@ void Synthesiser::Implementation::listSounding() {
 
 void Synthesiser::Implementation::report() {
     std::fill(status.begin(), status.end(), SlotStatus{});
-    for (const std::int32_t sounded : sounding) {
-        const auto slot = static_cast<std::size_t>(sounded);
+    for (std::size_t k = 0; k < sounding.size(); ++k) {
+        const auto slot = static_cast<std::size_t>(sounding[k]);
         const ModalResonator& object = objects[slot];
         status[slot] = {static_cast<float>(object.demand().amplitude),
                         object.demand().modes,
                         object.modesMixed(),
                         static_cast<std::int32_t>(object.channelsSounding()),
-                        slotShares[slot],
+                        shares[k],
                         object.groupCount(),
                         object.groupsAudible()};
     }
 }
 
 std::int32_t Synthesiser::Implementation::allowance(std::size_t slot) const {
-    const std::size_t objectsThen = sounding.size() + (isSounding[slot] ? 0 : 1);
+    const bool sounds = std::ranges::binary_search(sounding, static_cast<std::int32_t>(slot));
+    const std::size_t objectsThen = sounding.size() + (sounds ? 0 : 1);
     const double budget = std::min(settings.modeBudget, 1e9);
     const double unused = std::max(0.0, budget - static_cast<double>(mixedNow));
-    return std::max({slotShares[slot],
+    return std::max({status[slot].share,
                      static_cast<std::int32_t>(budget / static_cast<double>(objectsThen)),
-                     objects[slot].modesMixedNow() + static_cast<std::int32_t>(unused)});
+                     objects[slot].modesMixed() + static_cast<std::int32_t>(unused)});
 }
 
-/// Applies `act` to one resonator and updates the count of mixed modes for the others.
-template <class Simulation>
-bool Synthesiser::Implementation::on(std::size_t slot, Simulation act) {
+/// Applies an action to one resonator and updates the count of mixed modes for the others.
+template <class Action>
+bool Synthesiser::Implementation::apply(std::size_t slot, Action action) {
     ModalResonator& object = objects[slot];
     wasTouched[slot] = 1;
     const std::int32_t allowed = allowance(slot);
-    mixedNow -= object.modesMixedNow();
-    const bool done = act(object, allowed);
-    mixedNow += object.modesMixedNow();
+    mixedNow -= object.modesMixed();
+    const bool done = action(object, allowed);
+    mixedNow += object.modesMixed();
     return done;
 }
 
@@ -202,7 +196,7 @@ bool Synthesiser::strike(std::size_t slot,
                          double sampleInCell,
                          const CellOutput& cell) noexcept {
     auto& all = *implementation;
-    return slot < slotCount() && all.on(slot, [&](ModalResonator& object, std::int32_t allowed) {
+    return slot < slotCount() && all.apply(slot, [&](ModalResonator& object, std::int32_t allowed) {
         object.catchUp(all.settings);
         return object.strike(strike, sampleInCell, allowed, cell);
     });
@@ -216,7 +210,7 @@ bool Synthesiser::applyForce(std::size_t slot,
                              const ForceCell& force,
                              const CellOutput& cell) noexcept {
     auto& all = *implementation;
-    return slot < slotCount() && all.on(slot, [&](ModalResonator& object, std::int32_t allowed) {
+    return slot < slotCount() && all.apply(slot, [&](ModalResonator& object, std::int32_t allowed) {
         return object.applyForce(force, allowed, cell);
     });
 }
@@ -228,9 +222,7 @@ void Synthesiser::reset() noexcept {
         if (std::exchange(all.wasTouched[slot], 0) != 0)
             all.objects[slot].reset();
     std::fill(all.status.begin(), all.status.end(), SlotStatus{});
-    std::fill(all.slotShares.begin(), all.slotShares.end(), 0);
     all.sounding.clear();
-    std::fill(all.isSounding.begin(), all.isSounding.end(), char{0});
     all.mixedNow = 0;
 }
 
@@ -255,9 +247,7 @@ const SynthesisSettings& Synthesiser::settings() const noexcept {
 }
 
 bool Synthesiser::silent() const noexcept {
-    const auto& objects = implementation->objects;
-    return std::all_of(objects.begin(), objects.end(),
-                       [](const ModalResonator& object) { return object.silent(); });
+    return std::ranges::all_of(implementation->objects, &ModalResonator::silent);
 }
 
 double Synthesiser::sampleRateHz() const noexcept {

@@ -45,7 +45,6 @@ public:
         : bank(eigenvalues.size(), 1, benchSampleRateHz),
           blocks(bank.blockCount()), runs{{0, static_cast<std::int32_t>(eigenvalues.size())}} {
         std::iota(blocks.begin(), blocks.end(), 0);
-        bank.resize(eigenvalues.size());
         bank.movePoles(eigenvalues, law, 20, benchSampleRateHz / 2);
         const double amplitude = 1 / static_cast<double>(eigenvalues.size());
         for (std::size_t g = 0; g < eigenvalues.size(); ++g)

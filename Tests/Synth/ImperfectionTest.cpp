@@ -49,7 +49,7 @@ TEST_CASE("A pair splits by half to all of the imperfection for every seed") {
         const auto object = syntheticObject({200, 200});
         const auto pairs = modePairs(object, seed);
         std::vector<double> eigenvalues = object.eigenvalues;
-        partPairs(pairs, 0.01, eigenvalues);
+        splitPairs(pairs, 0.01, eigenvalues);
         const double parted = std::sqrt(eigenvalues[1] / eigenvalues[0]) - 1;
         CHECK(parted > 0.00499);
         CHECK(parted < 0.01011);
@@ -71,8 +71,8 @@ TEST_CASE("Turning a pair of equal frequency keeps its summed sound") {
     const auto pairs = modePairs(syntheticObject({200, 200}), 7);
     std::vector<double> gains{0.3, -0.8}, weights{1.1, 0.4};
     const double before = gains[0] * weights[0] + gains[1] * weights[1];
-    turnPairs(pairs, std::span(gains));
-    turnPairs(pairs, std::span(weights));
+    rotatePairs(pairs, std::span(gains));
+    rotatePairs(pairs, std::span(weights));
     CHECK(gains[0] * weights[0] + gains[1] * weights[1] == Approx(before));
 }
 

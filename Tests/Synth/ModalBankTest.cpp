@@ -133,7 +133,7 @@ TEST_CASE("Free motion is the same by cells, over any time and by samples within
     const std::vector<std::int32_t> first{0};
     alignas(64) std::array<float, 64> output{};
     bank.render(first, {}, 1, {output.data(), nullptr});
-    bank.advanceBlock(1, 64 / 44100.0, 1, 1e-18);
+    bank.advanceBlock(1, 64 / 44100.0, 1);
     CHECK(std::abs(bank.state(0).x - bank.state(20).x) < 1e-12);
     CHECK(std::abs(bank.state(0).y - bank.state(20).y) < 1e-12);
 }
@@ -215,7 +215,7 @@ TEST_CASE("The phase holds over hours of rest") {
     const double omega = 2 * std::numbers::pi * 15000.3;
     bank.movePoles(std::vector<double>{omega * omega}, {}, 20, 20000);
     bank.setState(0, {1, 0});
-    bank.advanceBlock(0, 7200, 1, 1e-18);
+    bank.advanceBlock(0, 7200, 1);
     const double turns = 15000.3 * 7200;
     const double angle = 2 * std::numbers::pi * (turns - std::floor(turns));
     CHECK(std::abs(bank.state(0).x - std::cos(angle)) < 1e-5);
@@ -321,13 +321,13 @@ public:
             if (b % 3 == 0)
                 sounding.push_back(static_cast<std::int32_t>(b));
             else
-                together.advanceBlock(b, 3 * cellSize / sampleRate, 0.5, 1e-18);
+                together.advanceBlock(b, 3 * cellSize / sampleRate, 0.5);
         together.render(sounding, {}, 0.5, outputs);
         for (std::size_t g = 0; g < count; ++g)
             if (g / modeBlock % 3 == 0)
                 alone[g].render(alone[g].allBlocks(), {}, 0.5, outputs);
             else
-                alone[g].advanceBlock(0, 3 * cellSize / sampleRate, 0.5, 1e-18);
+                alone[g].advanceBlock(0, 3 * cellSize / sampleRate, 0.5);
     }
 
     /// Adds state increments and a force.

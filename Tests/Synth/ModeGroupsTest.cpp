@@ -34,7 +34,7 @@ TEST_CASE("Groups follow the poles only when asked, and their shares sum to 1") 
     CHECK(std::abs(sum - 2) < 1e-12);
 }
 
-TEST_CASE("A silenced mode is inaudible and shares no group with modes that are heard") {
+TEST_CASE("A silenced mode is inaudible and shares no group with audible modes") {
     ResonatorParts parts(ringingObject({1000, 1002, 1900}, 1));
     ModeGroups& groups = parts.groups;
     const std::vector<std::uint8_t> silenced{1, 0, 0};

@@ -23,7 +23,6 @@ struct ResonatorParts {
                  sampleRateHz,
                  scratch),
           residues(object, groups, bank, 1, scratch), active(bank, output, scratch) {
-        bank.resize(object.modeCount());
         groups.set({.law = {.damping = object.material.damping}, .compression = 0});
         groups.follow();
         movePoles();

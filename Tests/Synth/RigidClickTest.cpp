@@ -65,12 +65,13 @@ float peak(const std::vector<float>& sound) {
 
 TEST_CASE("A struck ball with one silent mode sounds one cycle of a sine in each direction") {
     const auto ball = rigidBall(0.01, 7000);
-    const auto body = rigidRadiator(ball);
     const Impact impact{.cell = 1, .sample = 20.25};
     const auto sound = rendered(ball, {.radiation = 1}, {impact});
     const std::array<float, 3> along{0, 0, impulse};
-    const double seconds = clickSeconds(body, along, impact.contactSeconds, 1);
-    const double amplitude = clickPascalMetres(body, along, {0, 0, 1}, seconds);
+    const auto click = rigidClick(rigidRadiator(ball), along, impact.contactSeconds, 1, rateHz,
+                                  {{{0, 0, 1}, {0, 0, 1}}});
+    const double seconds = click.seconds;
+    const double amplitude = click.pascalMetres[0];
     REQUIRE(amplitude > 1e-4);
     for (std::size_t k = 0; k < sound[0].size(); ++k) {
         const double turns =
