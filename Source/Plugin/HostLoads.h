@@ -1,4 +1,4 @@
-// Tells the history of the window what was loaded from outside it: by the host and by MIDI.
+// Counts what the host and MIDI load, for the history of the window.
 #pragma once
 
 #include "Plugin/Sound.h"

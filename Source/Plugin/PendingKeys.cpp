@@ -7,7 +7,7 @@
 
 namespace idiophone {
 
-bool PendingKeys::isAwaited(std::span<const std::uint8_t> message) const noexcept {
+bool PendingKeys::isProgramChange(std::span<const std::uint8_t> message) const noexcept {
     return message.size() >= 2 && (message[0] & 0xf0) == 0xc0 && (message[1] & 0x7f) < programs;
 }
 
@@ -18,12 +18,12 @@ void PendingKeys::follow(std::span<const MidiEvent> messages) noexcept {
 
 void PendingKeys::follow(const MidiEvent& event) noexcept {
     const int kind = event.bytes[0] & 0xf0;
-    if (isAwaited(event.bytes)) {
+    if (isProgramChange(event.bytes)) {
         program = event.bytes[1] & 0x7f;
-        isWaiting = true;
+        isPending = true;
         count = 0;
     }
-    if (!isWaiting)
+    if (!isPending)
         return;
     if (kind == 0x80 || kind == 0x90)
         release(event);
@@ -46,7 +46,7 @@ void PendingKeys::release(const MidiEvent& event) noexcept {
 }
 
 std::span<const MidiEvent> PendingKeys::take() noexcept {
-    isWaiting = false;
+    isPending = false;
     return std::span(noteOns).first(std::exchange(count, 0));
 }
 

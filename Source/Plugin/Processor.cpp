@@ -80,7 +80,7 @@ void Processor::releaseResources() {
 /// echo.
 void Processor::setNonRealtime(bool isOffline) noexcept {
     if (isOffline != isNonRealtime())
-        hostParameters.forgetTold();
+        hostParameters.forgetLastSent();
     AudioProcessor::setNonRealtime(isOffline);
 }
 

@@ -55,7 +55,7 @@ void SoundPicture::show(PictureSubject next) {
 }
 
 /// Prepares the constant data of a slot's object.
-void SoundPicture::look(std::size_t slot) {
+void SoundPicture::prepareSlot(std::size_t slot) {
     frame.instrumentNumber = subject.instrumentNumber;
     frame.object = objectOfSlot[slot];
     frame.note = isOfOneKey[slot] ? noteOfSlot[slot] : -1;
@@ -73,7 +73,7 @@ void SoundPicture::look(std::size_t slot) {
 
 const SoundFrame& SoundPicture::of(const MonitoredSound& sound) {
     frame = {};
-    look(sound.slot);
+    prepareSlot(sound.slot);
     frame.tauPascals = sound.groups.tauPascals;
     frame.slope = sound.qualitySlope;
     frame.budgetModes = sound.modeBudget;
@@ -137,7 +137,7 @@ void SoundPicture::addModes(const MonitoredSound& sound) {
     for (std::size_t g = 0; g + 1 < groupStarts.size(); ++g) {
         const auto first = static_cast<std::size_t>(groupStarts[g]);
         const auto end = std::min(static_cast<std::size_t>(groupStarts[g + 1]), total);
-        if (end > MonitoredSound::mostModes)
+        if (end > MonitoredSound::maximumModes)
             break;
         const double sum = std::accumulate(weights.begin() + static_cast<std::ptrdiff_t>(first),
                                            weights.begin() + static_cast<std::ptrdiff_t>(end), 0.0);

@@ -38,7 +38,7 @@ public:
     const SoundFrame& ofSilence(std::size_t slot, const ParameterValues& values, double rateHz);
 
 private:
-    void look(std::size_t slot);
+    void prepareSlot(std::size_t slot);
     void groupModesOf(const MonitoredSound& sound);
     void addModes(const MonitoredSound& sound);
     ModeNow modeNow(const MonitoredSound& sound, std::size_t mode) const;
