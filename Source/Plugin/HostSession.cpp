@@ -61,12 +61,8 @@ Result<void> HostSession::play(const State& state) {
     const auto keys = keyTuning(state.tuning);
     if (!keys)
         return failure("The saved state has a fault in its tuning: " + keys.error().message);
-    Sound sound{.preset = state.preset,
-                .instrument = nullptr,
-                .parameters = state.parameters,
-                .missing = nullptr,
-                .presetId = {},
-                .stored = state.preset.parameters};
+    Sound sound{
+        .preset = state.preset, .parameters = state.parameters, .stored = state.preset.parameters};
     sound.missing = replaceMissing(sound.preset, state.objects);
     const auto held = session.lock();
     auto built = buildInstrument(sound.preset.keyMap, state.objects);
@@ -155,7 +151,6 @@ Result<bool> HostSession::loadProgram(int index, ProgramChanges::Request request
     session.play({.preset = preset,
                   .instrument = std::move(*built),
                   .parameters = preset.parameters,
-                  .missing = nullptr,
                   .presetId = factoryPresetId(preset.name),
                   .stored = preset.parameters},
                  std::move(*player), [&] { parameters.load(wanted()); });

@@ -244,8 +244,6 @@ void ImportSession::playMapped(const SoundSession::Loaded& now,
     Sound mapped{.preset = now.sound.preset,
                  .instrument = *built,
                  .parameters = {},
-                 .missing = nullptr,
-                 .presetId = {},
                  .stored = now.sound.preset.parameters};
     mapped.preset.keyMap = map;
     mapped.parameters =

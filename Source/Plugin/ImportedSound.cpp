@@ -73,12 +73,8 @@ soundOf(const ObjectWorkshop::Product& product, const Sound& before, double samp
     else
         values = asLoudAs(before, preset, *built, values, sampleRateHz);
     const auto stored = preset.parameters;
-    return Sound{.preset = std::move(preset),
-                 .instrument = *built,
-                 .parameters = values,
-                 .missing = nullptr,
-                 .presetId = {},
-                 .stored = stored};
+    return Sound{
+        .preset = std::move(preset), .instrument = *built, .parameters = values, .stored = stored};
 }
 
 ParameterValues asLoudAs(const Sound& before,

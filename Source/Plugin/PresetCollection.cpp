@@ -31,8 +31,6 @@ ShelvedPreset shelved(const Preset& preset, std::string id) {
             .description = preset.description,
             .tags = preset.tags,
             .folder = {},
-            .isFactory = false,
-            .isFavourite = false,
             .fault = {}};
 }
 
@@ -78,21 +76,19 @@ void PresetCollection::readPresets() {
 }
 
 std::string PresetCollection::chosenPreset() const {
-    return holder.loadedLabel().presetId;
+    return holder.loadedSound().presetId;
 }
 
 PresetDetails PresetCollection::soundDetails() const {
-    auto label = holder.loadedLabel();
-    const auto* entry = folder.find(label.presetId);
-    return {.name = std::move(label.name),
-            .folder = entry != nullptr ? entry->folder : "",
-            .author = std::move(label.author),
-            .description = std::move(label.description),
-            .tags = std::move(label.tags)};
+    const auto sound = holder.loadedSound();
+    auto details = detailsOf(sound.preset);
+    if (const auto* entry = folder.find(sound.presetId))
+        details.folder = entry->folder;
+    return details;
 }
 
 bool PresetCollection::soundIsChanged() const {
-    return holder.loadedLabel().isChanged;
+    return holder.loadedSound().isChanged();
 }
 
 Result<PresetCollection::FoundSound> PresetCollection::soundOf(const std::string& id) {

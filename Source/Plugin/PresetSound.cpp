@@ -21,7 +21,6 @@ Sound soundWith(Preset preset,
     return {.preset = std::move(preset),
             .instrument = std::move(instrument),
             .parameters = values,
-            .missing = nullptr,
             .presetId = std::move(id),
             .presetContent = content,
             .stored = values};

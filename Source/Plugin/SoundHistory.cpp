@@ -157,7 +157,7 @@ void SoundHistory::recordPrograms(Sound before) {
     closeEdit(&before.parameters);
     const auto from = std::exchange(beforeAudition, std::nullopt)
                           .value_or(Session{.playing = std::move(before), .other = other});
-    const auto name = holder.loadedLabel().name;
+    const auto name = holder.loadedSound().preset.name;
     if (const auto known = programs.lock()) {
         known->after = session();
         steps.setCurrentTransactionName(fromUtf8(name));
@@ -282,7 +282,7 @@ void SoundHistory::keepAudition() {
     followHost();
     if (const auto before = std::exchange(beforeAudition, std::nullopt)) {
         closeEdit();
-        pushLoad(holder.loadedLabel().name, *before);
+        pushLoad(holder.loadedSound().preset.name, *before);
     }
 }
 

@@ -79,17 +79,6 @@ double SoundSession::rateHz() const {
     return preparedRateHz > 0 ? preparedRateHz : 48000;
 }
 
-SoundLabel SoundSession::loadedLabel() const {
-    const auto held = lock();
-    const auto now = withSetupOf(current.stored, parameters.values());
-    return {.name = current.preset.name,
-            .author = current.preset.author,
-            .description = current.preset.description,
-            .tags = current.preset.tags,
-            .presetId = current.presetId,
-            .isChanged = now != current.stored};
-}
-
 bool SoundSession::playSound(const Sound& wanted) {
     if (wanted.instrument == nullptr)
         return false;

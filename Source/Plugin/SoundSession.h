@@ -50,7 +50,6 @@ public:
     void poll();
 
     Sound loadedSound() const override;
-    SoundLabel loadedLabel() const override;
     bool playSound(const Sound& wanted) override;
     void relabel(const Sound& wanted) override;
     void changeParameters(const Sound& of, const ParameterValues& wanted) override;

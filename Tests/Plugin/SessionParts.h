@@ -19,8 +19,6 @@ inline Sound testSound(const std::string& folder = "test") {
     return {.preset = state.preset,
             .instrument = *built,
             .parameters = state.parameters,
-            .missing = nullptr,
-            .presetId = {},
             .stored = state.parameters};
 }
 

@@ -167,7 +167,7 @@ TEST_CASE("An opened object plays, and its keys can be laid along a path") {
     waitUntil([&] { return !imports.importStatus().isWorking(); });
     CHECK(imports.importStatus().error == "");
     imports.poll();
-    CHECK(parts.session.loadedLabel().tags == std::vector<std::string>{"imported"});
+    CHECK(parts.session.loadedSound().preset.tags == std::vector<std::string>{"imported"});
     CHECK(imports.keyLayout() == KeyLayout::scaled);
     CHECK_FALSE(imports.playsPreview());
     const int origin = parts.session.origin();
