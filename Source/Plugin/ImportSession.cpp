@@ -22,11 +22,11 @@ ImportSession::ImportSession(HostParameters& hostParameters,
       history(soundHistory), materials(userMaterials) {}
 
 bool ImportSession::canOpen(const std::filesystem::path& file) const {
-    return isMeshFile(file) || isModalFile(file);
+    return matches(file, meshFiles) || matches(file, modalFiles);
 }
 
 std::string ImportSession::openPatterns() const {
-    return objectFilePatterns();
+    return std::string(meshFiles) + ";" + modalFiles;
 }
 
 void ImportSession::begin(int originOfJob) {

@@ -177,7 +177,7 @@ void ObjectWorkshop::run() {
 Result<void> ObjectWorkshop::make(const Job& job) {
     if (job.source != nullptr)
         return makeFromMesh(job, *job.source);
-    if (isModalFile(job.file))
+    if (matches(job.file, modalFiles))
         return makeFromModal(job);
     report(job, 0, "Reading");
     auto read = readMesh(job.file);

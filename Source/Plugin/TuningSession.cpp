@@ -16,11 +16,11 @@ TuningSession::TuningSession(SoundSession& soundSession,
       history(soundHistory) {}
 
 bool TuningSession::isTuningFile(const std::filesystem::path& file) const {
-    return isScale(file) || isKeyboardMapping(file);
+    return matches(file, scaleFiles) || matches(file, keyboardMappings);
 }
 
 std::string TuningSession::tuningPatterns() const {
-    return tuningFilePatterns();
+    return std::string(scaleFiles) + ";" + keyboardMappings;
 }
 
 void TuningSession::openTuning(const std::filesystem::path& file) {
@@ -29,7 +29,7 @@ void TuningSession::openTuning(const std::filesystem::path& file) {
                            .and_then([&](const std::string& text) -> Result<void> {
                                const auto held = session.lock();
                                before = wanted = scala;
-                               (isScale(file) ? wanted.scale : wanted.mapping) = {
+                               (matches(file, scaleFiles) ? wanted.scale : wanted.mapping) = {
                                    .name = fileNameOf(file), .text = text};
                                return keyTuning(wanted).transform(
                                    [&](const KeyTuning& keys) { tuneTo(wanted, keys); });
