@@ -13,12 +13,11 @@
 
 namespace idiophone {
 
-ImportSession::ImportSession(HostParameters& hostParameters,
+ImportSession::ImportSession(SharedParts& shared,
                              SoundSession& soundSession,
-                             HostReporter& hostReporter,
                              SoundHistory& soundHistory,
                              const MaterialSession& userMaterials)
-    : parameters(hostParameters), session(soundSession), reporter(hostReporter),
+    : parameters(shared.parameters), session(soundSession), reporter(shared.reporter),
       history(soundHistory), materials(userMaterials) {}
 
 bool ImportSession::canOpen(const std::filesystem::path& file) const {

@@ -2,12 +2,11 @@
 #pragma once
 
 #include "Editor/WorkshopView.h"
-#include "Plugin/HostReporter.h"
 #include "Plugin/ImportedSound.h"
+#include "Plugin/MaterialSession.h"
 #include "Plugin/ObjectWorkshop.h"
 #include "Plugin/SoundHistory.h"
 #include "Plugin/SoundSession.h"
-#include "Plugin/MaterialSession.h"
 
 #include <memory>
 #include <optional>
@@ -19,9 +18,8 @@ namespace idiophone {
 /// For the message thread.
 class ImportSession final : public WorkshopView {
 public:
-    ImportSession(HostParameters& parameters,
+    ImportSession(SharedParts& shared,
                   SoundSession& session,
-                  HostReporter& reporter,
                   SoundHistory& history,
                   const MaterialSession& materials);
 

@@ -7,13 +7,11 @@
 
 namespace idiophone {
 
-TuningSession::TuningSession(SoundSession& soundSession,
-                             TailLength& tailLength,
-                             Tuner& tunerOfEngine,
-                             HostReporter& hostReporter,
+TuningSession::TuningSession(SharedParts& shared,
+                             SoundSession& soundSession,
                              SoundHistory& soundHistory)
-    : session(soundSession), tail(tailLength), tuner(tunerOfEngine), reporter(hostReporter),
-      history(soundHistory) {}
+    : session(soundSession), tail(shared.tail), tuner(shared.messages.tuner),
+      reporter(shared.reporter), history(soundHistory) {}
 
 bool TuningSession::isTuningFile(const std::filesystem::path& file) const {
     return matches(file, scaleFiles) || matches(file, keyboardMappings);

@@ -3,7 +3,6 @@
 
 #include "Editor/TuningView.h"
 #include "Instrument/ScalaTuning.h"
-#include "Plugin/HostReporter.h"
 #include "Plugin/SoundHistory.h"
 #include "Plugin/SoundSession.h"
 
@@ -16,11 +15,7 @@ namespace idiophone {
 /// lock calls them.
 class TuningSession final : public TuningView {
 public:
-    TuningSession(SoundSession& session,
-                  TailLength& tail,
-                  Tuner& tuner,
-                  HostReporter& reporter,
-                  SoundHistory& history);
+    TuningSession(SharedParts& shared, SoundSession& session, SoundHistory& history);
 
     bool isTuningFile(const std::filesystem::path& file) const override;
     std::string tuningPatterns() const override;
