@@ -62,9 +62,9 @@ Result<void> HostSession::play(const State& state) {
     if (!player)
         return tl::unexpected(player.error());
     shared.programs.cancel();
-    for (const auto& factory : factoryPresets())
-        if (factory.name == state.preset.name && factory.keyMap == state.preset.keyMap)
-            sound.presetId = factoryPresetId(factory.name);
+    if (const auto* factory = findFactoryPreset(state.preset.name);
+        factory != nullptr && factory->keyMap == state.preset.keyMap)
+        sound.presetId = factoryPresetId(factory->name);
     sound.instrument = std::move(*built);
     auto tuningFiles = state.tuning;
     const auto missing = sound.missing;
@@ -131,12 +131,10 @@ Result<bool> HostSession::loadProgram(int index, ProgramChanges::Request request
         if (shared.programs.pending() != request)
             return false;
         shared.programs.answer(request);
-        shared.loads.keepBeforePrograms([&] {
-            auto before = session.soundNow();
-            if (moment != nullptr)
-                before.parameters = moment->values;
-            return before;
-        });
+        auto before = session.soundNow();
+        if (moment != nullptr)
+            before.parameters = moment->values;
+        shared.loads.keepBeforePrograms(std::move(before));
     }
     session.play({.preset = preset,
                   .instrument = std::move(*built),
