@@ -75,25 +75,19 @@ std::string SoundHistory::redoName() {
 }
 
 void SoundHistory::undo() {
-    endAudition();
-    followHost();
-    closeEdit();
+    beginStep();
     programs.reset();
     steps.undo();
 }
 
 void SoundHistory::redo() {
-    endAudition();
-    followHost();
-    closeEdit();
+    beginStep();
     programs.reset();
     steps.redo();
 }
 
 void SoundHistory::record(const std::string& name, const std::function<void()>& load) {
-    endAudition();
-    followHost();
-    closeEdit();
+    beginStep();
     const auto before = session();
     load();
     pushLoad(name, before);
@@ -102,9 +96,7 @@ void SoundHistory::record(const std::string& name, const std::function<void()>& 
 void SoundHistory::recordDone(const std::string& name,
                               const std::function<void()>& undone,
                               const std::function<void()>& doneAgain) {
-    endAudition();
-    followHost();
-    closeEdit();
+    beginStep();
     const auto always = [](const std::function<void()>& work) {
         return [work] {
             work();
@@ -148,6 +140,12 @@ void SoundHistory::followHost() {
         forgetAll();
     if (auto before = hostLoads.takeBeforePrograms())
         recordPrograms(std::move(*before));
+}
+
+/// Closes what is open, so that another step can begin.
+void SoundHistory::beginStep() {
+    endAudition(); // follows the host
+    closeEdit();
 }
 
 /// A program change ends an audition, as loading another sound does.

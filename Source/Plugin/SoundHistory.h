@@ -93,6 +93,7 @@ private:
     /// Returns whether it plays. If a step fails, all steps are cleared.
     bool play(const Session& wanted);
     void followHost();
+    void beginStep();
     void forgetAll();
     void recordPrograms(Sound before);
     /// Closes the open edit, with the present values or those given.
