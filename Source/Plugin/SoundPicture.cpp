@@ -83,7 +83,7 @@ const SoundFrame& SoundPicture::of(const MonitoredSound& sound) {
     groupModesOf(sound);
     addModes(sound);
     addSlots(sound);
-    addBodies(std::span(sound.bodies).first(sound.bodyCount));
+    frame.bodies = bodiesAt(std::span(sound.bodies).first(sound.bodyCount), objectOfSlot);
     return frame;
 }
 
@@ -103,16 +103,18 @@ SoundPicture::ofSilence(std::size_t slot, const ParameterValues& values, double 
     sound.modeBudget = settings.modeBudget;
     of(sound);
     if (const auto& stage = subject.instrument->stage())
-        addBodies(stage->firstPoses());
+        frame.bodies = bodiesAt(stage->firstPoses(), objectOfSlot);
     return frame;
 }
 
-void SoundPicture::addBodies(std::span<const BodyPose> poses) {
+std::vector<BodyNow> bodiesAt(std::span<const BodyPose> poses, std::span<const int> objectOfSlot) {
+    std::vector<BodyNow> bodies;
     for (std::size_t slot = 0; slot < std::min(poses.size(), objectOfSlot.size()); ++slot)
         if (const auto& pose = poses[slot]; pose.isThere)
-            frame.bodies.push_back({.object = objectOfSlot[slot],
-                                    .originMetres = pose.originMetres,
-                                    .turn = pose.turn});
+            bodies.push_back({.object = objectOfSlot[slot],
+                              .originMetres = pose.originMetres,
+                              .turn = pose.turn});
+    return bodies;
 }
 
 /// Groups the modes as the synthesis does, or will when the object is struck.

@@ -25,6 +25,9 @@ struct PictureSubject {
     bool operator==(const PictureSubject&) const = default;
 };
 
+/// Returns the bodies that are there, for poses and objects (`objectsOfSlots`) of slots.
+std::vector<BodyNow> bodiesAt(std::span<const BodyPose> poses, std::span<const int> objectOfSlot);
+
 /// For the message thread.
 class SoundPicture {
 public:
@@ -43,7 +46,6 @@ private:
     void addModes(const MonitoredSound& sound);
     ModeNow modeNow(const MonitoredSound& sound, std::size_t mode) const;
     void addSlots(const MonitoredSound& sound);
-    void addBodies(std::span<const BodyPose> poses);
 
     PictureSubject subject;
     std::vector<int> objectOfSlot; ///< index into InstrumentView::playedObjects

@@ -85,6 +85,7 @@ private:
     void handOver(std::unique_ptr<Player> player, const LoadValues& loadValues);
 
     SharedParts& shared;
+
     mutable std::mutex mutex;
     Sound current; ///< its `parameters` are not kept up to date: see `soundNow`
     ModeSet heardAlone;
