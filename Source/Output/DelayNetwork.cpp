@@ -1,6 +1,7 @@
 #include "Output/DelayNetwork.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <numbers>
 
@@ -24,10 +25,7 @@ constexpr std::size_t leftRow = 5, rightRow = 10;
 constexpr float inputGain = 0.35f;
 
 constexpr float signOf(std::size_t row, std::size_t line) {
-    bool isNegative = false;
-    for (std::size_t bits = row & line; bits != 0; bits &= bits - 1)
-        isNegative = !isNegative;
-    return isNegative ? -1.0f : 1.0f;
+    return std::popcount(row & line) % 2 == 0 ? 1.0f : -1.0f;
 }
 
 std::size_t samplesOf(double seconds, double rateHz) {

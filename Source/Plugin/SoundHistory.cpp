@@ -52,8 +52,6 @@ SoundHistory::SoundHistory(SoundHolder& soundHolder,
     : holder(soundHolder), parameters(hostParameters), hostLoads(loadsOfHost),
       steps(maximumUnits, minimumSteps) {}
 
-SoundHistory::~SoundHistory() = default;
-
 bool SoundHistory::canUndo() {
     followHost();
     return !changes.empty() || steps.canUndo();

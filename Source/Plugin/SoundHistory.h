@@ -29,7 +29,6 @@ class SoundHistory final : public EditHistory {
 public:
     /// Does not call the holder yet.
     SoundHistory(SoundHolder& holder, HostParameters& parameters, HostLoads& hostLoads);
-    ~SoundHistory() override;
 
     bool canUndo() override;
     bool canRedo() override;
