@@ -4,6 +4,7 @@
 #include "Object/OneLine.h"
 #include "Plugin/FactoryPrograms.h"
 #include "Plugin/ObjectEmbedding.h"
+#include "Plugin/PresetSound.h"
 #include "Plugin/WithinMemory.h"
 
 #include <algorithm>
@@ -112,9 +113,9 @@ void HostSession::chooseProgram(int index, ProgramChanges::Request request) {
 /// the program is there at once. Returns false if MIDI has asked for another program meanwhile.
 Result<bool> HostSession::loadProgram(int index, ProgramChanges::Request request) {
     const auto& preset = factoryPresets()[static_cast<std::size_t>(index)];
-    auto built = buildInstrument(preset.keyMap, {});
-    if (!built)
-        return failure(preset.name + " cannot be played: " + built.error().message);
+    auto sound = factorySound(preset);
+    if (!sound)
+        return tl::unexpected(sound.error());
     const auto* moment = shared.programs.momentOf(request);
     if (moment != nullptr && moment->soundChanges != shared.messages.soundChanges)
         moment = nullptr;
@@ -122,7 +123,7 @@ Result<bool> HostSession::loadProgram(int index, ProgramChanges::Request request
         const auto values = withSetupOf(shared.parameters.values(), preset.parameters);
         return moment != nullptr ? shared.parameters.withMoved(moment->moves, values) : values;
     };
-    auto player = session.newPlayer(*built, preset, wanted());
+    auto player = session.newPlayer(sound->instrument, sound->preset, wanted());
     if (!player)
         return tl::unexpected(player.error());
     if (request == ProgramChanges::none) {
@@ -136,12 +137,7 @@ Result<bool> HostSession::loadProgram(int index, ProgramChanges::Request request
             before.parameters = moment->values;
         shared.loads.keepBeforePrograms(std::move(before));
     }
-    session.play({.preset = preset,
-                  .instrument = std::move(*built),
-                  .parameters = preset.parameters,
-                  .presetId = factoryPresetId(preset.name),
-                  .stored = preset.parameters},
-                 std::move(*player), [&] { shared.parameters.load(wanted()); });
+    session.play(std::move(*sound), std::move(*player), [&] { shared.parameters.load(wanted()); });
     return true;
 }
 

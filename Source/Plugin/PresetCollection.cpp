@@ -92,15 +92,9 @@ bool PresetCollection::soundIsChanged() const {
 }
 
 Result<PresetCollection::FoundSound> PresetCollection::soundOf(const std::string& id) {
-    const auto cannot = [&](const std::string& name, const Error& why) {
-        return failure(name + " cannot be played: " + why.message);
-    };
-    if (const auto* preset = factoryPreset(id)) {
-        auto built = buildInstrument(preset->keyMap, {});
-        if (!built)
-            return cannot(preset->name, built.error());
-        return FoundSound{.sound = soundWith(*preset, std::move(*built), id), .notice = {}};
-    }
+    if (const auto* preset = factoryPreset(id))
+        return factorySound(*preset).map(
+            [](Sound sound) { return FoundSound{.sound = std::move(sound), .notice = {}}; });
     if (folder.find(id) == nullptr)
         readPresets();
     const auto* entry = folder.find(id);
@@ -110,16 +104,14 @@ Result<PresetCollection::FoundSound> PresetCollection::soundOf(const std::string
         return tl::unexpected(entry->preset.error());
     const auto built = buildPresetInstrument(entry->preset->keyMap, folder.fileOf(id));
     if (!built)
-        return cannot(entry->preset->name, built.error());
+        return failure(entry->preset->name + " cannot be played: " + built.error().message);
     auto preset = *entry->preset;
-    if (preset.keyMap.kind == KeyMapKind::scene)
-        preset.keyMap = built->keyMap; // absolute path: projects embed no scenes
+    preset.keyMap = built->keyMap; // with the absolute path of a scene: projects embed no scenes
     if (built->notice.empty())
         return FoundSound{.sound =
                               soundWith(std::move(preset), built->instrument, id, entry->content),
                           .notice = {}};
     // Give it no preset id, so that saving over the file must be confirmed.
-    preset.keyMap = built->keyMap;
     preset.mutedModes = {};
     const auto notice = preset.name + ": " + built->notice;
     return FoundSound{.sound = soundWith(std::move(preset), built->instrument, {}),

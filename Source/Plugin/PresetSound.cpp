@@ -1,6 +1,7 @@
 #include "Plugin/PresetSound.h"
 
 #include "Instrument/LoudnessMatch.h"
+#include "Plugin/FactoryPrograms.h"
 
 #include <utility>
 
@@ -24,6 +25,13 @@ Sound soundWith(Preset preset,
             .presetId = std::move(id),
             .presetContent = content,
             .stored = values};
+}
+
+Result<Sound> factorySound(const Preset& preset) {
+    auto built = buildInstrument(preset.keyMap, {});
+    if (!built)
+        return failure(preset.name + " cannot be played: " + built.error().message);
+    return soundWith(preset, std::move(*built), factoryPresetId(preset.name));
 }
 
 void storeValues(const Sound& sound, Preset& preset) {
