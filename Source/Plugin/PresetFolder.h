@@ -6,7 +6,6 @@
 
 #include <cstdint>
 #include <juce_core/juce_core.h>
-#include <map>
 #include <vector>
 
 namespace idiophone {
@@ -19,6 +18,8 @@ public:
         std::string folder; ///< "Bells"
         Result<Preset> preset;
         std::uint64_t content = 0; ///< hash of the file when it was read
+        juce::int64 bytes = 0;     ///< size of the file when it was read
+        juce::Time written = {};   ///< when it was written; `forget` clears it
     };
 
     static constexpr int deepestFolder = 4; ///< deeper folders are ignored
@@ -56,19 +57,13 @@ public:
     Result<juce::File> folder() const;
 
 private:
-    struct Known {
-        juce::int64 bytes = 0;
-        juce::Time written;
-        Result<Preset> preset;
-        std::uint64_t content = 0;
-    };
-
-    static Known readKnown(const juce::File& file);
+    Entry readEntry(const juce::File& file) const;
+    /// Makes the next `read` read this file: file times are coarse.
+    void forget(const std::string& id);
     std::string idOf(const juce::File& file) const;
 
     juce::File root;
     int entryLimit;
-    std::map<std::string, Known> known;
     std::vector<Entry> found;
 };
 
