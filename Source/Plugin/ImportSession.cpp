@@ -242,11 +242,10 @@ void ImportSession::playMapped(const SoundSession::Loaded& now,
         return session.reportError("The keys cannot be changed: " + built.error().message);
     Sound mapped{.preset = now.sound.preset,
                  .instrument = *built,
-                 .parameters = {},
+                 .parameters = now.sound.parameters,
                  .stored = now.sound.preset.parameters};
     mapped.preset.keyMap = map;
-    mapped.parameters =
-        asLoudAs(now.sound, mapped.preset, *built, now.sound.parameters, session.rateHz());
+    mapped = asLoudAs(now.sound, std::move(mapped), session.rateHz());
     const bool isOurs = origin == now.origin;
     history.keepAudition(); // the user wants the sound: its keys are changed
     std::optional<int> number;
