@@ -50,7 +50,7 @@ void Tuner::Deregister::operator()(MTSClient* registered) const {
 Tuner::Tuner() : client(MTS_RegisterClient()) {}
 
 void Tuner::setOwn(const std::optional<KeyTuning>& tuning) noexcept {
-    handoff.next() = {.isGiven = tuning.has_value(), .keys = tuning.value_or(KeyTuning{})};
+    handoff.next() = tuning;
     handoff.publish();
 }
 
@@ -109,9 +109,9 @@ void Tuner::tune(Player* player) noexcept {
         own = *given;
     if (player == nullptr)
         return;
-    if (!own.isGiven)
+    if (!own)
         readSession();
-    player->setTuning(own.isGiven ? own.keys : session);
+    player->setTuning(own ? *own : session);
 }
 
 /// Ignores a pitch that is not finite or farther away than any key.
