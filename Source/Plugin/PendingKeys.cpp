@@ -12,28 +12,25 @@ bool PendingKeys::isProgramChange(std::span<const std::uint8_t> message) const n
 }
 
 void PendingKeys::follow(std::span<const MidiEvent> messages) noexcept {
-    for (const auto& event : messages)
-        follow(event);
-}
-
-void PendingKeys::follow(const MidiEvent& event) noexcept {
-    const int kind = event.bytes[0] & 0xf0;
-    if (isProgramChange(event.bytes)) {
-        program = event.bytes[1] & 0x7f;
-        isPending = true;
-        count = 0;
+    for (const auto& event : messages) {
+        const int kind = event.bytes[0] & 0xf0;
+        if (isProgramChange(event.bytes)) {
+            program = event.bytes[1] & 0x7f;
+            isPending = true;
+            count = 0;
+        }
+        if (!isPending)
+            continue;
+        if (kind == 0x80 || kind == 0x90)
+            release(event);
+        if (event.isNoteOn() && count < capacity) {
+            noteOns[count] = event;
+            noteOns[count++].sampleOffset = 0;
+        }
+        const int controller = kind == 0xb0 ? event.bytes[1] & 0x7f : 0;
+        if (controller == midi::allSoundOff || controller >= midi::allNotesOff)
+            count = 0;
     }
-    if (!isPending)
-        return;
-    if (kind == 0x80 || kind == 0x90)
-        release(event);
-    if (event.isNoteOn() && count < capacity) {
-        noteOns[count] = event;
-        noteOns[count++].sampleOffset = 0;
-    }
-    const int controller = kind == 0xb0 ? event.bytes[1] & 0x7f : 0;
-    if (controller == midi::allSoundOff || controller >= midi::allNotesOff)
-        count = 0;
 }
 
 void PendingKeys::release(const MidiEvent& event) noexcept {

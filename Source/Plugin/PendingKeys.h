@@ -37,7 +37,6 @@ public:
 private:
     static constexpr std::size_t capacity = 256; ///< further keys are not struck again
 
-    void follow(const MidiEvent& event) noexcept;
     void release(const MidiEvent& event) noexcept;
 
     int programs;
