@@ -43,10 +43,6 @@ void HostReporter::reportState() {
     processor.updateHostDisplay(Details().withNonParameterStateChanged(true));
 }
 
-void HostReporter::forget() noexcept {
-    soundsToReport = movesToReport = 0;
-}
-
 void HostReporter::poll(MidiLearn& controllers) {
     for (const auto& info : parameterTable())
         parameters[info.parameter].sendControllerMove();

@@ -63,17 +63,9 @@ std::optional<int> MidiLearn::controllerOf(ParameterId parameter) const {
     return number == noController ? std::nullopt : std::optional(number);
 }
 
-void MidiLearn::learnController(ParameterId parameter) {
-    learning = static_cast<int>(parameter);
-}
-
 std::optional<ParameterId> MidiLearn::learningParameter() const {
     const int waiting = learning;
     return waiting == nothing ? std::nullopt : std::optional(static_cast<ParameterId>(waiting));
-}
-
-void MidiLearn::stopLearning() {
-    learning = nothing;
 }
 
 void MidiLearn::forgetController(ParameterId parameter) {

@@ -35,9 +35,9 @@ public:
     void assign(const ControllerAssignments& assignments) noexcept;
 
     std::optional<int> controllerOf(ParameterId parameter) const override;
-    void learnController(ParameterId parameter) override;
+    void learnController(ParameterId parameter) override { learning = static_cast<int>(parameter); }
     std::optional<ParameterId> learningParameter() const override;
-    void stopLearning() override;
+    void stopLearning() override { learning = nothing; }
     void forgetController(ParameterId parameter) override;
 
 private:

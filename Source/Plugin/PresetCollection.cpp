@@ -75,20 +75,12 @@ void PresetCollection::readPresets() {
         preset.isFavourite = favourites.contains(preset.id);
 }
 
-std::string PresetCollection::chosenPreset() const {
-    return holder.loadedSound().presetId;
-}
-
 PresetDetails PresetCollection::soundDetails() const {
     const auto sound = holder.loadedSound();
     auto details = detailsOf(sound.preset);
     if (const auto* entry = folder.find(sound.presetId))
         details.folder = entry->folder;
     return details;
-}
-
-bool PresetCollection::soundIsChanged() const {
-    return holder.loadedSound().isChanged();
 }
 
 Result<PresetCollection::FoundSound> PresetCollection::soundOf(const std::string& id) {
@@ -140,14 +132,6 @@ Result<void> PresetCollection::loadInitialSound() {
 Result<void> PresetCollection::auditionPreset(const std::string& id) {
     return soundOf(id).map(
         [&](const FoundSound& found) { history.audition([&] { play(found); }); });
-}
-
-void PresetCollection::keepAudition() {
-    history.keepAudition();
-}
-
-void PresetCollection::endAudition() {
-    history.endAudition();
 }
 
 bool PresetCollection::presetExists(const PresetDetails& details) const {

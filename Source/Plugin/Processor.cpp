@@ -31,10 +31,6 @@ Processor::Processor()
     polls.emplace(pollMilliseconds, [this] { poll(); });
 }
 
-Processor::~Processor() {
-    polls.reset(); // before everything it polls
-}
-
 void Processor::processBlock(juce::AudioBuffer<float>& buffer, juce::MidiBuffer& midi) {
     const juce::ScopedNoDenormals noDenormals;
     if (!engine.isPrepared()) { // some hosts process unprepared plugins

@@ -18,7 +18,6 @@ namespace idiophone {
 class Processor final : public juce::AudioProcessor {
 public:
     Processor();
-    ~Processor() override;
 
     const juce::String getName() const override { return "Idiophone"; }
     bool acceptsMidi() const override { return true; }
@@ -73,7 +72,7 @@ private:
     SoundSession session;
     WindowSession window;
     HostSession host;
-    std::optional<GuardedTimer> polls;
+    std::optional<GuardedTimer> polls; ///< last: ends before everything that it polls
 };
 
 } // namespace idiophone
