@@ -7,10 +7,10 @@
 namespace idiophone {
 
 // Patterns as file choosers take them.
-inline constexpr const char* meshFiles = "*.obj;*.off;*.ply;*.stl";
+inline constexpr const char* objectFiles = "*.obj;*.off;*.ply;*.stl;*.modal"; ///< meshes too
 inline constexpr const char* modalFiles = "*.modal";
+inline constexpr const char* tuningFiles = "*.scl;*.kbm"; ///< scales and keyboard mappings
 inline constexpr const char* scaleFiles = "*.scl";
-inline constexpr const char* keyboardMappings = "*.kbm";
 
 /// Returns whether one of these patterns has the file's extension.
 bool matches(const std::filesystem::path& file, const char* patterns);

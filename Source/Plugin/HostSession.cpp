@@ -67,10 +67,10 @@ Result<void> HostSession::play(const State& state) {
         factory != nullptr && factory->keyMap == state.preset.keyMap)
         sound.presetId = factoryPresetId(factory->name);
     sound.instrument = std::move(*built);
-    auto tuningFiles = state.tuning;
+    auto files = state.tuning;
     const auto missing = sound.missing;
     session.play(std::move(sound), std::move(*player), [&] {
-        tuning.tuneTo(std::move(tuningFiles), *keys);
+        tuning.tuneTo(std::move(files), *keys);
         shared.messages.tuner.forgetMessages(); // a state holds no tuning messages
         shared.messages.forgetsGivenBends = true;
         shared.messages.controllers.assign(state.controllers);

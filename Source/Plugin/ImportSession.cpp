@@ -4,7 +4,6 @@
 #include "Instrument/SingleObjectMap.h"
 #include "Object/Material.h"
 #include "Object/OneLine.h"
-#include "Plugin/FileKinds.h"
 #include "Plugin/OwnSlots.h"
 #include "Plugin/WithinMemory.h"
 
@@ -12,21 +11,6 @@
 #include <utility>
 
 namespace idiophone {
-
-ImportSession::ImportSession(SharedParts& shared,
-                             SoundSession& soundSession,
-                             SoundHistory& soundHistory,
-                             const MaterialSession& userMaterials)
-    : parameters(shared.parameters), session(soundSession), reporter(shared.reporter),
-      history(soundHistory), materials(userMaterials) {}
-
-bool ImportSession::canOpen(const std::filesystem::path& file) const {
-    return matches(file, meshFiles) || matches(file, modalFiles);
-}
-
-std::string ImportSession::openPatterns() const {
-    return std::string(meshFiles) + ";" + modalFiles;
-}
 
 void ImportSession::begin(int originOfJob) {
     history.keepAudition(); // the user wants the sound: it is analysed again
@@ -37,10 +21,6 @@ void ImportSession::begin(int originOfJob) {
 void ImportSession::openFile(const std::filesystem::path& file) {
     begin(session.origin());
     workshop.open(file, importSettings);
-}
-
-bool ImportSession::canAnalyseAgain() const {
-    return followsSettings() || keyLayout().has_value();
 }
 
 /// Returns the playing single object if it was not made from the workshop's mesh.
@@ -59,7 +39,7 @@ ImportSettings ImportSession::settingsInForce() const {
     const auto object = foreignObject();
     if (object == nullptr || object == settingsGivenFor.lock())
         return settings;
-    const auto values = parameters.values();
+    const auto values = shared.parameters.values();
     const auto chosen = static_cast<std::size_t>(values[ParameterId::material]);
     const auto names = choiceNames(ParameterId::material);
     const std::string name = chosen >= firstLibraryMaterial && chosen < names.size()
@@ -186,21 +166,17 @@ std::optional<int> ImportSession::playInstead(const SoundSession::Loaded& now,
             return std::nullopt;
         const auto& before = now.sound.parameters;
         auto player = session.newPlayer(wanted.instrument, wanted.preset,
-                                        parameters.valuesAfter(before, wanted.parameters));
+                                        shared.parameters.valuesAfter(before, wanted.parameters));
         if (!player) {
             session.fail(player.error().message);
             return std::nullopt;
         }
         session.play(wanted, std::move(*player),
-                     [&] { parameters.loadChanges(before, wanted.parameters); });
+                     [&] { shared.parameters.loadChanges(before, wanted.parameters); });
         number = session.number();
     }
-    reporter.reportSound();
+    shared.reporter.reportSound();
     return number;
-}
-
-std::optional<KeyLayout> ImportSession::keyLayout() const {
-    return layoutOf(session.instrument());
 }
 
 void ImportSession::setKeyLayout(KeyLayout layout) {

@@ -1,25 +1,10 @@
 #include "Plugin/TuningSession.h"
 
 #include "Object/TextFile.h"
-#include "Plugin/FileKinds.h"
 
 #include <utility>
 
 namespace idiophone {
-
-TuningSession::TuningSession(SharedParts& shared,
-                             SoundSession& soundSession,
-                             SoundHistory& soundHistory)
-    : session(soundSession), tail(shared.tail), tuner(shared.messages.tuner),
-      reporter(shared.reporter), history(soundHistory) {}
-
-bool TuningSession::isTuningFile(const std::filesystem::path& file) const {
-    return matches(file, scaleFiles) || matches(file, keyboardMappings);
-}
-
-std::string TuningSession::tuningPatterns() const {
-    return std::string(scaleFiles) + ";" + keyboardMappings;
-}
 
 void TuningSession::openTuning(const std::filesystem::path& file) {
     ScalaTuning before, wanted;
@@ -42,7 +27,7 @@ void TuningSession::forgetTuning() {
     {
         const auto held = session.lock();
         if (!scala.isGiven())
-            return tuner.forgetMessages();
+            return shared.messages.tuner.forgetMessages();
         before = scala;
         tuneTo({}, {});
     }
@@ -59,18 +44,18 @@ void TuningSession::record(const std::string& step,
             if (const auto keys = keyTuning(wanted)) // valid when it was recorded
                 tuneTo(wanted, *keys);
         }
-        reporter.reportState();
+        shared.reporter.reportState();
     };
     if (before != after)
         history.recordDone(
             step, [tune, before] { tune(before); }, [tune, after] { tune(after); });
-    reporter.reportState();
+    shared.reporter.reportState();
 }
 
 void TuningSession::tuneTo(ScalaTuning files, const KeyTuning& keys) noexcept {
     scala = std::move(files);
-    tail.setTuning(keys);
-    tuner.setOwn(scala.isGiven() ? std::optional(keys) : std::nullopt);
+    shared.tail.setTuning(keys);
+    shared.messages.tuner.setOwn(scala.isGiven() ? std::optional(keys) : std::nullopt);
 }
 
 TuningStatus TuningSession::tuningStatus() const {
@@ -82,9 +67,11 @@ TuningStatus TuningSession::tuningStatus() const {
                     .scale = scaleTitle(scala),
                     .mappingFile = scala.mapping.name};
     }
-    if (tuner.hasMaster())
-        return {.source = Source::session, .scale = tuner.masterScaleName(), .mappingFile = {}};
-    if (tuner.isTunedByMessages())
+    if (shared.messages.tuner.hasMaster())
+        return {.source = Source::session,
+                .scale = shared.messages.tuner.masterScaleName(),
+                .mappingFile = {}};
+    if (shared.messages.tuner.isTunedByMessages())
         return {.source = Source::messages, .scale = "Tuned by MIDI", .mappingFile = {}};
     return {.source = Source::equal, .scale = scaleTitle({}), .mappingFile = {}};
 }
