@@ -47,8 +47,8 @@ TEST_CASE("Copying replaces the other variant and leaves the sound") {
     parts.variants.compare();
     CHECK(parts.densityNow() == 1234);
     parts.history.undo();
-    parts.history.undo();
     CHECK(parts.densityNow() == 4321);
+    parts.history.undo();
     parts.variants.compare();
     CHECK(parts.densityNow() == former);
 }
