@@ -1,6 +1,7 @@
 #include "Output/DelayNetwork.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <numbers>
 
@@ -24,10 +25,7 @@ constexpr std::size_t leftRow = 5, rightRow = 10;
 constexpr float inputGain = 0.35f;
 
 constexpr float signOf(std::size_t row, std::size_t line) {
-    bool isNegative = false;
-    for (std::size_t bits = row & line; bits != 0; bits &= bits - 1)
-        isNegative = !isNegative;
-    return isNegative ? -1.0f : 1.0f;
+    return std::popcount(row & line) % 2 == 0 ? 1.0f : -1.0f;
 }
 
 std::size_t samplesOf(double seconds, double rateHz) {
@@ -87,8 +85,8 @@ void DelayNetwork::setDecay(double seconds) noexcept {
         return;
     decaySeconds = seconds;
     glideLeft = glideSamples;
-    const double heardHz = std::min(8000.0, 0.45 * rateHz);
-    const double angle = 2 * std::numbers::pi * heardHz / rateHz;
+    const double referenceHz = std::min(8000.0, 0.45 * rateHz);
+    const double angle = 2 * std::numbers::pi * referenceHz / rateHz;
     const double difference = 1 / decaySecondsAt8kHz(seconds) - 1 / seconds;
     for (std::size_t line = 0; line < lineCount; ++line) {
         const double length = static_cast<double>(lines[line].samples.size()) / rateHz;
@@ -106,9 +104,9 @@ void DelayNetwork::setDecay(double seconds) noexcept {
 
 void DelayNetwork::process(std::span<float> left, std::span<float> right) noexcept {
     isClear = false;
-    const auto most = std::min(maximumPiece, lines.front().samples.size());
+    const auto maximumCount = std::min(maximumPiece, lines.front().samples.size());
     for (std::size_t done = 0, count = 0; done < left.size(); done += count) {
-        count = std::min(most, left.size() - done);
+        count = std::min(maximumCount, left.size() - done);
         if (glideLeft > 0)
             count = std::min(count, glideLeft);
         processPiece(left.subspan(done, count), right.subspan(done, count));

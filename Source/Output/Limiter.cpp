@@ -77,14 +77,14 @@ void Limiter::process(std::span<float* const> channels,
 float Limiter::nextGain(const Frame& frame) noexcept {
     if (gain == 1 && passes(frame))
         return 1;
-    float most = gain;
+    float maximumGain = gain;
     if (heldSamples > 0)
         --heldSamples;
     else
-        most = std::min(std::max(gain, lowestHeldGain) * releasePerSample, 1.0f);
-    if (isWithinBounds(frame, most))
-        return most;
-    float next = most, highest = 0;
+        maximumGain = std::min(std::max(gain, lowestHeldGain) * releasePerSample, 1.0f);
+    if (isWithinBounds(frame, maximumGain))
+        return maximumGain;
+    float next = maximumGain, highest = 0;
     for (std::size_t channel = 0; channel < maximumChannels; ++channel) {
         next = pending[channel].maximumGainWithin(actingBounds, frame[channel], next);
         highest = std::max(highest, std::abs(frame[channel]));
@@ -92,9 +92,9 @@ float Limiter::nextGain(const Frame& frame) noexcept {
     // Sound that passed at gain 1 may have left values outside the bounds. Until they are inside,
     // the limiter relies on the prediction.
     if (!isWithinBounds(frame, next))
-        next = gainIfPredicted(frame, most);
-    next = std::max(next, std::min(most, actingBounds.reserve / highest));
-    if (next < most)
+        next = gainIfPredicted(frame, maximumGain);
+    next = std::max(next, std::min(maximumGain, actingBounds.reserve / highest));
+    if (next < maximumGain)
         heldSamples = holdSamples;
     return next;
 }
@@ -126,16 +126,16 @@ float Limiter::gainIfPredicted(const Frame& frame, float maximumGain) const noex
     float highest = threshold;
     for (std::size_t channel = 0; channel < maximumChannels; ++channel)
         highest = std::max(highest, maximumGain * std::abs(frame[channel]));
-    const float most = maximumGain * threshold / highest;
+    const float allowedGain = maximumGain * threshold / highest;
     float best = 0, lowestPeak = std::numeric_limits<float>::infinity();
     for (const float tried : shares) {
         float peak = 0;
         for (std::size_t channel = 0; channel < maximumChannels; ++channel)
-            peak =
-                std::max(peak, pending[channel].highestIfPredicted(tried * most * frame[channel]));
+            peak = std::max(
+                peak, pending[channel].highestIfPredicted(tried * allowedGain * frame[channel]));
         if (peak < lowestPeak) {
             lowestPeak = peak;
-            best = tried * most;
+            best = tried * allowedGain;
         }
         if (peak <= predictedCeiling)
             break;

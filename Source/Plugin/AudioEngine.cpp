@@ -24,7 +24,7 @@ void AudioEngine::process(juce::AudioBuffer<float>& buffer,
         takeEvents(*piece);
         render(rendered, piece->events);
         write(rendered, channels);
-        tell(channels, piece->length);
+        sendReport(channels, piece->length);
     }
     midi.clear(); // some wrappers send on the events left in it
 }
@@ -150,11 +150,11 @@ void AudioEngine::write(const StereoSpan& rendered, std::span<float* const> chan
     ++report.notFinite;
 }
 
-void AudioEngine::tell(std::span<float* const> channels, int count) noexcept {
+void AudioEngine::sendReport(std::span<float* const> channels, int count) noexcept {
     for (std::size_t channel = 0; channel < channels.size(); ++channel) {
         const auto range = juce::FloatVectorOperations::findMinAndMax(channels[channel], count);
         const float highest = std::max(-range.getStart(), range.getEnd());
-        report.monitor.hear(channel, highest);
+        report.monitor.addPeak(channel, highest);
         if (highest > report.peak.load())
             report.peak = highest;
     }

@@ -56,7 +56,7 @@ private:
     void render(const StereoSpan& rendered, std::span<const MidiEvent> events) noexcept;
     void followGivenBends(Player& player) noexcept;
     void write(const StereoSpan& rendered, std::span<float* const> channels) noexcept;
-    void tell(std::span<float* const> channels, int count) noexcept;
+    void sendReport(std::span<float* const> channels, int count) noexcept;
     void forgetEvents() noexcept;
     std::span<float* const> channelsFrom(juce::AudioBuffer<float>& buffer, int start) noexcept;
 

@@ -75,7 +75,9 @@ std::optional<BlockPieces::Piece> BlockPieces::next() noexcept {
             continue;
         if ((stamp >= end && end > start) || eventCount == events.size())
             break;
-        append(stamp - start, {metadata.data, static_cast<std::size_t>(metadata.numBytes)});
+        auto& event = events[eventCount++];
+        event = {.sampleOffset = stamp - start, .bytes = {}};
+        std::copy_n(metadata.data, metadata.numBytes, event.bytes.begin());
     }
     position = end;
     finished = end >= samples && message == lastMessage;
@@ -85,12 +87,6 @@ std::optional<BlockPieces::Piece> BlockPieces::next() noexcept {
                  .length = end - start,
                  .systemExclusive = systemExclusive,
                  .events = std::span(events).first(std::exchange(eventCount, 0))};
-}
-
-void BlockPieces::append(int sampleOffset, std::span<const juce::uint8> bytes) noexcept {
-    auto& event = events[eventCount++];
-    event = {.sampleOffset = sampleOffset, .bytes = {}};
-    std::copy(bytes.begin(), bytes.end(), event.bytes.begin());
 }
 
 } // namespace idiophone

@@ -47,7 +47,6 @@ public:
 private:
     int stampOf(const juce::MidiMessageMetadata& metadata) const noexcept;
     int pieceEnd() const noexcept;
-    void append(int sampleOffset, std::span<const juce::uint8> bytes) noexcept;
 
     juce::MidiBufferIterator message, lastMessage;
     int position = 0;

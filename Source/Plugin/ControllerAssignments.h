@@ -39,8 +39,4 @@ struct ControllerAssignments {
     bool operator==(const ControllerAssignments&) const = default;
 };
 
-/// Returns the value for a controller at 0 to 127, spread evenly over the parameter's scale. For a
-/// choice, spreads over the named values. Neither allocates nor locks.
-double controlledValue(const ParameterInfo& info, int controllerValue) noexcept;
-
 } // namespace idiophone

@@ -1,4 +1,4 @@
-// Everything that the audio engine tells other threads, but for program changes.
+// Everything that the audio engine reports to other threads, except program changes.
 #pragma once
 
 #include "Instrument/HeldContacts.h"

@@ -1,4 +1,4 @@
-// Names the kinds of files that the plugin opens, by extension in any case.
+// The kinds of files that the plugin opens, by extension in any case.
 #pragma once
 
 #include <filesystem>
@@ -6,13 +6,14 @@
 
 namespace idiophone {
 
-bool isModalFile(const std::filesystem::path& file);       ///< .modal
-bool isMeshFile(const std::filesystem::path& file);        ///< .obj, .off, .ply, .stl
-bool isScale(const std::filesystem::path& file);           ///< .scl
-bool isKeyboardMapping(const std::filesystem::path& file); ///< .kbm
+// Patterns as file choosers take them.
+inline constexpr const char* objectFiles = "*.obj;*.off;*.ply;*.stl;*.modal"; ///< meshes too
+inline constexpr const char* modalFiles = "*.modal";
+inline constexpr const char* tuningFiles = "*.scl;*.kbm"; ///< scales and keyboard mappings
+inline constexpr const char* scaleFiles = "*.scl";
 
-std::string objectFilePatterns(); ///< "*.obj;*.off;*.ply;*.stl;*.modal"
-std::string tuningFilePatterns(); ///< "*.scl;*.kbm"
+/// Returns whether one of these patterns has the file's extension.
+bool matches(const std::filesystem::path& file, const char* patterns);
 
 /// Returns the name without its folder, in UTF-8.
 std::string fileNameOf(const std::filesystem::path& file);

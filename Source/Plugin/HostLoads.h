@@ -1,10 +1,9 @@
-// Tells the history of the window what was loaded from outside it: by the host and by MIDI.
+// Counts what the host and MIDI load, for the history of the window.
 #pragma once
 
 #include "Plugin/Sound.h"
 
 #include <atomic>
-#include <functional>
 #include <mutex>
 #include <optional>
 #include <utility>
@@ -23,10 +22,10 @@ public:
     int counted() const noexcept { return loads; }
 
     /// Keeps the sound before a program that MIDI asked for, unless one is kept.
-    void keepBeforePrograms(const std::function<Sound()>& sound) {
+    void keepBeforePrograms(Sound sound) {
         const std::scoped_lock lock(mutex);
         if (!before)
-            before = sound();
+            before = std::move(sound);
     }
     /// Returns the sound before the programs that MIDI has asked for since the last call or load by
     /// the host. Returns nothing if there were none.

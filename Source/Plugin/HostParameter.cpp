@@ -29,8 +29,8 @@ float HostParameter::getValue() const {
 }
 
 void HostParameter::setExactValue(double value) noexcept {
-    movedByController =
-        false; // first: a controller may move it meanwhile, and the host must hear of that
+    // First: if a controller moves it meanwhile, the host must get that value.
+    movedByController = false;
     exact = row.clamped(value);
     ++timesSet;
 }
@@ -40,11 +40,11 @@ void HostParameter::moveByController(double value) noexcept {
     movedByController = true;
 }
 
-void HostParameter::tellHost() {
+void HostParameter::sendControllerMove() {
     if (!movedByController.exchange(false))
         return;
     beginGesture();
-    tellListeners();
+    sendValue();
     endGesture();
 }
 
@@ -67,7 +67,7 @@ void HostParameter::endAllGestures() {
 
 void HostParameter::setByHand(double value) {
     setExactValue(value);
-    tellListeners();
+    sendValue();
 }
 
 void HostParameter::changeByHand(double value) {
@@ -76,19 +76,19 @@ void HostParameter::changeByHand(double value) {
     endGesture();
 }
 
-void HostParameter::tellListeners() {
+void HostParameter::sendValue() {
     const float now = getValue();
-    told = now;
+    lastSent = now;
     sendValueChangedMessageToListeners(now);
 }
 
-void HostParameter::tellListenersIfMoved() {
-    if (const float last = told; last >= 0 && last != getValue())
-        tellListeners();
+void HostParameter::sendValueIfMoved() {
+    if (const float last = lastSent; last >= 0 && last != getValue())
+        sendValue();
 }
 
 void HostParameter::setValue(float normalised) {
-    if (movedByController && normalised == told)
+    if (movedByController && normalised == lastSent)
         return;
     if (normalised != getValue())
         setExactValue(row.fromNormalised(normalised));

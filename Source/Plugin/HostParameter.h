@@ -22,12 +22,13 @@ public:
     /// [any thread] Returns how often the value was set, also to the same value.
     std::uint32_t moves() const noexcept { return timesSet; }
 
-    /// [audio thread] Sets the value from a controller; `tellHost` reports it to the host.
+    /// [audio thread] Sets the value from a controller; `sendControllerMove` reports it to the
+    /// host.
     void moveByController(double value) noexcept;
     /// [message thread] Reports the value to the host if a controller was the last to set it and it
     /// is still unreported. Makes a gesture of its own unless one is open.
-    void tellHost();
-    /// [message thread] Begins and ends a gesture by hand. Gestures nest; the host hears of the
+    void sendControllerMove();
+    /// [message thread] Begins and ends a gesture by hand. Gestures nest; the host gets only the
     /// outermost. `endGesture` returns whether it was the outermost.
     void beginGesture();
     bool endGesture();
@@ -39,12 +40,12 @@ public:
     void setByHand(double value);
     void changeByHand(double value);
     /// [any thread] Reports the value to the host and other listeners.
-    void tellListeners();
+    void sendValue();
     /// [message thread] Reports the value if it differs from the last sent one and that one is not
     /// forgotten.
-    void tellListenersIfMoved();
+    void sendValueIfMoved();
     /// [any thread] Forgets the last sent value, so that nothing counts as its echo.
-    void forgetTold() noexcept { told = -1; }
+    void forgetLastSent() noexcept { lastSent = -1; }
 
     const ParameterInfo& info() const noexcept { return row; }
 
@@ -63,8 +64,8 @@ private:
     const ParameterInfo& row;
     std::atomic<double> exact;
     std::atomic<bool> movedByController{
-        false};                  ///< was the last to set it, and the host does not know yet
-    std::atomic<float> told{-1}; ///< last value sent to the host, normalised; −1: none
+        false};                      ///< was the last to set it, and the host does not know yet
+    std::atomic<float> lastSent{-1}; ///< last value sent to the host, normalised; −1: none
     std::atomic<std::uint32_t> timesSet{0};
     int openGestures = 0; ///< the message thread's
     static_assert(std::atomic<bool>::is_always_lock_free);

@@ -59,19 +59,19 @@ ParameterValues HostParameters::withMoved(const Moves& since,
     return values;
 }
 
-void HostParameters::notifyListeners() const {
+void HostParameters::sendValues() const {
     for (auto* parameter : parameters)
-        parameter->tellListeners();
+        parameter->sendValue();
 }
 
-void HostParameters::notifyListenersOfMoved() const {
+void HostParameters::sendMovedValues() const {
     for (auto* parameter : parameters)
-        parameter->tellListenersIfMoved();
+        parameter->sendValueIfMoved();
 }
 
-void HostParameters::forgetTold() const noexcept {
+void HostParameters::forgetLastSent() const noexcept {
     for (auto* parameter : parameters)
-        parameter->forgetTold();
+        parameter->forgetLastSent();
 }
 
 void HostParameters::read(ParameterValues& current) const noexcept {

@@ -41,12 +41,12 @@ public:
     ParameterValues withMoved(const Moves& since, ParameterValues values) const noexcept;
 
     /// [message side] Reports all values to the host and other listeners, after `load`.
-    void notifyListeners() const;
+    void sendValues() const;
     /// [message thread] Reports only the values that changed since they were last sent.
-    void notifyListenersOfMoved() const;
+    void sendMovedValues() const;
 
-    /// [any thread] Calls `forgetTold` on every parameter.
-    void forgetTold() const noexcept;
+    /// [any thread] Calls `forgetLastSent` on every parameter.
+    void forgetLastSent() const noexcept;
 
     /// [audio thread] Brings the values up to date, or leaves them alone during a `load`.
     void read(ParameterValues& values) const noexcept;

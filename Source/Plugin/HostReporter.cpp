@@ -20,9 +20,9 @@ HostReporter::HostReporter(juce::AudioProcessor& ofHost,
 void HostReporter::reportSound() {
     const bool isOffline = processor.isNonRealtime();
     const bool isMessageThread = juce::MessageManager::existsAndIsCurrentThread();
-    parameters.notifyListeners();
+    parameters.sendValues();
     if (isOffline || !isMessageThread)
-        parameters.forgetTold(); // offline, no value from the host is an echo
+        parameters.forgetLastSent(); // offline, no value from the host is an echo
     if (isMessageThread) {
         reportProgram();
         movesToReport = isOffline ? 0 : 2; // polls; the first may follow at once
@@ -43,13 +43,9 @@ void HostReporter::reportState() {
     processor.updateHostDisplay(Details().withNonParameterStateChanged(true));
 }
 
-void HostReporter::forget() noexcept {
-    soundsToReport = movesToReport = 0;
-}
-
 void HostReporter::poll(MidiLearn& controllers) {
     for (const auto& info : parameterTable())
-        parameters[info.parameter].tellHost();
+        parameters[info.parameter].sendControllerMove();
     if (controllers.takeReassigned())
         reportState();
     if (restorings > 0)
@@ -59,7 +55,7 @@ void HostReporter::poll(MidiLearn& controllers) {
         reportSound();
     } else if (movesToReport > 0) {
         --movesToReport;
-        parameters.notifyListenersOfMoved();
+        parameters.sendMovedValues();
     }
 }
 

@@ -29,7 +29,7 @@ public:
     void beginRestoring() noexcept { ++restorings; }
     void endRestoring() noexcept { --restorings; }
     /// [message thread] Drops all further reports, before the host has asked for anything.
-    void forget() noexcept;
+    void forget() noexcept { soundsToReport = movesToReport = 0; }
 
     /// [message thread] Reports the moves of controllers and what is left of `reportSound`. Do not
     /// call it during an offline render: a late echo from the host would make the render depend on

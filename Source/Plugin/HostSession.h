@@ -1,7 +1,6 @@
 // Loads and saves what the host and MIDI ask for: states and programs.
 #pragma once
 
-#include "Plugin/HostLoads.h"
 #include "Plugin/SoundSession.h"
 #include "Plugin/State.h"
 #include "Plugin/TuningSession.h"
@@ -14,13 +13,8 @@ namespace idiophone {
 /// For any thread but audio; an offline render also follows requests between two blocks.
 class HostSession {
 public:
-    HostSession(HostParameters& parameters,
-                EngineMessages& messages,
-                ProgramChanges& programs,
-                HostReporter& reporter,
-                HostLoads& loads,
-                SoundSession& session,
-                TuningSession& tuning);
+    HostSession(SharedParts& sharedParts, SoundSession& soundSession, TuningSession& tuningSession)
+        : shared(sharedParts), session(soundSession), tuning(tuningSession) {}
 
     /// Returns the state as bytes.
     std::string save();
@@ -38,11 +32,7 @@ private:
     void chooseProgram(int index, ProgramChanges::Request request);
     Result<bool> loadProgram(int index, ProgramChanges::Request request);
 
-    HostParameters& parameters;
-    EngineMessages& messages;
-    ProgramChanges& programs;
-    HostReporter& reporter;
-    HostLoads& loads;
+    SharedParts& shared;
     SoundSession& session;
     TuningSession& tuning;
 };

@@ -7,26 +7,26 @@
 namespace idiophone {
 namespace {
 
-constexpr double fastest = 2000; // beats per minute
-constexpr double farthest = 1e9; // beats from the start of the song
+constexpr double maximumTempo = 2000; // beats per minute
+constexpr double maximumBeats = 1e9;  // beats from the start of the song
 constexpr double smallestJump =
     1.0 / 16; // beats; smaller jumps come from rounding or a tempo change
 
 double tempoOf(const juce::AudioPlayHead::PositionInfo& position) noexcept {
-    const double told = position.getBpm().orFallback(0);
-    return told > 0 && told <= fastest ? told : 0;
+    const double reported = position.getBpm().orFallback(0);
+    return reported > 0 && reported <= maximumTempo ? reported : 0;
 }
 
 std::optional<double> placeOf(const juce::AudioPlayHead::PositionInfo& position) noexcept {
-    const auto told = position.getPpqPosition();
-    const bool isPlace = position.getIsPlaying() && told && std::abs(*told) <= farthest;
-    return isPlace && tempoOf(position) > 0 ? std::optional(*told) : std::nullopt;
+    const auto reported = position.getPpqPosition();
+    const bool isPlace = position.getIsPlaying() && reported && std::abs(*reported) <= maximumBeats;
+    return isPlace && tempoOf(position) > 0 ? std::optional(*reported) : std::nullopt;
 }
 
 } // namespace
 
-double HostTransport::goneOn(double inBeatsPerMinute) const noexcept {
-    return *reckoned + secondsSince * inBeatsPerMinute / 60;
+double HostTransport::extrapolated(double inBeatsPerMinute) const noexcept {
+    return *lastPlace + secondsSince * inBeatsPerMinute / 60;
 }
 
 void HostTransport::follow(const juce::AudioPlayHead* host,
@@ -39,20 +39,19 @@ void HostTransport::follow(const juce::AudioPlayHead* host,
         return forget();
     if (const auto position = host->getPosition()) {
         const double tempoBefore = std::exchange(beatsPerMinute, tempoOf(*position));
-        const auto toldBefore = std::exchange(told, placeOf(*position));
-        const bool standsStill = told && told == toldBefore;
-        placeNow = standsStill ? std::nullopt : told;
-        beginsNow =
-            placeNow &&
-            !(reckoned &&
-              *placeNow > std::min(goneOn(tempoBefore), goneOn(beatsPerMinute)) - smallestJump);
-        reckoned = standsStill ? std::optional(goneOn(tempoBefore)) : told;
+        const auto reportedBefore = std::exchange(reported, placeOf(*position));
+        const bool standsStill = reported && reported == reportedBefore;
+        placeNow = standsStill ? std::nullopt : reported;
+        beginsNow = placeNow && !(lastPlace && *placeNow > std::min(extrapolated(tempoBefore),
+                                                                    extrapolated(beatsPerMinute)) -
+                                                               smallestJump);
+        lastPlace = standsStill ? std::optional(extrapolated(tempoBefore)) : reported;
     } else {
-        told = std::nullopt;
-        if (reckoned)
-            reckoned = goneOn(beatsPerMinute);
+        reported = std::nullopt;
+        if (lastPlace)
+            lastPlace = extrapolated(beatsPerMinute);
         if (placeNow)
-            placeNow = reckoned;
+            placeNow = lastPlace;
     }
     secondsSince = blockSamples / sampleRateHz;
 }

@@ -16,7 +16,7 @@ public:
     void follow(const juce::AudioPlayHead* host, int blockSamples, double sampleRateHz) noexcept;
 
     /// Forgets the position but keeps the tempo; the next song position counts as a start.
-    void forgetPlace() noexcept { placeNow = told = reckoned = std::nullopt; }
+    void forgetPlace() noexcept { placeNow = reported = lastPlace = std::nullopt; }
     void forget() noexcept { *this = {}; }
 
     /// Returns beats per minute, or 0 if the host reports no valid tempo.
@@ -29,14 +29,14 @@ public:
     bool begins() const noexcept { return beginsNow; }
 
 private:
-    double goneOn(double inBeatsPerMinute) const noexcept;
+    double extrapolated(double inBeatsPerMinute) const noexcept;
 
     double beatsPerMinute = 0;
     std::optional<double> placeNow;
-    std::optional<double> told;     ///< position reported for the last callback
-    std::optional<double> reckoned; ///< position of the last callback while the song plays,
-                                    ///< extrapolated if not reported
-    double secondsSince = 0;        ///< length of the last callback
+    std::optional<double> reported;  ///< position reported for the last callback
+    std::optional<double> lastPlace; ///< position of the last callback while the song plays,
+                                     ///< extrapolated if not reported
+    double secondsSince = 0;         ///< length of the last callback
     bool beginsNow = false;
 };
 

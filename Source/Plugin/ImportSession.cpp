@@ -4,7 +4,6 @@
 #include "Instrument/SingleObjectMap.h"
 #include "Object/Material.h"
 #include "Object/OneLine.h"
-#include "Plugin/FileKinds.h"
 #include "Plugin/OwnSlots.h"
 #include "Plugin/WithinMemory.h"
 
@@ -12,22 +11,6 @@
 #include <utility>
 
 namespace idiophone {
-
-ImportSession::ImportSession(HostParameters& hostParameters,
-                             SoundSession& soundSession,
-                             HostReporter& hostReporter,
-                             SoundHistory& soundHistory,
-                             const MaterialSession& userMaterials)
-    : parameters(hostParameters), session(soundSession), reporter(hostReporter),
-      history(soundHistory), materials(userMaterials) {}
-
-bool ImportSession::canOpen(const std::filesystem::path& file) const {
-    return isMeshFile(file) || isModalFile(file);
-}
-
-std::string ImportSession::openPatterns() const {
-    return objectFilePatterns();
-}
 
 void ImportSession::begin(int originOfJob) {
     history.keepAudition(); // the user wants the sound: it is analysed again
@@ -38,10 +21,6 @@ void ImportSession::begin(int originOfJob) {
 void ImportSession::openFile(const std::filesystem::path& file) {
     begin(session.origin());
     workshop.open(file, importSettings);
-}
-
-bool ImportSession::canAnalyseAgain() const {
-    return followsSettings() || keyLayout().has_value();
 }
 
 /// Returns the playing single object if it was not made from the workshop's mesh.
@@ -60,7 +39,7 @@ ImportSettings ImportSession::settingsInForce() const {
     const auto object = foreignObject();
     if (object == nullptr || object == settingsGivenFor.lock())
         return settings;
-    const auto values = parameters.values();
+    const auto values = shared.parameters.values();
     const auto chosen = static_cast<std::size_t>(values[ParameterId::material]);
     const auto names = choiceNames(ParameterId::material);
     const std::string name = chosen >= firstLibraryMaterial && chosen < names.size()
@@ -187,21 +166,17 @@ std::optional<int> ImportSession::playInstead(const SoundSession::Loaded& now,
             return std::nullopt;
         const auto& before = now.sound.parameters;
         auto player = session.newPlayer(wanted.instrument, wanted.preset,
-                                        parameters.valuesAfter(before, wanted.parameters));
+                                        shared.parameters.valuesAfter(before, wanted.parameters));
         if (!player) {
             session.fail(player.error().message);
             return std::nullopt;
         }
         session.play(wanted, std::move(*player),
-                     [&] { parameters.loadChanges(before, wanted.parameters); });
+                     [&] { shared.parameters.loadChanges(before, wanted.parameters); });
         number = session.number();
     }
-    reporter.reportSound();
+    shared.reporter.reportSound();
     return number;
-}
-
-std::optional<KeyLayout> ImportSession::keyLayout() const {
-    return layoutOf(session.instrument());
 }
 
 void ImportSession::setKeyLayout(KeyLayout layout) {
@@ -243,13 +218,10 @@ void ImportSession::playMapped(const SoundSession::Loaded& now,
         return session.reportError("The keys cannot be changed: " + built.error().message);
     Sound mapped{.preset = now.sound.preset,
                  .instrument = *built,
-                 .parameters = {},
-                 .missing = nullptr,
-                 .presetId = {},
+                 .parameters = now.sound.parameters,
                  .stored = now.sound.preset.parameters};
     mapped.preset.keyMap = map;
-    mapped.parameters =
-        asLoudAs(now.sound, mapped.preset, *built, now.sound.parameters, session.rateHz());
+    mapped = asLoudAs(now.sound, std::move(mapped), session.rateHz());
     const bool isOurs = origin == now.origin;
     history.keepAudition(); // the user wants the sound: its keys are changed
     std::optional<int> number;

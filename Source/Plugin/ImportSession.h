@@ -2,12 +2,12 @@
 #pragma once
 
 #include "Editor/WorkshopView.h"
-#include "Plugin/HostReporter.h"
+#include "Plugin/FileKinds.h"
 #include "Plugin/ImportedSound.h"
+#include "Plugin/MaterialSession.h"
 #include "Plugin/ObjectWorkshop.h"
 #include "Plugin/SoundHistory.h"
 #include "Plugin/SoundSession.h"
-#include "Plugin/MaterialSession.h"
 
 #include <memory>
 #include <optional>
@@ -19,22 +19,25 @@ namespace idiophone {
 /// For the message thread.
 class ImportSession final : public WorkshopView {
 public:
-    ImportSession(HostParameters& parameters,
-                  SoundSession& session,
-                  HostReporter& reporter,
-                  SoundHistory& history,
-                  const MaterialSession& materials);
+    ImportSession(SharedParts& sharedParts,
+                  SoundSession& soundSession,
+                  SoundHistory& soundHistory,
+                  const MaterialSession& userMaterials)
+        : shared(sharedParts), session(soundSession), history(soundHistory),
+          materials(userMaterials) {}
 
-    bool canOpen(const std::filesystem::path& file) const override;
-    std::string openPatterns() const override;
+    bool canOpen(const std::filesystem::path& file) const override {
+        return matches(file, objectFiles);
+    }
+    std::string openPatterns() const override { return objectFiles; }
     void openFile(const std::filesystem::path& file) override;
-    bool canAnalyseAgain() const override;
+    bool canAnalyseAgain() const override { return followsSettings() || keyLayout(); }
     void setImportSettings(const ImportSettings& settings) override;
     void analyseAgain() override;
     void cancelImport() override { workshop.cancel(); }
     ImportStatus importStatus() const override;
     bool playsPreview() const override;
-    std::optional<KeyLayout> keyLayout() const override;
+    std::optional<KeyLayout> keyLayout() const override { return layoutOf(session.instrument()); }
     void setKeyLayout(KeyLayout layout) override;
     void setStrikePath(std::size_t index,
                        const std::vector<std::array<double, 3>>& pathMetres) override;
@@ -52,9 +55,8 @@ private:
     void playMapped(const SoundSession::Loaded& now, const KeyMap& map, const std::string& step);
     std::optional<int> playInstead(const SoundSession::Loaded& now, const Sound& wanted);
 
-    HostParameters& parameters;
+    SharedParts& shared;
     SoundSession& session;
-    HostReporter& reporter;
     SoundHistory& history;
     const MaterialSession& materials;
     ObjectWorkshop workshop;

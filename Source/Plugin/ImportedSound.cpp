@@ -54,51 +54,46 @@ std::optional<KeyLayout> layoutOf(const std::shared_ptr<const Instrument>& instr
 
 Result<Sound>
 soundOf(const ObjectWorkshop::Product& product, const Sound& before, double sampleRateHz) {
-    auto preset = presetOf(product, before.preset);
-    auto values = before.parameters;
-    const auto built = buildSingleObject(preset.keyMap, product.object);
+    Sound sound{.preset = presetOf(product, before.preset),
+                .parameters = before.parameters,
+                .stored = before.parameters};
+    const auto built = buildSingleObject(sound.preset.keyMap, product.object);
     if (!built)
         return failure(product.object->name + " cannot be played: " + built.error().message);
+    sound.instrument = *built;
+    auto& values = sound.parameters;
+    const auto& surface = sound.preset.surface;
     const bool isNew = product.isFirst && product.isNewFile;
     if (product.isFirst) {
         values.set(ParameterId::material, ownMaterial);
         values.set(ParameterId::thickness, parameterInfo(ParameterId::thickness).defaultValue);
         if (isNew && isStruck(values))
-            values = withAudibleMallet(*built, preset.surface, sampleRateHz, values);
-        preset.parameters = values;
+            values = withAudibleMallet(*built, surface, sampleRateHz, values);
+        sound.preset.parameters = values;
     }
+    sound.stored = sound.preset.parameters;
     // The loudness of scrapes and rolls is predicted only up to a constant.
-    if (isNew && isStruck(values))
-        values.set(ParameterId::level, startingLevel(*built, preset.surface, sampleRateHz, values));
-    else
-        values = asLoudAs(before, preset, *built, values, sampleRateHz);
-    const auto stored = preset.parameters;
-    return Sound{.preset = std::move(preset),
-                 .instrument = *built,
-                 .parameters = values,
-                 .missing = nullptr,
-                 .presetId = {},
-                 .stored = stored};
+    if (!isNew || !isStruck(values))
+        return asLoudAs(before, std::move(sound), sampleRateHz);
+    values.set(ParameterId::level, startingLevel(*built, surface, sampleRateHz, values));
+    return sound;
 }
 
-ParameterValues asLoudAs(const Sound& before,
-                         const Preset& preset,
-                         const std::shared_ptr<const Instrument>& built,
-                         ParameterValues values,
-                         double sampleRateHz) {
-    const auto& now = before.parameters;
+Sound asLoudAs(const Sound& before, Sound sound, double sampleRateHz) {
     if (before.instrument == nullptr)
-        return values;
-    const auto& surface = preset.surface;
+        return sound;
+    const auto& surface = sound.preset.surface;
+    const auto& now = before.parameters;
+    auto& values = sound.parameters;
     double level = now[ParameterId::level] +
                    predictedLufs(before.instrument, surface, sampleRateHz, now) -
-                   predictedLufs(built, surface, sampleRateHz, values);
+                   predictedLufs(sound.instrument, surface, sampleRateHz, values);
     if (isStruck(now) && now[ParameterId::level] <=
                              highestLevel(before.instrument, surface, sampleRateHz, now) + 0.1)
-        level = std::min(level, highestLevel(built, surface, sampleRateHz, values));
+        level = std::min(level, highestLevel(sound.instrument, surface, sampleRateHz, values));
     if (std::isfinite(level))
         values.set(ParameterId::level, level);
-    return values;
+    return sound;
 }
 
 } // namespace idiophone

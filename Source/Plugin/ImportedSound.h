@@ -15,13 +15,9 @@ namespace idiophone {
 Result<Sound>
 soundOf(const ObjectWorkshop::Product& product, const Sound& before, double sampleRateHz);
 
-/// Returns `values` at the level that matches the loudness of the sound `before` and keeps its
-/// headroom. `built` plays with the surface of `preset`.
-ParameterValues asLoudAs(const Sound& before,
-                         const Preset& preset,
-                         const std::shared_ptr<const Instrument>& built,
-                         ParameterValues values,
-                         double sampleRateHz);
+/// Returns `sound` at the level that matches the loudness of the sound `before` and keeps its
+/// headroom.
+Sound asLoudAs(const Sound& before, Sound sound, double sampleRateHz);
 
 /// Returns whether the instrument's first object is this one.
 bool plays(const std::shared_ptr<const Instrument>& instrument, const ModalObject& object);

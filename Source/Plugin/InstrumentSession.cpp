@@ -9,11 +9,6 @@
 
 namespace idiophone {
 
-InstrumentSession::InstrumentSession(SoundSession& soundSession,
-                                     EngineMessages& messages,
-                                     const EngineReport& engineReport)
-    : session(soundSession), events(messages.window), report(engineReport), hand(messages.window) {}
-
 InstrumentView::KeyRange InstrumentSession::keyRange() const {
     const auto map = session.loadedSound().preset.keyMap;
     return {.lowest = map.lowestNote, .highest = map.highestNote};

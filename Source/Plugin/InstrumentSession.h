@@ -12,7 +12,9 @@ namespace idiophone {
 /// For the message thread.
 class InstrumentSession final : public InstrumentView {
 public:
-    InstrumentSession(SoundSession& session, EngineMessages& messages, const EngineReport& report);
+    InstrumentSession(SharedParts& shared, SoundSession& soundSession)
+        : session(soundSession), events(shared.messages.window), report(shared.report),
+          hand(events) {}
 
     int instrumentNumber() const override { return session.number(); }
     KeyRange keyRange() const override;

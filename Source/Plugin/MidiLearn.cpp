@@ -1,6 +1,15 @@
 #include "Plugin/MidiLearn.h"
 
+#include <cmath>
+
 namespace idiophone {
+
+double controlledValue(const ParameterInfo& info, int controllerValue) noexcept {
+    const double place = controllerValue / 127.0;
+    const auto names = choiceNames(info.parameter);
+    return names.empty() ? info.fromNormalised(place)
+                         : std::round(place * static_cast<double>(names.size() - 1));
+}
 
 MidiLearn::MidiLearn() {
     for (auto& number : numbers)
@@ -54,17 +63,9 @@ std::optional<int> MidiLearn::controllerOf(ParameterId parameter) const {
     return number == noController ? std::nullopt : std::optional(number);
 }
 
-void MidiLearn::learnController(ParameterId parameter) {
-    learning = static_cast<int>(parameter);
-}
-
 std::optional<ParameterId> MidiLearn::learningParameter() const {
     const int waiting = learning;
     return waiting == nothing ? std::nullopt : std::optional(static_cast<ParameterId>(waiting));
-}
-
-void MidiLearn::stopLearning() {
-    learning = nothing;
 }
 
 void MidiLearn::forgetController(ParameterId parameter) {

@@ -12,6 +12,10 @@
 
 namespace idiophone {
 
+/// Returns the value for a controller at 0 to 127, spread evenly over the parameter's scale. For a
+/// choice, spreads over the named values. Neither allocates nor locks.
+double controlledValue(const ParameterInfo& info, int controllerValue) noexcept;
+
 /// Each number is an atomic, and neither thread waits for the other.
 class MidiLearn final : public MidiLearnView {
 public:
@@ -31,9 +35,9 @@ public:
     void assign(const ControllerAssignments& assignments) noexcept;
 
     std::optional<int> controllerOf(ParameterId parameter) const override;
-    void learnController(ParameterId parameter) override;
+    void learnController(ParameterId parameter) override { learning = static_cast<int>(parameter); }
     std::optional<ParameterId> learningParameter() const override;
-    void stopLearning() override;
+    void stopLearning() override { learning = nothing; }
     void forgetController(ParameterId parameter) override;
 
 private:

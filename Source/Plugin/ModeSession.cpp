@@ -25,7 +25,7 @@ const SoundFrame* ModeSession::takeSoundFrame() {
                    .muted = session.playing().preset.mutedModes,
                    .heardAlone = session.modesHeardAlone()};
     }
-    const MonitoredSound* monitored = monitor.take();
+    const MonitoredSound* monitored = shared.report.monitor.take();
     const auto playing = subject.instrument;
     if (playing == nullptr || playing->slots().empty())
         return nullptr;
@@ -41,7 +41,7 @@ const SoundFrame* ModeSession::takeSoundFrame() {
         return nullptr;
     const auto own = ownSlots(*playing);
     const std::size_t shown = watched && *watched < own.size() ? own[*watched] : own.front();
-    return &picture.ofSilence(shown, parameters.values(), session.rateHz());
+    return &picture.ofSilence(shown, shared.parameters.values(), session.rateHz());
 }
 
 void ModeSession::watchObject(std::optional<std::size_t> object) {
@@ -51,7 +51,8 @@ void ModeSession::watchObject(std::optional<std::size_t> object) {
     if (playing == nullptr)
         return;
     const auto own = ownSlots(*playing);
-    monitor.watch(object && *object < own.size() ? std::optional(own[*object]) : std::nullopt);
+    shared.report.monitor.watch(object && *object < own.size() ? std::optional(own[*object])
+                                                               : std::nullopt);
 }
 
 bool ModeSession::muteMode(std::size_t object, std::int32_t mode, bool isMuted) {
@@ -87,7 +88,7 @@ bool ModeSession::record(const std::string& step, std::size_t object, const Chan
     bool done = false;
     history.record(step, [&] { done = change(object, changeModes); });
     if (done)
-        reporter.reportState();
+        shared.reporter.reportState();
     return done;
 }
 

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "Editor/SoundView.h"
-#include "Plugin/HostReporter.h"
 #include "Plugin/SoundHistory.h"
 #include "Plugin/SoundPicture.h"
 #include "Plugin/SoundSession.h"
@@ -15,13 +14,8 @@ namespace idiophone {
 /// For the message thread.
 class ModeSession final : public SoundView {
 public:
-    ModeSession(HostParameters& hostParameters,
-                SoundSession& soundSession,
-                HostReporter& hostReporter,
-                SoundHistory& soundHistory,
-                SoundMonitor& soundMonitor)
-        : parameters(hostParameters), session(soundSession), reporter(hostReporter),
-          history(soundHistory), monitor(soundMonitor) {}
+    ModeSession(SharedParts& sharedParts, SoundSession& soundSession, SoundHistory& soundHistory)
+        : shared(sharedParts), session(soundSession), history(soundHistory) {}
 
     const SoundFrame* takeSoundFrame() override;
     void watchObject(std::optional<std::size_t> object) override;
@@ -38,11 +32,9 @@ private:
     bool change(std::size_t object, const Change& changeModes);
     bool record(const std::string& step, std::size_t object, const Change& changeModes);
 
-    HostParameters& parameters;
+    SharedParts& shared;
     SoundSession& session;
-    HostReporter& reporter;
     SoundHistory& history;
-    SoundMonitor& monitor;
     SoundPicture picture;
     int asksUnanswered = 0;
     std::optional<std::size_t> watched; ///< index of the object that the window watches

@@ -41,14 +41,15 @@ public:
     }
 
     void keep(const std::shared_ptr<const ModalObject>& object, Text text) {
-        const std::scoped_lock lock(mutex);
         forgetGone();
+        const std::scoped_lock lock(mutex);
         texts[object] = std::move(text);
     }
 
-    void forgetThoseOfGoneObjects() {
+    /// Drops the texts of objects that live no more.
+    void forgetGone() {
         const std::scoped_lock lock(mutex);
-        forgetGone();
+        std::erase_if(texts, [](const auto& entry) { return entry.first.expired(); });
     }
 
 private:
@@ -56,10 +57,6 @@ private:
         const std::scoped_lock lock(mutex);
         const auto found = texts.find(object);
         return found == texts.end() ? nullptr : found->second;
-    }
-
-    void forgetGone() {
-        std::erase_if(texts, [](const auto& entry) { return entry.first.expired(); });
     }
 
     std::mutex mutex;
@@ -146,7 +143,7 @@ std::vector<std::byte> modalFile(const ModalObject& object) {
 }
 
 std::vector<EmbeddedObject> embeddedObjects(const Instrument& instrument) {
-    PackedObjects::shared().forgetThoseOfGoneObjects();
+    PackedObjects::shared().forgetGone();
     std::vector<EmbeddedObject> objects;
     for (const auto& [name, object] : foreignObjects(instrument))
         objects.push_back(

@@ -24,7 +24,7 @@ namespace {
 constexpr double readShare = 0.03, previewShare = 0.12;
 
 /// Maximum shapes times modes that an object keeps: 4 MB in half precision in every project.
-constexpr std::size_t mostShapes = 700'000, fewestRows = 300;
+constexpr std::size_t maximumShapes = 700'000, minimumRows = 300;
 
 struct Choices {
     Material material;
@@ -177,7 +177,7 @@ void ObjectWorkshop::run() {
 Result<void> ObjectWorkshop::make(const Job& job) {
     if (job.source != nullptr)
         return makeFromMesh(job, *job.source);
-    if (isModalFile(job.file))
+    if (matches(job.file, modalFiles))
         return makeFromModal(job);
     report(job, 0, "Reading");
     auto read = readMesh(job.file);
@@ -219,13 +219,13 @@ Result<void> ObjectWorkshop::makeFromMesh(const Job& job, const Source& source) 
     };
     auto preview = analysePreview(metres, settings, control(readShare, previewShare, "Preview: "));
     if (preview)
-        deliver(job, withFewerShapes(std::move(*preview), fewestRows), unit, Finish::preview);
+        deliver(job, withFewerShapes(std::move(*preview), minimumRows), unit, Finish::preview);
     if (job.cancelled)
         return {};
     auto object = idiophone::analyse(metres, settings, control(previewShare, 1, ""));
     if (!object)
         return refuse(object.error());
-    const auto rows = std::max(fewestRows, mostShapes / object->modeCount());
+    const auto rows = std::max(minimumRows, maximumShapes / object->modeCount());
     deliver(job, withFewerShapes(std::move(*object), rows), unit, Finish::whole);
     return {};
 }

@@ -16,10 +16,6 @@ const Material* materialOf(const Instrument* playing) {
 
 } // namespace
 
-double ParameterEdits::value(ParameterId parameter) const {
-    return parameters[parameter].exactValue();
-}
-
 double ParameterEdits::effectiveValue(ParameterId parameter) const {
     if (choiceOfFigure(parameter) == nullptr)
         return value(parameter);

@@ -18,7 +18,9 @@ public:
                    SoundHistory& soundHistory)
         : parameters(hostParameters), session(soundSession), history(soundHistory) {}
 
-    double value(ParameterId parameter) const override;
+    double value(ParameterId parameter) const override {
+        return parameters[parameter].exactValue();
+    }
     double effectiveValue(ParameterId parameter) const override;
     void makeCustom(ParameterId figure) override;
     bool isLive(ParameterId parameter) const override;

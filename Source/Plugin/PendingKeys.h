@@ -19,7 +19,7 @@ public:
     explicit PendingKeys(int programCount) : programs(programCount) {}
 
     /// Returns whether a MIDI message changes to a program below the count.
-    bool isAwaited(std::span<const std::uint8_t> message) const noexcept;
+    bool isProgramChange(std::span<const std::uint8_t> message) const noexcept;
 
     /// Takes channel messages, in order of time.
     void follow(std::span<const MidiEvent> messages) noexcept;
@@ -37,12 +37,11 @@ public:
 private:
     static constexpr std::size_t capacity = 256; ///< further keys are not struck again
 
-    void follow(const MidiEvent& event) noexcept;
     void release(const MidiEvent& event) noexcept;
 
     int programs;
     std::optional<int> program;
-    bool isWaiting = false;
+    bool isPending = false;
     std::array<MidiEvent, capacity> noteOns{};
     std::size_t count = 0;
 };

@@ -31,8 +31,6 @@ ShelvedPreset shelved(const Preset& preset, std::string id) {
             .description = preset.description,
             .tags = preset.tags,
             .folder = {},
-            .isFactory = false,
-            .isFavourite = false,
             .fault = {}};
 }
 
@@ -77,34 +75,18 @@ void PresetCollection::readPresets() {
         preset.isFavourite = favourites.contains(preset.id);
 }
 
-std::string PresetCollection::chosenPreset() const {
-    return holder.loadedLabel().presetId;
-}
-
 PresetDetails PresetCollection::soundDetails() const {
-    auto label = holder.loadedLabel();
-    const auto* entry = folder.find(label.presetId);
-    return {.name = std::move(label.name),
-            .folder = entry != nullptr ? entry->folder : "",
-            .author = std::move(label.author),
-            .description = std::move(label.description),
-            .tags = std::move(label.tags)};
-}
-
-bool PresetCollection::soundIsChanged() const {
-    return holder.loadedLabel().isChanged;
+    const auto sound = holder.loadedSound();
+    auto details = detailsOf(sound.preset);
+    if (const auto* entry = folder.find(sound.presetId))
+        details.folder = entry->folder;
+    return details;
 }
 
 Result<PresetCollection::FoundSound> PresetCollection::soundOf(const std::string& id) {
-    const auto cannot = [&](const std::string& name, const Error& why) {
-        return failure(name + " cannot be played: " + why.message);
-    };
-    if (const auto* preset = factoryPreset(id)) {
-        auto built = buildInstrument(preset->keyMap, {});
-        if (!built)
-            return cannot(preset->name, built.error());
-        return FoundSound{.sound = soundWith(*preset, std::move(*built), id), .notice = {}};
-    }
+    if (const auto* preset = factoryPreset(id))
+        return factorySound(*preset).map(
+            [](Sound sound) { return FoundSound{.sound = std::move(sound), .notice = {}}; });
     if (folder.find(id) == nullptr)
         readPresets();
     const auto* entry = folder.find(id);
@@ -114,16 +96,14 @@ Result<PresetCollection::FoundSound> PresetCollection::soundOf(const std::string
         return tl::unexpected(entry->preset.error());
     const auto built = buildPresetInstrument(entry->preset->keyMap, folder.fileOf(id));
     if (!built)
-        return cannot(entry->preset->name, built.error());
+        return failure(entry->preset->name + " cannot be played: " + built.error().message);
     auto preset = *entry->preset;
-    if (preset.keyMap.kind == KeyMapKind::scene)
-        preset.keyMap = built->keyMap; // absolute path: projects embed no scenes
+    preset.keyMap = built->keyMap; // with the absolute path of a scene: projects embed no scenes
     if (built->notice.empty())
         return FoundSound{.sound =
                               soundWith(std::move(preset), built->instrument, id, entry->content),
                           .notice = {}};
     // Give it no preset id, so that saving over the file must be confirmed.
-    preset.keyMap = built->keyMap;
     preset.mutedModes = {};
     const auto notice = preset.name + ": " + built->notice;
     return FoundSound{.sound = soundWith(std::move(preset), built->instrument, {}),
@@ -152,14 +132,6 @@ Result<void> PresetCollection::loadInitialSound() {
 Result<void> PresetCollection::auditionPreset(const std::string& id) {
     return soundOf(id).map(
         [&](const FoundSound& found) { history.audition([&] { play(found); }); });
-}
-
-void PresetCollection::keepAudition() {
-    history.keepAudition();
-}
-
-void PresetCollection::endAudition() {
-    history.endAudition();
 }
 
 bool PresetCollection::presetExists(const PresetDetails& details) const {

@@ -24,14 +24,14 @@ public:
 
     const std::vector<ShelvedPreset>& presets() const override { return shelf; }
     void readPresets() override;
-    std::string chosenPreset() const override;
+    std::string chosenPreset() const override { return holder.loadedSound().presetId; }
     PresetDetails soundDetails() const override;
-    bool soundIsChanged() const override;
+    bool soundIsChanged() const override { return holder.loadedSound().isChanged(); }
     Result<void> loadPreset(const std::string& id) override;
     Result<void> loadInitialSound() override;
     Result<void> auditionPreset(const std::string& id) override;
-    void keepAudition() override;
-    void endAudition() override;
+    void keepAudition() override { history.keepAudition(); }
+    void endAudition() override { history.endAudition(); }
     bool presetExists(const PresetDetails& details) const override;
     Result<void> savePreset(const PresetDetails& details, bool replace) override;
     Result<void> saveChosenPreset() override;

@@ -11,7 +11,9 @@
 #include <algorithm>
 #include <deque>
 #include <filesystem>
+#include <map>
 #include <set>
+#include <utility>
 
 namespace idiophone {
 namespace {
@@ -50,7 +52,7 @@ struct FoundFile {
 
 /// Returns the folder's own files first, by depth, then files behind links, as a link may lead to a
 /// whole disk.
-std::vector<FoundFile> presetFilesBelow(const juce::File& root, int mostEntries) {
+std::vector<FoundFile> presetFilesBelow(const juce::File& root, int maximumEntries) {
     struct Place {
         juce::File folder;
         int depth = 0;
@@ -72,7 +74,7 @@ std::vector<FoundFile> presetFilesBelow(const juce::File& root, int mostEntries)
         for (const auto& entry : juce::RangedDirectoryIterator(place.folder, false, "*",
                                                                juce::File::findFilesAndDirectories |
                                                                    juce::File::ignoreHiddenFiles)) {
-            if (++entries > mostEntries)
+            if (++entries > maximumEntries)
                 return files;
             const auto file = entry.getFile();
             if (!entry.isDirectory()) {
@@ -111,10 +113,13 @@ juce::File PresetFolder::fileOf(const std::string& id) const {
     return root.getChildFile(fromUtf8(id));
 }
 
-PresetFolder::Known PresetFolder::readKnown(const juce::File& file) {
+PresetFolder::Entry PresetFolder::readEntry(const juce::File& file) const {
     const auto path = pathOf(file);
     const auto text = readTextFile(path, largestPresetBytes);
-    return {.written = {},
+    const auto id = idOf(file);
+    const auto slash = id.rfind('/');
+    return {.id = id,
+            .folder = slash == std::string::npos ? "" : id.substr(0, slash),
             .preset = text.and_then([&](const std::string& read) {
                 return parsePreset(read, nameOf(path.filename()));
             }),
@@ -122,24 +127,17 @@ PresetFolder::Known PresetFolder::readKnown(const juce::File& file) {
 }
 
 const std::vector<PresetFolder::Entry>& PresetFolder::read() {
-    found.clear();
-    std::map<std::string, Known> seen;
+    std::map<std::string, Entry> known;
+    for (auto& entry : std::exchange(found, {}))
+        known.emplace(entry.id, std::move(entry));
     for (const auto& [file, bytes, written] : presetFilesBelow(root, entryLimit)) {
-        const auto id = idOf(file);
-        const auto before = known.find(id);
+        const auto before = known.find(idOf(file));
         const bool isKnown = before != known.end() && before->second.bytes == bytes &&
                              before->second.written == written;
-        auto now = isKnown ? std::move(before->second) : readKnown(file);
-        now.bytes = bytes;
-        now.written = written;
-        const auto slash = id.rfind('/');
-        found.push_back({.id = id,
-                         .folder = slash == std::string::npos ? "" : id.substr(0, slash),
-                         .preset = now.preset,
-                         .content = now.content});
-        seen.emplace(id, std::move(now));
+        found.push_back(isKnown ? std::move(before->second) : readEntry(file));
+        found.back().bytes = bytes;
+        found.back().written = written;
     }
-    known = std::move(seen);
     std::ranges::sort(found, [](const Entry& a, const Entry& b) {
         const int folders = fromUtf8(a.folder).compareNatural(fromUtf8(b.folder));
         const int names = fromUtf8(nameOf(a)).compareNatural(fromUtf8(nameOf(b)));
@@ -151,6 +149,11 @@ const std::vector<PresetFolder::Entry>& PresetFolder::read() {
 const PresetFolder::Entry* PresetFolder::find(const std::string& id) const {
     const auto entry = std::ranges::find(found, id, &Entry::id);
     return entry == found.end() ? nullptr : &*entry;
+}
+
+void PresetFolder::forget(const std::string& id) {
+    if (const auto entry = std::ranges::find(found, id, &Entry::id); entry != found.end())
+        entry->written = {};
 }
 
 Result<juce::File> PresetFolder::folder() const {
@@ -199,7 +202,7 @@ PresetFolder::write(const Preset& preset, const std::string& folderName, bool re
         return failure("There is already a preset '" +
                        place->getFileNameWithoutExtension().toStdString() + "'.");
     return writePreset(preset, *place).map([&] {
-        known.erase(idOf(*place)); // file times are coarse, so read it again
+        forget(idOf(*place));
         return idOf(*place);
     });
 }
@@ -217,7 +220,7 @@ Result<void> PresetFolder::checkContent(const std::string& id, std::uint64_t con
     const auto text = readTextFile(pathOf(file), largestPresetBytes);
     if (text && hashOf(*text) == content)
         return {};
-    known.erase(id); // read it again even if its time and size are the same
+    forget(id);
     return failure(id + " was changed elsewhere since this sound was loaded: load it again, or "
                         "save the sound by Save as in the list of presets.");
 }
@@ -225,7 +228,7 @@ Result<void> PresetFolder::checkContent(const std::string& id, std::uint64_t con
 Result<void> PresetFolder::replace(const std::string& id, const Preset& preset) {
     if (find(id) == nullptr)
         return failure("There is no preset '" + id + "' any more.");
-    return writePreset(preset, fileOf(id)).map([&] { known.erase(id); });
+    return writePreset(preset, fileOf(id)).map([&] { forget(id); });
 }
 
 Result<std::string> PresetFolder::rename(const std::string& id, const std::string& name) {
@@ -252,7 +255,7 @@ Result<std::string> PresetFolder::rename(const std::string& id, const std::strin
                 return failure(file.getFullPathName().toStdString() +
                                ": the preset cannot be renamed.");
             }
-            known.erase(idOf(*place));
+            forget(idOf(*place));
             return idOf(*place);
         });
 }

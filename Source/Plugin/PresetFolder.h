@@ -6,7 +6,6 @@
 
 #include <cstdint>
 #include <juce_core/juce_core.h>
-#include <map>
 #include <vector>
 
 namespace idiophone {
@@ -19,14 +18,16 @@ public:
         std::string folder; ///< "Bells"
         Result<Preset> preset;
         std::uint64_t content = 0; ///< hash of the file when it was read
+        juce::int64 bytes = 0;     ///< size of the file when it was read
+        juce::Time written = {};   ///< when it was written; `forget` clears it
     };
 
     static constexpr int deepestFolder = 4; ///< deeper folders are ignored
 
-    /// An empty file means that this machine has no preset folder. Visits at most `mostEntries`
+    /// An empty file means that this machine has no preset folder. Visits at most `maximumEntries`
     /// files and folders of any kind. Follows links last, and each target once.
-    explicit PresetFolder(juce::File folder, int mostEntries = 20'000)
-        : root(std::move(folder)), entryLimit(mostEntries) {}
+    explicit PresetFolder(juce::File folder, int maximumEntries = 20'000)
+        : root(std::move(folder)), entryLimit(maximumEntries) {}
 
     /// Returns the presets sorted by folder and name, ignoring case. Does not read unchanged files
     /// again.
@@ -56,19 +57,13 @@ public:
     Result<juce::File> folder() const;
 
 private:
-    struct Known {
-        juce::int64 bytes = 0;
-        juce::Time written;
-        Result<Preset> preset;
-        std::uint64_t content = 0;
-    };
-
-    static Known readKnown(const juce::File& file);
+    Entry readEntry(const juce::File& file) const;
+    /// Makes the next `read` read this file: file times are coarse.
+    void forget(const std::string& id);
     std::string idOf(const juce::File& file) const;
 
     juce::File root;
     int entryLimit;
-    std::map<std::string, Known> known;
     std::vector<Entry> found;
 };
 

@@ -52,12 +52,6 @@ bool holds(const juce::File& file, const Bytes& bytes) {
     return file.loadFileAsData(present) && present.matches(bytes.data(), bytes.size());
 }
 
-Result<void> writeOnce(const juce::File& file, const Bytes& bytes) {
-    if (file.existsAsFile() && holds(file, bytes))
-        return {};
-    return writeWhole(file, bytes);
-}
-
 /// Builds an instrument with the objects of `found` under the names of `keyMap`.
 Result<std::shared_ptr<const Instrument>> buildWith(const KeyMap& keyMap, const KeyMap& found) {
     if (found.object == keyMap.object)
@@ -132,9 +126,12 @@ writePresetObjects(const KeyMap& keyMap, const Instrument& instrument, const juc
                         juce::String::toHexString(static_cast<juce::int64>(hash++)).toStdString() +
                         (isOne ? ".modal" : "/{note}.modal");
     while (std::ranges::any_of(notes, isTaken));
-    for (const int note : notes)
-        if (auto written = writeOnce(fileOf(note), bytesOf(note)); !written)
+    for (const int note : notes) {
+        if (holds(fileOf(note), bytesOf(note)))
+            continue;
+        if (auto written = writeWhole(fileOf(note), bytesOf(note)); !written)
             return tl::unexpected(written.error());
+    }
     return stored;
 }
 

@@ -1,6 +1,7 @@
 #include "Plugin/PresetSound.h"
 
 #include "Instrument/LoudnessMatch.h"
+#include "Plugin/FactoryPrograms.h"
 
 #include <utility>
 
@@ -21,10 +22,16 @@ Sound soundWith(Preset preset,
     return {.preset = std::move(preset),
             .instrument = std::move(instrument),
             .parameters = values,
-            .missing = nullptr,
             .presetId = std::move(id),
             .presetContent = content,
             .stored = values};
+}
+
+Result<Sound> factorySound(const Preset& preset) {
+    auto built = buildInstrument(preset.keyMap, {});
+    if (!built)
+        return failure(preset.name + " cannot be played: " + built.error().message);
+    return soundWith(preset, std::move(*built), factoryPresetId(preset.name));
 }
 
 void storeValues(const Sound& sound, Preset& preset) {

@@ -1,6 +1,7 @@
 // Makes the sound of a preset, and the stored values of a sound.
 #pragma once
 
+#include "Object/Result.h"
 #include "Plugin/Sound.h"
 
 #include <cstdint>
@@ -14,6 +15,9 @@ Sound soundWith(Preset preset,
                 std::shared_ptr<const Instrument> instrument,
                 std::string id,
                 std::uint64_t content = 0);
+
+/// Builds the sound of a factory preset.
+Result<Sound> factorySound(const Preset& preset);
 
 /// Stores values so that the preset sounds as it does now when "match loudness" takes its own
 /// material and mallet as the reference. If no level can do that, stores the present reference too.

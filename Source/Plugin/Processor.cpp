@@ -18,23 +18,17 @@ int presetCount() {
 
 Processor::Processor()
     : AudioProcessor(BusesProperties().withOutput("Output", juce::AudioChannelSet::stereo(), true)),
-      hostParameters(*this), programs(presetCount()),
-      engine(hostParameters, messages, programs, report), reporter(*this,
-                                                                   hostParameters,
-                                                                   [this] {
-                                                                       if (polls)
-                                                                           polls->callSoon();
-                                                                   }),
-      session(hostParameters, messages, programs, report, tail, reporter),
-      window(hostParameters, messages, report, tail, reporter, loads, session),
-      host(hostParameters, messages, programs, reporter, loads, session, window.tuning) {
+      shared(*this,
+             presetCount(),
+             [this] {
+                 if (polls)
+                     polls->callSoon();
+             }),
+      engine(shared.parameters, shared.messages, shared.programs, shared.report), session(shared),
+      window(shared, session), host(shared, session, window.tuning) {
     setCurrentProgram(0);
-    reporter.forget(); // the host has not asked yet
+    shared.reporter.forget(); // the host has not asked yet
     polls.emplace(pollMilliseconds, [this] { poll(); });
-}
-
-Processor::~Processor() {
-    polls.reset(); // before everything it polls
 }
 
 void Processor::processBlock(juce::AudioBuffer<float>& buffer, juce::MidiBuffer& midi) {
@@ -53,7 +47,7 @@ void Processor::poll() {
     window.poll();
     if (!isNonRealtime()) {
         host.followRequest(); // offline the callback does this
-        reporter.poll(messages.controllers);
+        shared.reporter.poll(shared.messages.controllers);
     }
     session.poll();
 }
@@ -73,23 +67,23 @@ void Processor::prepareToPlay(double sampleRateHz, int) {
 
 void Processor::releaseResources() {
     const auto held = session.lock();
-    messages.players.collect();
+    shared.messages.players.collect();
 }
 
 /// Some wrappers call it with every block. Offline, the host hears of no controller and so sends no
 /// echo.
 void Processor::setNonRealtime(bool isOffline) noexcept {
     if (isOffline != isNonRealtime())
-        hostParameters.forgetTold();
+        shared.parameters.forgetLastSent();
     AudioProcessor::setNonRealtime(isOffline);
 }
 
 juce::AudioProcessorParameter* Processor::getBypassParameter() const {
-    return &hostParameters[ParameterId::bypass];
+    return &shared.parameters[ParameterId::bypass];
 }
 
 double Processor::getTailLengthSeconds() const {
-    return tail.seconds(hostParameters.values(), report);
+    return shared.tail.seconds(shared.parameters.values(), shared.report);
 }
 
 // A VST3 host sees a program as a fraction of the number of programs, and cannot choose the current

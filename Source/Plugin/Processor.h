@@ -18,7 +18,6 @@ namespace idiophone {
 class Processor final : public juce::AudioProcessor {
 public:
     Processor();
-    ~Processor() override;
 
     const juce::String getName() const override { return "Idiophone"; }
     bool acceptsMidi() const override { return true; }
@@ -28,7 +27,7 @@ public:
     bool isBusesLayoutSupported(const BusesLayout& layouts) const override;
     void prepareToPlay(double sampleRateHz, int maximumBlockSize) override;
     void releaseResources() override;
-    void reset() override { messages.reset = true; }
+    void reset() override { shared.messages.reset = true; }
     void setNonRealtime(bool isOffline) noexcept override;
     void processBlock(juce::AudioBuffer<float>& buffer, juce::MidiBuffer& midi) override;
     using AudioProcessor::processBlock;
@@ -55,8 +54,8 @@ public:
     ProcessorView& view() { return window.view; }
     SoundSession& soundSession() { return session; }
     WindowSession& windowSession() { return window; }
-    HostParameters& parameters() { return hostParameters; }
-    const EngineReport& engineReport() const { return report; }
+    HostParameters& parameters() { return shared.parameters; }
+    const EngineReport& engineReport() const { return shared.report; }
 
     /// [message thread] Polls the engine and the workshop. A timer calls it every
     /// `pollMilliseconds`.
@@ -68,18 +67,12 @@ public:
 private:
     bool isVst3() const noexcept { return wrapperType == wrapperType_VST3; }
 
-    HostParameters hostParameters;
-    EngineMessages messages;
-    EngineReport report;
-    ProgramChanges programs;
+    SharedParts shared;
     AudioEngine engine;
-    TailLength tail;
-    HostReporter reporter;
-    HostLoads loads;
     SoundSession session;
     WindowSession window;
     HostSession host;
-    std::optional<GuardedTimer> polls;
+    std::optional<GuardedTimer> polls; ///< last: ends before everything that it polls
 };
 
 } // namespace idiophone

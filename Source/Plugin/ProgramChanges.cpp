@@ -7,7 +7,7 @@ juce::MidiBufferIterator ProgramChanges::behindLast(const juce::MidiBuffer& midi
     for (auto message = midi.begin(); message != midi.end();) {
         const auto metadata = *message;
         ++message;
-        if (keys.isAwaited(std::span(metadata.data, std::size_t(metadata.numBytes))))
+        if (keys.isProgramChange(std::span(metadata.data, std::size_t(metadata.numBytes))))
             behind = message;
     }
     return behind;

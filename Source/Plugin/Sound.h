@@ -8,32 +8,24 @@
 #include <cstdint>
 #include <memory>
 #include <string>
-#include <vector>
 
 namespace idiophone {
 
 struct Sound {
     Preset preset; ///< as loaded; its values are the reference of "match loudness"
-    std::shared_ptr<const Instrument> instrument;
-    ParameterValues parameters;                    ///< current values
-    std::shared_ptr<const MissingObjects> missing; ///< replaced by a stand-in, or null
-    std::string presetId; ///< of the preset on the shelf (PresetShelf.h), or empty
+    std::shared_ptr<const Instrument> instrument = {};
+    ParameterValues parameters;                         ///< current values
+    std::shared_ptr<const MissingObjects> missing = {}; ///< replaced by a stand-in, or null
+    std::string presetId = {}; ///< of the preset on the shelf (PresetShelf.h), or empty
     /// Hash of that preset's file when the sound was read from it or written to it. 0 for a factory
     /// preset and without a preset.
     std::uint64_t presetContent = 0;
     ParameterValues stored; ///< values of that preset, to detect changes
 
-    bool operator==(const Sound&) const = default;
-};
+    /// Returns whether a parameter outside the setup differs from the stored one.
+    bool isChanged() const { return withSetupOf(stored, parameters) != stored; }
 
-/// The part of a sound that the window shows.
-struct SoundLabel {
-    std::string name;
-    std::string author;
-    std::string description;
-    std::vector<std::string> tags;
-    std::string presetId;
-    bool isChanged = false; ///< a parameter outside the setup differs from the stored one
+    bool operator==(const Sound&) const = default;
 };
 
 /// Holds the current sound and plays others; SoundSession implements it. For the message thread.
@@ -43,8 +35,6 @@ public:
 
     /// Returns the current sound; its instrument is null if none could be loaded.
     virtual Sound loadedSound() const = 0;
-    /// Returns the label of the current sound, which is cheaper to copy.
-    virtual SoundLabel loadedLabel() const = 0;
     /// Plays the sound at once and keeps the present setup. If the instrument or its preset
     /// differs, the old sound fades out. If only parameters change, it rings on, unless the level
     /// changes by more than 12 dB and there is no stage. Returns false for a sound without an

@@ -10,7 +10,7 @@ namespace idiophone {
 namespace {
 
 // Limits of juce::UndoManager, in KiB. It always keeps the newest steps.
-constexpr int mostUnits = 512 * 1024, fewestSteps = 8;
+constexpr int maximumUnits = 512 * 1024, minimumSteps = 8;
 constexpr int unitsOfParameters = 64; // more than their size, so that at most 8192 steps are kept
 constexpr int unitsOfSound = 256;
 constexpr int unitsOfTunings = 1024; // two tunings of two files each
@@ -25,7 +25,7 @@ int unitsOfObjects(const Sound& sound) {
     for (const auto* object : objects)
         bytes += sizeof(float) * (object->shapes.size() + object->vertices.size() +
                                   object->radiation.weights.size());
-    return static_cast<int>(std::min<std::size_t>(bytes / 1024, mostUnits));
+    return static_cast<int>(std::min<std::size_t>(bytes / 1024, maximumUnits));
 }
 
 } // namespace
@@ -50,9 +50,7 @@ SoundHistory::SoundHistory(SoundHolder& soundHolder,
                            HostParameters& hostParameters,
                            HostLoads& loadsOfHost)
     : holder(soundHolder), parameters(hostParameters), hostLoads(loadsOfHost),
-      steps(mostUnits, fewestSteps) {}
-
-SoundHistory::~SoundHistory() = default;
+      steps(maximumUnits, minimumSteps) {}
 
 bool SoundHistory::canUndo() {
     followHost();
@@ -75,25 +73,19 @@ std::string SoundHistory::redoName() {
 }
 
 void SoundHistory::undo() {
-    endAudition();
-    followHost();
-    closeEdit();
+    beginStep();
     programs.reset();
     steps.undo();
 }
 
 void SoundHistory::redo() {
-    endAudition();
-    followHost();
-    closeEdit();
+    beginStep();
     programs.reset();
     steps.redo();
 }
 
 void SoundHistory::record(const std::string& name, const std::function<void()>& load) {
-    endAudition();
-    followHost();
-    closeEdit();
+    beginStep();
     const auto before = session();
     load();
     pushLoad(name, before);
@@ -102,9 +94,7 @@ void SoundHistory::record(const std::string& name, const std::function<void()>& 
 void SoundHistory::recordDone(const std::string& name,
                               const std::function<void()>& undone,
                               const std::function<void()>& doneAgain) {
-    endAudition();
-    followHost();
-    closeEdit();
+    beginStep();
     const auto always = [](const std::function<void()>& work) {
         return [work] {
             work();
@@ -150,6 +140,12 @@ void SoundHistory::followHost() {
         recordPrograms(std::move(*before));
 }
 
+/// Closes what is open, so that another step can begin.
+void SoundHistory::beginStep() {
+    endAudition(); // follows the host
+    closeEdit();
+}
+
 /// A program change ends an audition, as loading another sound does.
 void SoundHistory::recordPrograms(Sound before) {
     if (beforeAudition)
@@ -157,7 +153,7 @@ void SoundHistory::recordPrograms(Sound before) {
     closeEdit(&before.parameters);
     const auto from = std::exchange(beforeAudition, std::nullopt)
                           .value_or(Session{.playing = std::move(before), .other = other});
-    const auto name = holder.loadedLabel().name;
+    const auto name = holder.loadedSound().preset.name;
     if (const auto known = programs.lock()) {
         known->after = session();
         steps.setCurrentTransactionName(fromUtf8(name));
@@ -282,7 +278,7 @@ void SoundHistory::keepAudition() {
     followHost();
     if (const auto before = std::exchange(beforeAudition, std::nullopt)) {
         closeEdit();
-        pushLoad(holder.loadedLabel().name, *before);
+        pushLoad(holder.loadedSound().preset.name, *before);
     }
 }
 

@@ -29,7 +29,6 @@ class SoundHistory final : public EditHistory {
 public:
     /// Does not call the holder yet.
     SoundHistory(SoundHolder& holder, HostParameters& parameters, HostLoads& hostLoads);
-    ~SoundHistory() override;
 
     bool canUndo() override;
     bool canRedo() override;
@@ -93,6 +92,7 @@ private:
     /// Returns whether it plays. If a step fails, all steps are cleared.
     bool play(const Session& wanted);
     void followHost();
+    void beginStep();
     void forgetAll();
     void recordPrograms(Sound before);
     /// Closes the open edit, with the present values or those given.

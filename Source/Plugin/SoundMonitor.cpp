@@ -5,14 +5,14 @@
 namespace idiophone {
 namespace {
 
-constexpr double looksPerSecond = 30;
+constexpr double picturesPerSecond = 30;
 constexpr double secondsToMeasureOn = 1; // after the window last asked
 
 } // namespace
 
 void SoundMonitor::prepare(double sampleRateHz) {
     rateHz = sampleRateHz;
-    watchedSamples = samplesSinceLook = 0;
+    watchedSamples = samplesSincePicture = 0;
     peaks = {};
     load.reset(sampleRateHz, 1); // every callback passes its own length
 }
@@ -44,20 +44,20 @@ SoundMonitor::Callback::~Callback() {
         return;
     timer.reset();
     monitor.watchedSamples -= samples;
-    monitor.samplesSinceLook += samples;
-    if (!monitor.wanted || monitor.samplesSinceLook < monitor.rateHz / looksPerSecond ||
+    monitor.samplesSincePicture += samples;
+    if (!monitor.wanted || monitor.samplesSincePicture < monitor.rateHz / picturesPerSecond ||
         sound.player() == nullptr)
         return;
-    monitor.samplesSinceLook = 0;
-    monitor.look(*sound.player());
+    monitor.samplesSincePicture = 0;
+    monitor.takePicture(*sound.player());
 }
 
-void SoundMonitor::hear(std::size_t channel, float peak) noexcept {
+void SoundMonitor::addPeak(std::size_t channel, float peak) noexcept {
     if (watchedSamples > 0 && channel < peaks.size())
         peaks[channel] = std::max(peaks[channel], peak);
 }
 
-void SoundMonitor::look(const Player& player) noexcept {
+void SoundMonitor::takePicture(const Player& player) noexcept {
     const Synthesiser& synthesiser = player.synthesiser();
     MonitoredSound& seen = latest->next();
     seen.instrument = player.instrument().serialNumber();

@@ -55,7 +55,7 @@ void SoundPicture::show(PictureSubject next) {
 }
 
 /// Prepares the constant data of a slot's object.
-void SoundPicture::look(std::size_t slot) {
+void SoundPicture::prepareSlot(std::size_t slot) {
     frame.instrumentNumber = subject.instrumentNumber;
     frame.object = objectOfSlot[slot];
     frame.note = isOfOneKey[slot] ? noteOfSlot[slot] : -1;
@@ -73,7 +73,7 @@ void SoundPicture::look(std::size_t slot) {
 
 const SoundFrame& SoundPicture::of(const MonitoredSound& sound) {
     frame = {};
-    look(sound.slot);
+    prepareSlot(sound.slot);
     frame.tauPascals = sound.groups.tauPascals;
     frame.slope = sound.qualitySlope;
     frame.budgetModes = sound.modeBudget;
@@ -83,7 +83,7 @@ const SoundFrame& SoundPicture::of(const MonitoredSound& sound) {
     groupModesOf(sound);
     addModes(sound);
     addSlots(sound);
-    addBodies(std::span(sound.bodies).first(sound.bodyCount));
+    frame.bodies = bodiesAt(std::span(sound.bodies).first(sound.bodyCount), objectOfSlot);
     return frame;
 }
 
@@ -103,16 +103,18 @@ SoundPicture::ofSilence(std::size_t slot, const ParameterValues& values, double 
     sound.modeBudget = settings.modeBudget;
     of(sound);
     if (const auto& stage = subject.instrument->stage())
-        addBodies(stage->firstPoses());
+        frame.bodies = bodiesAt(stage->firstPoses(), objectOfSlot);
     return frame;
 }
 
-void SoundPicture::addBodies(std::span<const BodyPose> poses) {
+std::vector<BodyNow> bodiesAt(std::span<const BodyPose> poses, std::span<const int> objectOfSlot) {
+    std::vector<BodyNow> bodies;
     for (std::size_t slot = 0; slot < std::min(poses.size(), objectOfSlot.size()); ++slot)
         if (const auto& pose = poses[slot]; pose.isThere)
-            frame.bodies.push_back({.object = objectOfSlot[slot],
-                                    .originMetres = pose.originMetres,
-                                    .turn = pose.turn});
+            bodies.push_back({.object = objectOfSlot[slot],
+                              .originMetres = pose.originMetres,
+                              .turn = pose.turn});
+    return bodies;
 }
 
 /// Groups the modes as the synthesis does, or will when the object is struck.
@@ -137,7 +139,7 @@ void SoundPicture::addModes(const MonitoredSound& sound) {
     for (std::size_t g = 0; g + 1 < groupStarts.size(); ++g) {
         const auto first = static_cast<std::size_t>(groupStarts[g]);
         const auto end = std::min(static_cast<std::size_t>(groupStarts[g + 1]), total);
-        if (end > MonitoredSound::mostModes)
+        if (end > MonitoredSound::maximumModes)
             break;
         const double sum = std::accumulate(weights.begin() + static_cast<std::ptrdiff_t>(first),
                                            weights.begin() + static_cast<std::ptrdiff_t>(end), 0.0);

@@ -25,6 +25,9 @@ struct PictureSubject {
     bool operator==(const PictureSubject&) const = default;
 };
 
+/// Returns the bodies that are there, for poses and objects (`objectsOfSlots`) of slots.
+std::vector<BodyNow> bodiesAt(std::span<const BodyPose> poses, std::span<const int> objectOfSlot);
+
 /// For the message thread.
 class SoundPicture {
 public:
@@ -38,12 +41,11 @@ public:
     const SoundFrame& ofSilence(std::size_t slot, const ParameterValues& values, double rateHz);
 
 private:
-    void look(std::size_t slot);
+    void prepareSlot(std::size_t slot);
     void groupModesOf(const MonitoredSound& sound);
     void addModes(const MonitoredSound& sound);
     ModeNow modeNow(const MonitoredSound& sound, std::size_t mode) const;
     void addSlots(const MonitoredSound& sound);
-    void addBodies(std::span<const BodyPose> poses);
 
     PictureSubject subject;
     std::vector<int> objectOfSlot; ///< index into InstrumentView::playedObjects

@@ -23,33 +23,25 @@ bool sharesObject(const std::shared_ptr<const Instrument>& one,
 
 } // namespace
 
-SoundSession::SoundSession(HostParameters& hostParameters,
-                           EngineMessages& engineMessages,
-                           ProgramChanges& programChanges,
-                           EngineReport& engineReport,
-                           TailLength& tailLength,
-                           HostReporter& hostReporter)
-    : parameters(hostParameters), messages(engineMessages), programs(programChanges),
-      report(engineReport), tail(tailLength), reporter(hostReporter) {}
-
 void SoundSession::prepare(double sampleRateHz,
                            const std::function<void(std::unique_ptr<Player>)>& install) {
     const auto held = lock();
     preparedRateHz = sampleRateHz;
-    report.modulationWheel = HeldContacts::controllerAtRest; // of an installed player
-    auto player = newPlayer(current.instrument, current.preset, parameters.values());
+    shared.report.modulationWheel = HeldContacts::controllerAtRest; // of an installed player
+    auto player = newPlayer(current.instrument, current.preset, shared.parameters.values());
     if (!player)
         fail(player.error().message);
     install(player ? std::move(*player) : nullptr);
-    messages.players.collect();
+    shared.messages.players.collect();
 }
 
 void SoundSession::poll() {
-    if (const auto times = report.notFinite.load(); std::exchange(notFiniteShown, times) != times)
+    if (const auto times = shared.report.notFinite.load();
+        std::exchange(notFiniteShown, times) != times)
         reportError("The sound was not finite, and begins anew with the next note.");
     if (const std::unique_lock held(mutex, std::try_to_lock); held) {
-        messages.players.collect();
-        report.capture.follow(current.instrument);
+        shared.messages.players.collect();
+        shared.report.capture.follow(current.instrument);
     }
 }
 
@@ -60,7 +52,7 @@ Sound SoundSession::loadedSound() const {
 
 Sound SoundSession::soundNow() const {
     auto sound = current;
-    sound.parameters = parameters.values();
+    sound.parameters = shared.parameters.values();
     return sound;
 }
 
@@ -79,17 +71,6 @@ double SoundSession::rateHz() const {
     return preparedRateHz > 0 ? preparedRateHz : 48000;
 }
 
-SoundLabel SoundSession::loadedLabel() const {
-    const auto held = lock();
-    const auto now = withSetupOf(current.stored, parameters.values());
-    return {.name = current.preset.name,
-            .author = current.preset.author,
-            .description = current.preset.description,
-            .tags = current.preset.tags,
-            .presetId = current.presetId,
-            .isChanged = now != current.stored};
-}
-
 bool SoundSession::playSound(const Sound& wanted) {
     if (wanted.instrument == nullptr)
         return false;
@@ -99,7 +80,9 @@ bool SoundSession::playSound(const Sound& wanted) {
                                  sharesObject(wanted.instrument, current.instrument);
         const int origin = loadOfObjects;
         const bool goesOn = goesOnWith(wanted);
-        const auto wantedNow = [&] { return withSetupOf(parameters.values(), wanted.parameters); };
+        const auto wantedNow = [&] {
+            return withSetupOf(shared.parameters.values(), wanted.parameters);
+        };
         auto player = goesOn ? playerForLevel(wanted.preset, wantedNow())
                              : newPlayer(wanted.instrument, wanted.preset, wantedNow());
         if (!player) {
@@ -113,16 +96,16 @@ bool SoundSession::playSound(const Sound& wanted) {
             if (!sameModes && *player == nullptr) // a new player starts with its silences
                 sendSilences();
             goOn(std::move(*player), [&] {
-                parameters.load(wantedNow());
-                messages.soundChanges += 2; // another sound, even if the player goes on
+                shared.parameters.load(wantedNow());
+                shared.messages.soundChanges += 2; // another sound, even if the player goes on
             });
         } else {
-            play(wanted, std::move(*player), [&] { parameters.load(wantedNow()); });
+            play(wanted, std::move(*player), [&] { shared.parameters.load(wantedNow()); });
             if (keepsObject)
                 loadOfObjects = origin;
         }
     }
-    reporter.reportSound();
+    shared.reporter.reportSound();
     return true;
 }
 
@@ -148,7 +131,7 @@ void SoundSession::relabel(const Sound& wanted) {
         current.stored = wanted.stored;
         playingProgram = factoryProgram(current.presetId);
     }
-    reporter.reportProgram();
+    shared.reporter.reportProgram();
 }
 
 void SoundSession::changeParameters(const Sound& of, const ParameterValues& wanted) {
@@ -156,21 +139,21 @@ void SoundSession::changeParameters(const Sound& of, const ParameterValues& want
         const auto held = lock();
         if (current.instrument != of.instrument)
             return;
-        const auto values = parameters.valuesAfter(of.parameters, wanted);
+        const auto values = shared.parameters.valuesAfter(of.parameters, wanted);
         auto player = playerForLevel(current.preset, values);
         if (!player)
             return fail(player.error().message);
-        goOn(std::move(*player), [&] { parameters.loadChanges(of.parameters, wanted); });
+        goOn(std::move(*player), [&] { shared.parameters.loadChanges(of.parameters, wanted); });
     }
-    reporter.reportSound();
+    shared.reporter.reportSound();
 }
 
 StatusView::Status SoundSession::takeStatus() {
     Status status{.sentence = {},
                   .isError = false,
-                  .modesMixed = report.modesMixed,
-                  .lateEvents = report.lateEvents,
-                  .peak = report.peak.exchange(0)};
+                  .modesMixed = shared.report.modesMixed,
+                  .lateEvents = shared.report.lateEvents,
+                  .peak = shared.report.peak.exchange(0)};
     const auto held = lock();
     if (current.instrument != nullptr && current.instrument->stage() != nullptr)
         status.delaySeconds = current.instrument->stage()->delaySeconds();
@@ -195,7 +178,7 @@ SoundSession::PlayerResult SoundSession::newPlayer(const std::shared_ptr<const I
                                                    preset.seed, preset.parameters);
             player->setSilencedModes(silencedModes(
                 *built, preset.mutedModes, built == current.instrument ? heardAlone : ModeSet()));
-            player->prepare(values, report.modulationWheel);
+            player->prepare(values, shared.report.modulationWheel);
             return player;
         },
         preset.name.empty() ? "The sound" : oneLine(preset.name));
@@ -207,15 +190,15 @@ SoundSession::PlayerResult SoundSession::playerForLevel(const Preset& preset,
                                                         const ParameterValues& values) const {
     using enum ParameterId;
     const bool isNear =
-        std::abs(values[level] - parameters[level].exactValue()) <= maximumLevelChange;
+        std::abs(values[level] - shared.parameters[level].exactValue()) <= maximumLevelChange;
     if (isNear || current.instrument == nullptr || current.instrument->stage())
         return nullptr;
     return newPlayer(current.instrument, preset, values);
 }
 
 void SoundSession::play(Sound sound, std::unique_ptr<Player> player, const LoadValues& loadValues) {
-    tail.setInstrument(sound.instrument);
-    report.playedResizedKeys = false;
+    shared.tail.setInstrument(sound.instrument);
+    shared.report.playedResizedKeys = false;
     if (current.instrument != sound.instrument)
         heardAlone = {};
     current = std::move(sound);
@@ -223,7 +206,7 @@ void SoundSession::play(Sound sound, std::unique_ptr<Player> player, const LoadV
     loadOfObjects = ++loads;
     lastError.clear();
     handOver(std::move(player), [&] {
-        messages.stagePaused = false;
+        shared.messages.stagePaused = false;
         loadValues();
     });
 }
@@ -241,19 +224,19 @@ void SoundSession::goOn(std::unique_ptr<Player> player, const LoadValues& loadVa
 /// callback takes both together.
 void SoundSession::handOver(std::unique_ptr<Player> player, const LoadValues& loadValues) {
     if (player != nullptr)
-        player->setLabel(programs.label());
-    messages.players.collect(); // it may take a while, so do it before changing anything
+        player->setLabel(shared.programs.label());
+    shared.messages.players.collect(); // it may take a while, so do it before changing anything
     // Send silences before the player: the player has its own and must not get older ones.
     sendSilences();
-    ++messages.soundChanges;
+    ++shared.messages.soundChanges;
     loadValues();
     if (player != nullptr)
-        messages.players.publish(std::move(player));
-    ++messages.soundChanges;
+        shared.messages.players.publish(std::move(player));
+    ++shared.messages.soundChanges;
 }
 
 void SoundSession::sendSilences() {
-    messages.silencer.send(
+    shared.messages.silencer.send(
         *current.instrument,
         silencedModes(*current.instrument, current.preset.mutedModes, heardAlone));
 }

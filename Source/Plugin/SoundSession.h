@@ -3,13 +3,8 @@
 #pragma once
 
 #include "Editor/StatusView.h"
-#include "Plugin/EngineMessages.h"
-#include "Plugin/EngineReport.h"
-#include "Plugin/HostParameters.h"
-#include "Plugin/HostReporter.h"
-#include "Plugin/ProgramChanges.h"
+#include "Plugin/SharedParts.h"
 #include "Plugin/Sound.h"
-#include "Plugin/TailLength.h"
 
 #include <atomic>
 #include <functional>
@@ -33,12 +28,7 @@ public:
         int origin = 0; ///< see `origin`
     };
 
-    SoundSession(HostParameters& parameters,
-                 EngineMessages& messages,
-                 ProgramChanges& programs,
-                 EngineReport& report,
-                 TailLength& tail,
-                 HostReporter& reporter);
+    explicit SoundSession(SharedParts& sharedParts) : shared(sharedParts) {}
 
     [[nodiscard]] std::unique_lock<std::mutex> lock() const { return std::unique_lock(mutex); }
 
@@ -50,7 +40,6 @@ public:
     void poll();
 
     Sound loadedSound() const override;
-    SoundLabel loadedLabel() const override;
     bool playSound(const Sound& wanted) override;
     void relabel(const Sound& wanted) override;
     void changeParameters(const Sound& of, const ParameterValues& wanted) override;
@@ -95,12 +84,7 @@ private:
     void goOn(std::unique_ptr<Player> player, const LoadValues& loadValues);
     void handOver(std::unique_ptr<Player> player, const LoadValues& loadValues);
 
-    HostParameters& parameters;
-    EngineMessages& messages;
-    ProgramChanges& programs;
-    EngineReport& report;
-    TailLength& tail;
-    HostReporter& reporter;
+    SharedParts& shared;
 
     mutable std::mutex mutex;
     Sound current; ///< its `parameters` are not kept up to date: see `soundNow`

@@ -1,6 +1,7 @@
 #include "Plugin/StageSession.h"
 
 #include "Plugin/OwnSlots.h"
+#include "Plugin/SoundPicture.h"
 
 namespace idiophone {
 
@@ -10,18 +11,10 @@ bool StageSession::hasStage() const {
 }
 
 std::vector<BodyNow> StageSession::stageBodies() const {
-    std::vector<BodyNow> bodies;
     const auto playing = session.instrument();
     if (playing == nullptr || !playing->stage())
-        return bodies;
-    const auto objects = objectsOfSlots(*playing);
-    const auto poses = playing->stage()->firstPoses();
-    for (std::size_t slot = 0; slot < poses.size(); ++slot)
-        if (poses[slot].isThere)
-            bodies.push_back({.object = objects[slot],
-                              .originMetres = poses[slot].originMetres,
-                              .turn = poses[slot].turn});
-    return bodies;
+        return {};
+    return bodiesAt(playing->stage()->firstPoses(), objectsOfSlots(*playing));
 }
 
 /// Brings the capture up to date.

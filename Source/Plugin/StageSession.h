@@ -9,10 +9,8 @@ namespace idiophone {
 /// For the message thread.
 class StageSession final : public StageView {
 public:
-    StageSession(SoundSession& soundSession,
-                 EngineMessages& engineMessages,
-                 EngineReport& engineReport)
-        : session(soundSession), messages(engineMessages), report(engineReport) {}
+    StageSession(SharedParts& shared, SoundSession& soundSession)
+        : session(soundSession), messages(shared.messages), report(shared.report) {}
 
     bool hasStage() const override;
     std::vector<BodyNow> stageBodies() const override;

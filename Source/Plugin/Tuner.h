@@ -44,10 +44,6 @@ public:
     void retune(std::span<const juce::uint8> message) noexcept;
 
 private:
-    struct Own {
-        bool isGiven = false;
-        KeyTuning keys;
-    };
     struct Deregister {
         void operator()(MTSClient* client) const;
     };
@@ -57,12 +53,12 @@ private:
     void readSession() noexcept;
 
     std::unique_ptr<MTSClient, Deregister> client;
-    LatestValue<Own> handoff{Own{}}; ///< message side to audio thread
+    LatestValue<std::optional<KeyTuning>> handoff{std::nullopt}; ///< message side to audio thread
     std::atomic<bool> tunedByMessages{false};
     std::atomic<bool> forgetsMessages{false}; ///< until the client has forgotten them
 
     // Owned by the audio thread.
-    Own own;
+    std::optional<KeyTuning> own;
     KeyTuning session;
 };
 

@@ -1,27 +1,10 @@
 #include "Plugin/TuningSession.h"
 
 #include "Object/TextFile.h"
-#include "Plugin/FileKinds.h"
 
 #include <utility>
 
 namespace idiophone {
-
-TuningSession::TuningSession(SoundSession& soundSession,
-                             TailLength& tailLength,
-                             Tuner& tunerOfEngine,
-                             HostReporter& hostReporter,
-                             SoundHistory& soundHistory)
-    : session(soundSession), tail(tailLength), tuner(tunerOfEngine), reporter(hostReporter),
-      history(soundHistory) {}
-
-bool TuningSession::isTuningFile(const std::filesystem::path& file) const {
-    return isScale(file) || isKeyboardMapping(file);
-}
-
-std::string TuningSession::tuningPatterns() const {
-    return tuningFilePatterns();
-}
 
 void TuningSession::openTuning(const std::filesystem::path& file) {
     ScalaTuning before, wanted;
@@ -29,7 +12,7 @@ void TuningSession::openTuning(const std::filesystem::path& file) {
                            .and_then([&](const std::string& text) -> Result<void> {
                                const auto held = session.lock();
                                before = wanted = scala;
-                               (isScale(file) ? wanted.scale : wanted.mapping) = {
+                               (matches(file, scaleFiles) ? wanted.scale : wanted.mapping) = {
                                    .name = fileNameOf(file), .text = text};
                                return keyTuning(wanted).transform(
                                    [&](const KeyTuning& keys) { tuneTo(wanted, keys); });
@@ -44,7 +27,7 @@ void TuningSession::forgetTuning() {
     {
         const auto held = session.lock();
         if (!scala.isGiven())
-            return tuner.forgetMessages();
+            return shared.messages.tuner.forgetMessages();
         before = scala;
         tuneTo({}, {});
     }
@@ -61,18 +44,18 @@ void TuningSession::record(const std::string& step,
             if (const auto keys = keyTuning(wanted)) // valid when it was recorded
                 tuneTo(wanted, *keys);
         }
-        reporter.reportState();
+        shared.reporter.reportState();
     };
     if (before != after)
         history.recordDone(
             step, [tune, before] { tune(before); }, [tune, after] { tune(after); });
-    reporter.reportState();
+    shared.reporter.reportState();
 }
 
 void TuningSession::tuneTo(ScalaTuning files, const KeyTuning& keys) noexcept {
     scala = std::move(files);
-    tail.setTuning(keys);
-    tuner.setOwn(scala.isGiven() ? std::optional(keys) : std::nullopt);
+    shared.tail.setTuning(keys);
+    shared.messages.tuner.setOwn(scala.isGiven() ? std::optional(keys) : std::nullopt);
 }
 
 TuningStatus TuningSession::tuningStatus() const {
@@ -84,9 +67,11 @@ TuningStatus TuningSession::tuningStatus() const {
                     .scale = scaleTitle(scala),
                     .mappingFile = scala.mapping.name};
     }
-    if (tuner.hasMaster())
-        return {.source = Source::session, .scale = tuner.masterScaleName(), .mappingFile = {}};
-    if (tuner.isTunedByMessages())
+    if (shared.messages.tuner.hasMaster())
+        return {.source = Source::session,
+                .scale = shared.messages.tuner.masterScaleName(),
+                .mappingFile = {}};
+    if (shared.messages.tuner.isTunedByMessages())
         return {.source = Source::messages, .scale = "Tuned by MIDI", .mappingFile = {}};
     return {.source = Source::equal, .scale = scaleTitle({}), .mappingFile = {}};
 }

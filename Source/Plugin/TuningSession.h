@@ -3,7 +3,7 @@
 
 #include "Editor/TuningView.h"
 #include "Instrument/ScalaTuning.h"
-#include "Plugin/HostReporter.h"
+#include "Plugin/FileKinds.h"
 #include "Plugin/SoundHistory.h"
 #include "Plugin/SoundSession.h"
 
@@ -16,14 +16,13 @@ namespace idiophone {
 /// lock calls them.
 class TuningSession final : public TuningView {
 public:
-    TuningSession(SoundSession& session,
-                  TailLength& tail,
-                  Tuner& tuner,
-                  HostReporter& reporter,
-                  SoundHistory& history);
+    TuningSession(SharedParts& sharedParts, SoundSession& soundSession, SoundHistory& soundHistory)
+        : shared(sharedParts), session(soundSession), history(soundHistory) {}
 
-    bool isTuningFile(const std::filesystem::path& file) const override;
-    std::string tuningPatterns() const override;
+    bool isTuningFile(const std::filesystem::path& file) const override {
+        return matches(file, tuningFiles);
+    }
+    std::string tuningPatterns() const override { return tuningFiles; }
     void openTuning(const std::filesystem::path& file) override;
     void forgetTuning() override;
     TuningStatus tuningStatus() const override;
@@ -37,10 +36,8 @@ public:
 private:
     void record(const std::string& step, const ScalaTuning& before, const ScalaTuning& after);
 
+    SharedParts& shared;
     SoundSession& session;
-    TailLength& tail;
-    Tuner& tuner;
-    HostReporter& reporter;
     SoundHistory& history;
     ScalaTuning scala; ///< under the session's lock
 };

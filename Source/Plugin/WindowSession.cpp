@@ -4,20 +4,12 @@
 
 namespace idiophone {
 
-WindowSession::WindowSession(HostParameters& parameters,
-                             EngineMessages& messages,
-                             EngineReport& report,
-                             TailLength& tail,
-                             HostReporter& reporter,
-                             HostLoads& hostLoads,
-                             SoundSession& session)
-    : controllers(messages.controllers), history(session, parameters, hostLoads),
-      variants(session, history), edits(parameters, session, history),
-      materials(parameters, session, history, edits), instrument(session, messages, report),
-      stage(session, messages, report),
-      modes(parameters, session, reporter, history, report.monitor),
-      imports(parameters, session, reporter, history, materials),
-      tuning(session, tail, messages.tuner, reporter, history),
+WindowSession::WindowSession(SharedParts& shared, SoundSession& session)
+    : controllers(shared.messages.controllers), history(session, shared.parameters, shared.loads),
+      variants(session, history), edits(shared.parameters, session, history),
+      materials(shared.parameters, session, history, edits), instrument(shared, session),
+      stage(shared, session), modes(shared, session, history),
+      imports(shared, session, history, materials), tuning(shared, session, history),
       presets(session, history, imports, userSettingsFolder()), view{.parameters = edits,
                                                                      .materials = materials,
                                                                      .instrument = instrument,
@@ -28,8 +20,7 @@ WindowSession::WindowSession(HostParameters& parameters,
                                                                      .presets = presets,
                                                                      .history = history,
                                                                      .variants = variants,
-                                                                     .controllers =
-                                                                         messages.controllers,
+                                                                     .controllers = controllers,
                                                                      .status = session} {}
 
 void WindowSession::poll() {

@@ -17,13 +17,7 @@ namespace idiophone {
 
 /// For the message thread.
 struct WindowSession {
-    WindowSession(HostParameters& parameters,
-                  EngineMessages& messages,
-                  EngineReport& report,
-                  TailLength& tail,
-                  HostReporter& reporter,
-                  HostLoads& hostLoads,
-                  SoundSession& session);
+    WindowSession(SharedParts& shared, SoundSession& session);
 
     /// Call it regularly.
     void poll();

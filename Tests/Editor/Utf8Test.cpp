@@ -13,7 +13,7 @@ TEST_CASE("File names in any script convert between JUCE and the standard librar
         const auto path = pathOf(file);
         CHECK(path.filename().u8string() == name);
         CHECK(fileOf(path) == file);
-        CHECK(isMeshFile(path));
+        CHECK(matches(path, objectFiles));
         CHECK(fileNameOf(path) == juce::String(name).toStdString());
     }
 }

@@ -112,7 +112,7 @@ TEST_CASE("Automation during a bounce is never taken for an echo of an earlier c
     processor.prepareToPlay(rateHz, blockSize);
     auto& parameter = *processor.getParameters()[static_cast<int>(ParameterId::density)];
     processor.windowSession().controllers.learnController(ParameterId::density);
-    const float told = turned(processor, parameter, 20);
+    const float sent = turned(processor, parameter, 20);
     pollOften(processor);
     processor.setNonRealtime(true);
     const auto isFollowed = [&](float automated) {
@@ -120,8 +120,8 @@ TEST_CASE("Automation during a bounce is never taken for an echo of an earlier c
         parameter.setValue(automated);
         CHECK(parameter.getValue() == automated);
     };
-    isFollowed(told);
-    isFollowed(told);
+    isFollowed(sent);
+    isFollowed(sent);
     processor.setCurrentProgram(3);
     isFollowed(parameter.getValue());
 }
@@ -134,7 +134,7 @@ TEST_CASE(
     processor.addListener(&host);
     auto& parameter = *processor.getParameters()[static_cast<int>(ParameterId::density)];
     processor.windowSession().controllers.learnController(ParameterId::density);
-    const float told = turned(processor, parameter, 20);
+    const float sent = turned(processor, parameter, 20);
     const double exact = processor.view().parameters.value(ParameterId::density);
     pollOften(processor);
     const auto state = saved(processor);
@@ -145,8 +145,8 @@ TEST_CASE(
         turned(processor, parameter, 90);
         move();
         pollOften(processor);
-        CHECK(host.heard.back() == told);
-        CHECK(parameter.getValue() == told);
+        CHECK(host.heard.back() == sent);
+        CHECK(parameter.getValue() == sent);
     }
     processor.removeListener(&host);
 }

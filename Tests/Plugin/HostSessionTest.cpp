@@ -11,8 +11,8 @@ using namespace idiophone::test;
 namespace {
 
 struct HostParts : SessionParts {
-    TuningSession tuning{session, tail, messages.tuner, reporter, history};
-    HostSession hosted{parameters, messages, programs, reporter, loads, session, tuning};
+    TuningSession tuning{*this, session, history};
+    HostSession hosted{*this, session, tuning};
 };
 
 } // namespace

@@ -46,8 +46,8 @@ juce::MidiBuffer programChange(int program, int stamp = 0) {
 
 TEST_CASE("A tempo reported once holds until the next prepare") {
     constexpr double eighth = 6; // index of the choice
-    enum class Told { never, once, always };
-    const auto played = [](Told told, bool preparesAgain) {
+    enum class Reports { never, once, always };
+    const auto played = [](Reports reports, bool preparesAgain) {
         SparingHost host;
         Processor processor;
         restore(processor, overTubes(testState()));
@@ -55,19 +55,19 @@ TEST_CASE("A tempo reported once holds until the next prepare") {
         processor.prepareToPlay(rateHz, blockSize);
         processor.view().parameters.change(ParameterId::motorDepth, 90);
         processor.view().parameters.change(ParameterId::motorSync, eighth);
-        if (told != Told::never)
+        if (reports != Reports::never)
             host.tell(150);
         render(processor, blockSize, blockSize, {});
-        if (told == Told::once)
+        if (reports == Reports::once)
             host.sayNothing();
         if (preparesAgain)
             processor.prepareToPlay(rateHz, blockSize);
         return render(processor, 24000, blockSize, testMusic(24000));
     };
-    const auto once = played(Told::once, false);
-    CHECK((once == played(Told::always, false)));
-    CHECK((once != played(Told::never, false)));
-    CHECK((played(Told::once, true) == played(Told::never, true)));
+    const auto once = played(Reports::once, false);
+    CHECK((once == played(Reports::always, false)));
+    CHECK((once != played(Reports::never, false)));
+    CHECK((played(Reports::once, true) == played(Reports::never, true)));
 }
 
 TEST_CASE("A callback leaves the MIDI buffer empty") {
@@ -273,14 +273,14 @@ TEST_CASE("While no callbacks come, strikes and scrapes are ignored, but release
 TEST_CASE("The message thread shows a program that another thread chose, after its values") {
     struct Host final : juce::AudioProcessorListener {
         void audioProcessorParameterChanged(juce::AudioProcessor*, int, float) override {
-            valuesTold += juce::MessageManager::existsAndIsCurrentThread() ? 1 : 0;
+            valuesSent += juce::MessageManager::existsAndIsCurrentThread() ? 1 : 0;
         }
         void audioProcessorChanged(juce::AudioProcessor*, const ChangeDetails& details) override {
             if (details.programChanged)
-                valuesToldBefore.push_back(valuesTold.load());
+                valuesSentBefore.push_back(valuesSent.load());
         }
-        std::atomic<int> valuesTold{0};
-        std::vector<int> valuesToldBefore;
+        std::atomic<int> valuesSent{0};
+        std::vector<int> valuesSentBefore;
     } host;
     Processor processor;
     processor.prepareToPlay(rateHz, blockSize);
@@ -292,18 +292,18 @@ TEST_CASE("The message thread shows a program that another thread chose, after i
     };
     processor.setNonRealtime(true);
     elsewhere();
-    CHECK(host.valuesToldBefore.empty());
+    CHECK(host.valuesSentBefore.empty());
     processor.setNonRealtime(false);
     pollOften(processor);
     constexpr int each = static_cast<int>(parameterCount);
     std::vector expected{each, 2 * each}; // sent twice, for wrappers that pass nothing on at first
-    CHECK(host.valuesToldBefore == expected);
+    CHECK(host.valuesSentBefore == expected);
     elsewhere();
     processor.setCurrentProgram(5);
     processor.removeListener(&host);
     for (int times = 3; times <= 5; ++times)
         expected.push_back(times * each);
-    CHECK(host.valuesToldBefore == expected);
+    CHECK(host.valuesSentBefore == expected);
 }
 
 TEST_CASE("A plugin made on another thread reports none of its initial values") {

@@ -140,8 +140,6 @@ TEST_CASE("A change of level in either direction is never louder than the two so
             return Sound{.preset = state.preset,
                          .instrument = *built,
                          .parameters = state.parameters,
-                         .missing = nullptr,
-                         .presetId = {},
                          .stored = state.parameters};
         };
         processor.windowSession().variants.compare(); // A and B are equal

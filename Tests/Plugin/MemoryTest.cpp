@@ -48,7 +48,7 @@ void checkKept(Processor& processor, const std::string& sentence) {
     const auto status = processor.view().status.takeStatus();
     CHECK(status.isError);
     CHECK_THAT(status.sentence, ContainsSubstring(sentence));
-    CHECK(processor.soundSession().loadedLabel().name == "Test keyboard");
+    CHECK(processor.soundSession().loadedSound().preset.name == "Test keyboard");
     CHECK(saved(processor) == encodeState(testState()));
     CHECK(loudest(firstBlock(processor)) > 1e-4f);
 }
@@ -92,7 +92,7 @@ TEST_CASE("An object with many modes on many keys is refused, and the current so
     SECTION("not refused where one bank plays all keys") {
         restore(processor, crowd(KeyMapKind::zones, 0, 127));
         CHECK_FALSE(processor.view().status.takeStatus().isError);
-        CHECK(processor.soundSession().loadedLabel().name == "Crowded");
+        CHECK(processor.soundSession().loadedSound().preset.name == "Crowded");
         processor.view().workshop.setKeyLayout(KeyLayout::scaled);
         CHECK_THAT(processor.view().status.takeStatus().sentence,
                    ContainsSubstring("The keys cannot be changed: 'crowd' " + fault));
@@ -115,7 +115,7 @@ TEST_CASE("A sound that needs too much memory is refused, and the current sound 
         checkKept(processor, "Crowded" + noMemory);
         restoreBytes(processor, bytes);
         CHECK_FALSE(processor.view().status.takeStatus().isError);
-        CHECK(processor.soundSession().loadedLabel().name == "Crowded");
+        CHECK(processor.soundSession().loadedSound().preset.name == "Crowded");
     }
     SECTION("of a state that cannot even be read") {
         restoreTest(processor);

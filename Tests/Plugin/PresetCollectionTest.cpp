@@ -217,8 +217,8 @@ TEST_CASE("Renaming a sound leaves automation alone") {
     CHECK(shelf.soundIsChanged());
     REQUIRE(shelf.renamePreset("One.json", "Two"));
     CHECK(holder.isWhereItWasMoved());
-    CHECK(processor.soundSession().loadedLabel().name == "Two");
-    CHECK(processor.soundSession().loadedLabel().author == "Anna");
+    CHECK(processor.soundSession().loadedSound().preset.name == "Two");
+    CHECK(processor.soundSession().loadedSound().preset.author == "Anna");
     CHECK(shelf.chosenPreset() == "Two.json");
 }
 
@@ -298,7 +298,7 @@ TEST_CASE("Broken presets stay listed with an error, and loading them changes no
     const auto status = processor.view().status.takeStatus();
     CHECK(status.isError);
     CHECK_THAT(status.sentence, ContainsSubstring("Lost: Objects/lost-12.modal is missing"));
-    CHECK(processor.soundSession().loadedLabel().name == "Lost");
+    CHECK(processor.soundSession().loadedSound().preset.name == "Lost");
     CHECK(shelf.chosenPreset().empty()); // saving it needs confirmation
 }
 

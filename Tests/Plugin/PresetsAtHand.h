@@ -29,7 +29,6 @@ public:
     explicit ForwardingHolder(Processor& held) : session(held.soundSession()) {}
 
     Sound loadedSound() const override { return session.loadedSound(); }
-    SoundLabel loadedLabel() const override { return session.loadedLabel(); }
     bool playSound(const Sound& sound) override { return session.playSound(sound); }
     void relabel(const Sound& sound) override { session.relabel(sound); }
     void reportError(const std::string& sentence) override { session.reportError(sentence); }

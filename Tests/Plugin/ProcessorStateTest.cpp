@@ -85,7 +85,7 @@ TEST_CASE("Every sound that can be loaded can be saved and restored") {
     const UserSettings user;
     Processor first;
     const auto comesBack = [&] {
-        INFO(first.soundSession().loadedLabel().name);
+        INFO(first.soundSession().loadedSound().preset.name);
         CHECK_FALSE(first.view().status.takeStatus().isError);
         const auto bytes = saved(first);
         Processor second;
@@ -109,7 +109,8 @@ TEST_CASE("Every sound that can be loaded can be saved and restored") {
             REQUIRE(writeModalObject(object, file));
             first.view().workshop.openFile(file);
             finish(first);
-            CHECK((first.soundSession().loadedLabel().name == "nameless") == object.name.empty());
+            CHECK((first.soundSession().loadedSound().preset.name == "nameless") ==
+                  object.name.empty());
             comesBack();
             for (const auto layout : {KeyLayout::zones, KeyLayout::scaled}) {
                 first.view().workshop.setKeyLayout(layout);
@@ -129,7 +130,7 @@ TEST_CASE("Every sound that can be loaded can be saved and restored") {
         restore(first, state);
         first.view().workshop.analyseAgain();
         finish(first);
-        CHECK(first.soundSession().loadedLabel().name == "Object");
+        CHECK(first.soundSession().loadedSound().preset.name == "Object");
         comesBack();
     }
     SECTION("scales with any bytes") {

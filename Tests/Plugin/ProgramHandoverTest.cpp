@@ -54,7 +54,7 @@ struct BusyHost final : juce::AudioProcessorListener {
 } // namespace
 
 TEST_CASE("A key pressed while the host is notified of a new preset is struck once") {
-    enum class Struck { afterwards, whileTold, asSoonAsLoaded };
+    enum class Struck { afterwards, whileReported, asSoonAsLoaded };
     const auto played = [](Struck when) {
         Processor processor;
         processor.prepareToPlay(rateHz, blockSize);
@@ -62,7 +62,7 @@ TEST_CASE("A key pressed while the host is notified of a new preset is struck on
         const double former = processor.view().parameters.value(ParameterId::level);
         HostSound sound;
         const auto strike = [&] { sound = render(processor, blockSize, blockSize, struck(key)); };
-        BusyHost host(when == Struck::whileTold ? strike : std::function<void()>());
+        BusyHost host(when == Struck::whileReported ? strike : std::function<void()>());
         processor.addListener(&host);
         if (when == Struck::asSoonAsLoaded) {
             const AtAllocations look([&] {
@@ -82,7 +82,7 @@ TEST_CASE("A key pressed while the host is notified of a new preset is struck on
     };
     const auto expected = played(Struck::afterwards);
     REQUIRE(loudest(expected) > 0.001f);
-    CHECK((played(Struck::whileTold) == expected));
+    CHECK((played(Struck::whileReported) == expected));
     CHECK((played(Struck::asSoonAsLoaded) == expected));
 }
 

@@ -19,14 +19,17 @@ inline Sound testSound(const std::string& folder = "test") {
     return {.preset = state.preset,
             .instrument = *built,
             .parameters = state.parameters,
-            .missing = nullptr,
-            .presetId = {},
             .stored = state.parameters};
 }
 
-struct SessionParts {
+struct HostOfParts {
+    BareHost host;
+};
+
+struct SessionParts : HostOfParts, SharedParts {
     static constexpr double rateHz = 48000;
-    static constexpr int programCount = 2;
+
+    SessionParts() : SharedParts(host, 2, [] {}) {}
 
     /// Prepares the session with this sound.
     void play(const Sound& sound = testSound()) {
@@ -38,15 +41,7 @@ struct SessionParts {
         return std::unique_ptr<Player>(messages.players.take());
     }
 
-    BareHost host;
-    HostParameters parameters{host};
-    EngineMessages messages;
-    EngineReport report;
-    ProgramChanges programs{programCount};
-    TailLength tail;
-    HostReporter reporter{host, parameters, [] {}};
-    HostLoads loads;
-    SoundSession session{parameters, messages, programs, report, tail, reporter};
+    SoundSession session{*this};
     SoundHistory history{session, parameters, loads};
 };
 

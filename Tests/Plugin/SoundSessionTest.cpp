@@ -16,7 +16,7 @@ TEST_CASE("A played sound reaches the engine as a player with its values") {
     CHECK(parts.messages.soundChanges % 2 == 0);
     CHECK(parts.parameters.values() == sound.parameters);
     CHECK(parts.session.loadedSound() == sound);
-    CHECK(parts.session.loadedLabel().name == "Test keyboard");
+    CHECK(parts.session.loadedSound().preset.name == "Test keyboard");
     CHECK(parts.session.number() == 1);
 }
 
@@ -62,7 +62,7 @@ TEST_CASE("Changed parameters are set only while their sound plays") {
     wanted.set(density, 1234);
     parts.session.changeParameters(now, wanted);
     CHECK(parts.parameters[density].exactValue() == 1234);
-    CHECK(parts.session.loadedLabel().isChanged);
+    CHECK(parts.session.loadedSound().isChanged());
     now.instrument = testSound("other").instrument;
     wanted.set(density, 4321);
     parts.session.changeParameters(now, wanted);

@@ -27,7 +27,7 @@ void choose(Processor& processor, const std::string& preset) {
     for (int program = 0; program < processor.getNumPrograms(); ++program)
         if (processor.getProgramName(program).toStdString() == preset)
             processor.setCurrentProgram(program);
-    REQUIRE(processor.soundSession().loadedLabel().name == preset);
+    REQUIRE(processor.soundSession().loadedSound().preset.name == preset);
 }
 
 juce::MidiBuffer chord() {
@@ -238,7 +238,7 @@ TEST_CASE("A missing scene is replaced by a ring and plays once the file is back
     const auto status = first.view().status.takeStatus();
     CHECK(status.isError);
     CHECK(status.sentence.find(file.string() + " is missing") != std::string::npos);
-    CHECK(first.soundSession().loadedLabel().name == "Test keyboard");
+    CHECK(first.soundSession().loadedSound().preset.name == "Test keyboard");
     CHECK(first.view().instrument.keyRange().lowest == 48);
     CHECK(first.view().parameters.value(ParameterId::size) == 1.5);
     const auto bytes = saved(first);

@@ -49,13 +49,13 @@ TEST_CASE("The tail reported for a factory preset covers its decay and is at mos
         // radiates almost nothing.
         processor.parameters()[ParameterId::radiation].changeByHand(0);
         processor.prepareToPlay(rateHz, blockSize);
-        const double told = processor.getTailLengthSeconds();
-        REQUIRE(told <= 120);
-        const double rings = ringingSeconds(processor, told + 1);
-        CAPTURE(told, rings);
+        const double reported = processor.getTailLengthSeconds();
+        REQUIRE(reported <= 120);
+        const double rings = ringingSeconds(processor, reported + 1);
+        CAPTURE(reported, rings);
         CHECK(rings > 0.5);
-        CHECK(rings <= told);
-        CHECK(told <= 2 * rings);
+        CHECK(rings <= reported);
+        CHECK(reported <= 2 * rings);
     }
 }
 
@@ -69,9 +69,9 @@ TEST_CASE("A key that resizes a bar lengthens the tail once it was played") {
         render(processor, blockSize, blockSize, midi);
         return processor.getTailLengthSeconds();
     };
-    const double told = processor.getTailLengthSeconds();
-    CHECK(play(79) == told);
-    CHECK(play(67) > 1.5 * told); // a constant loss factor makes it twice as long
+    const double reported = processor.getTailLengthSeconds();
+    CHECK(play(79) == reported);
+    CHECK(play(67) > 1.5 * reported); // a constant loss factor makes it twice as long
 }
 
 TEST_CASE("A bend range set by MIDI and a tuning that lowers keys lengthen the tail") {
@@ -84,8 +84,8 @@ TEST_CASE("A bend range set by MIDI and a tuning that lowers keys lengthen the t
     state.parameters.set(ParameterId::bendRange, 0);
     restore(processor, state); // the smallest fluid damping is not quite 0
     processor.prepareToPlay(48000, 512);
-    const double told = processor.getTailLengthSeconds();
-    const auto lengthened = [&] { return processor.getTailLengthSeconds() / told; };
+    const double reported = processor.getTailLengthSeconds();
+    const auto lengthened = [&] { return processor.getTailLengthSeconds() / reported; };
 
     juce::MidiBuffer octave;
     for (const auto& [number, value] : {std::pair{101, 0}, {100, 0}, {6, 12}})
@@ -97,8 +97,8 @@ TEST_CASE("A bend range set by MIDI and a tuning that lowers keys lengthen the t
                     .mapping = {.name = "low.kbm", .text = "0\n0\n127\n60\n69\n220.0\n0\n"}};
     Processor tuned;
     restore(tuned, state); // before any callback
-    CHECK(std::abs(tuned.getTailLengthSeconds() / told - 2) < 2e-3);
+    CHECK(std::abs(tuned.getTailLengthSeconds() / reported - 2) < 2e-3);
     tuned.prepareToPlay(48000, 512);
     render(tuned, 512, 512, {});
-    CHECK(std::abs(tuned.getTailLengthSeconds() / told - 2) < 2e-3);
+    CHECK(std::abs(tuned.getTailLengthSeconds() / reported - 2) < 2e-3);
 }

@@ -59,7 +59,7 @@ TEST_CASE("A scene without a thread for its bodies is refused, and the current s
         const auto status = processor.view().status.takeStatus();
         CHECK(status.isError);
         CHECK_THAT(status.sentence, ContainsSubstring(noThread));
-        CHECK(processor.soundSession().loadedLabel().name == "Test keyboard");
+        CHECK(processor.soundSession().loadedSound().preset.name == "Test keyboard");
         CHECK(loudest(firstBlock(processor)) > 1e-4f);
     }
     SECTION("in a state") {
@@ -72,7 +72,7 @@ TEST_CASE("A scene without a thread for its bodies is refused, and the current s
             restoreBytes(processor, bytes);
         }
         CHECK_THAT(processor.view().status.takeStatus().sentence, ContainsSubstring(noThread));
-        CHECK(processor.soundSession().loadedLabel().name == "Test keyboard");
+        CHECK(processor.soundSession().loadedSound().preset.name == "Test keyboard");
     }
     SECTION("when the host prepares") {
         processor.setCurrentProgram(stage);
@@ -105,9 +105,9 @@ TEST_CASE("A file without a thread to read it is refused, and opens once there i
     const auto status = processor.view().status.takeStatus();
     CHECK(status.isError);
     CHECK(status.sentence == "plate.obj" + noThread);
-    CHECK(processor.soundSession().loadedLabel().name == "Test keyboard");
+    CHECK(processor.soundSession().loadedSound().preset.name == "Test keyboard");
     CHECK(loudest(firstBlock(processor)) > 1e-4f);
     processor.view().workshop.openFile(file);
     finish(processor);
-    CHECK(processor.soundSession().loadedLabel().name == "plate");
+    CHECK(processor.soundSession().loadedSound().preset.name == "plate");
 }

@@ -10,8 +10,7 @@ using Source = TuningStatus::Source;
 TEST_CASE("An opened scale tunes the player, can be undone, and is forgotten") {
     SessionParts parts;
     parts.play();
-    TuningSession tuning(parts.session, parts.tail, parts.messages.tuner, parts.reporter,
-                         parts.history);
+    TuningSession tuning(parts, parts.session, parts.history);
     const auto player = parts.takePlayer();
     const auto semitonesBelow = [&] {
         parts.messages.tuner.tune(player.get());
@@ -36,8 +35,7 @@ TEST_CASE("An opened scale tunes the player, can be undone, and is forgotten") {
 
 TEST_CASE("A file that is no scale leaves the tuning and is reported") {
     SessionParts parts;
-    TuningSession tuning(parts.session, parts.tail, parts.messages.tuner, parts.reporter,
-                         parts.history);
+    TuningSession tuning(parts, parts.session, parts.history);
     tuning.openTuning(writtenFile("bad.scl", "no scale"));
     CHECK(tuning.tuningStatus().source == Source::equal);
     CHECK(parts.session.takeStatus().isError);

@@ -88,7 +88,7 @@ TEST_CASE("The window plays keys and objects only while the host calls the engin
     SessionParts parts;
     parts.play();
     const auto player = parts.takePlayer();
-    InstrumentSession window(parts.session, parts.messages, parts.report);
+    InstrumentSession window(parts, parts.session);
     CHECK(window.keyRange().lowest == lowestTestNote);
     CHECK(window.keySounds()[lowestTestNote] == InstrumentView::KeySound::own);
     CHECK(window.keySounds()[lowestTestNote - 1] == InstrumentView::KeySound::silent);
@@ -110,7 +110,7 @@ TEST_CASE("The window plays keys and objects only while the host calls the engin
 TEST_CASE("Without a stage there is nothing to show, pause or capture") {
     SessionParts parts;
     parts.play();
-    StageSession stage(parts.session, parts.messages, parts.report);
+    StageSession stage(parts, parts.session);
     CHECK_FALSE(stage.hasStage());
     CHECK(stage.stageBodies().empty());
     CHECK_FALSE(stage.hasCaptured());
@@ -126,8 +126,7 @@ TEST_CASE("A muted mode is a step of the history and reaches the player") {
     SessionParts parts;
     parts.play();
     const auto player = parts.takePlayer();
-    ModeSession modes(parts.parameters, parts.session, parts.reporter, parts.history,
-                      parts.report.monitor);
+    ModeSession modes(parts, parts.session, parts.history);
     const auto peak = [&] {
         parts.messages.silencer.silence(player.get());
         player->reset();
@@ -155,8 +154,7 @@ TEST_CASE("A muted mode is a step of the history and reaches the player") {
 
 TEST_CASE("An opened object plays, and its keys can be laid along a path") {
     EditParts parts;
-    ImportSession imports(parts.parameters, parts.session, parts.reporter, parts.history,
-                          parts.materials);
+    ImportSession imports(parts, parts.session, parts.history, parts.materials);
     CHECK_FALSE(imports.keyLayout());
     const auto state = testState();
     const auto& modal = state.objects.front().modal;
@@ -167,7 +165,7 @@ TEST_CASE("An opened object plays, and its keys can be laid along a path") {
     waitUntil([&] { return !imports.importStatus().isWorking(); });
     CHECK(imports.importStatus().error == "");
     imports.poll();
-    CHECK(parts.session.loadedLabel().tags == std::vector<std::string>{"imported"});
+    CHECK(parts.session.loadedSound().preset.tags == std::vector<std::string>{"imported"});
     CHECK(imports.keyLayout() == KeyLayout::scaled);
     CHECK_FALSE(imports.playsPreview());
     const int origin = parts.session.origin();

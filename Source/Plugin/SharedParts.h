@@ -1,0 +1,29 @@
+// The parts through which the host, the engine and the sessions meet.
+#pragma once
+
+#include "Plugin/EngineMessages.h"
+#include "Plugin/EngineReport.h"
+#include "Plugin/HostLoads.h"
+#include "Plugin/HostReporter.h"
+#include "Plugin/ProgramChanges.h"
+#include "Plugin/TailLength.h"
+
+namespace idiophone {
+
+/// Each part says its threads.
+struct SharedParts {
+    /// `pollSoon` is for the HostReporter, `programCount` for the ProgramChanges.
+    SharedParts(juce::AudioProcessor& processor, int programCount, std::function<void()> pollSoon)
+        : parameters(processor), programs(programCount),
+          reporter(processor, parameters, std::move(pollSoon)) {}
+
+    HostParameters parameters;
+    EngineMessages messages;
+    EngineReport report;
+    ProgramChanges programs;
+    TailLength tail;
+    HostReporter reporter;
+    HostLoads loads;
+};
+
+} // namespace idiophone
