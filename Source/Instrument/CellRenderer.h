@@ -46,7 +46,6 @@ public:
     StrikeMoment moment(const ParameterValues& values, double softness);
     /// Starts the bodies of a note at the next sample.
     void startNote(int note, int velocity) { strategy->startNote(note, velocity, index, position); }
-    bool hasMallets() const { return strategy->hasMallets(); }
 
     void updateDampers(const ParameterValues& values, const KeyState& keys);
     /// A hand on its surface holds a slot, or no longer holds it.
