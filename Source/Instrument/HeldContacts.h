@@ -3,9 +3,8 @@
 #pragma once
 
 #include "Instrument/Instrument.h"
-#include "Instrument/ReleaseFade.h"
+#include "Instrument/PressedForce.h"
 #include "Parameters/ParameterTable.h"
-#include "Synth/ContactForce.h"
 #include "Synth/Synthesiser.h"
 
 #include <array>
@@ -79,21 +78,14 @@ public:
 
 private:
     struct Contact {
-        bool isActive() const { return note >= 0; }
-        bool isHeld() const { return isActive() && !isReleased; }
-
-        ContactForce force;
+        PressedForce force;
         int channel = 0;
-        int note = -1; ///< −1: no contact
+        int note = 0;
         std::uint64_t pressCount = 0;
         double strikePressure = 0; ///< from the note's velocity
         double pressure = 0;
-        bool isReleased = false;
-        double fade = 1;              ///< 0 to 1, falling after the release
-        bool begins = false;          ///< no sound of this contact yet
         double along = 0, across = 0; ///< on the key's strip
         StripStep place;
-        double gain = 0;
     };
 
     struct Controllers {
@@ -117,11 +109,9 @@ private:
     const Controllers& controllersOf(const Contact& contact) const noexcept {
         return controllers[static_cast<std::size_t>(contact.channel)];
     }
-    const Material& ownMaterial(const Contact& contact) const noexcept;
 
     const Instrument& instrument;
     double rateHz;
-    ReleaseFade releaseFade;
     std::vector<Contact>
         contacts; ///< twice the capacity: the second half serves while others fade out
     std::uint64_t pressCount = 0;

@@ -183,9 +183,7 @@ void PhrasePrediction::addClick(const RingingMode<levels>& mode, double weightin
 
 void PhrasePrediction::beginForce(const ParameterValues& values,
                                   const SynthesisSettings& settings) noexcept {
-    const auto& own = slot().object->material;
-    const auto* chosen = chosenLibraryMaterial(values);
-    const double friction = (chosen != nullptr ? *chosen : own).friction;
+    const double friction = contactMaterial(values, slot().object->material).friction;
     for (std::size_t note = firstNote; note < endNote; ++note) {
         const auto& noteKey = phrase->notes[note].key;
         const auto aimed = aimedPlace(noteKey.along, values);

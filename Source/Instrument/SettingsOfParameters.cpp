@@ -125,6 +125,11 @@ const Material* chosenLibraryMaterial(const ParameterValues& values) {
     return choice >= firstLibraryMaterial && index < library.size() ? &library[index] : nullptr;
 }
 
+const Material& contactMaterial(const ParameterValues& values, const Material& own) {
+    const auto* chosen = chosenLibraryMaterial(values);
+    return chosen != nullptr ? *chosen : own;
+}
+
 const Mallet* chosenMallet(const ParameterValues& values) {
     const auto index = static_cast<int>(values[mallet]) - firstRackMallet;
     const auto rack = malletRack();

@@ -73,6 +73,10 @@ std::optional<double> motorTurnsAt(const ParameterValues& values, double songBea
 /// Returns the live material chosen from the library, or nullptr if none is. Any thread.
 const Material* chosenLibraryMaterial(const ParameterValues& values);
 
+/// Returns the material whose contact figures act: the library's if one is chosen, otherwise the
+/// object's `own`. Any thread.
+const Material& contactMaterial(const ParameterValues& values, const Material& own);
+
 /// Returns the chosen mallet of the rack, or nullptr for the custom one. Any thread.
 const Mallet* chosenMallet(const ParameterValues& values);
 
