@@ -64,12 +64,6 @@ ParameterValues valuesThatMatter(const ParameterValues& values) noexcept {
     return result;
 }
 
-LoudnessMatch::LoudnessMatch(std::shared_ptr<const Instrument> instrument,
-                             const Surface& surface,
-                             double sampleRateHz,
-                             const ParameterValues& own)
-    : phrase(std::move(instrument), surface, sampleRateHz), ownValues(own) {}
-
 PhrasePrediction::Loudness
 LoudnessMatch::predictedLufs(const ParameterValues& values) const noexcept {
     return predictedLoudness(phrase, values, wheel);

@@ -6,8 +6,8 @@
 #include "Instrument/PhrasePrediction.h"
 
 #include <cstddef>
-#include <memory>
 #include <optional>
+#include <utility>
 
 namespace idiophone {
 
@@ -25,12 +25,9 @@ public:
     /// Maximum of modes that one `advance` processes: about 20 µs of work.
     static constexpr std::size_t modesPerCell = 16;
 
-    /// `surface` must be valid; keys that scrape or roll sound like it. `own` are the preset's
-    /// values.
-    LoudnessMatch(std::shared_ptr<const Instrument> instrument,
-                  const Surface& surface,
-                  double sampleRateHz,
-                  const ParameterValues& own);
+    /// `own` are the preset's values.
+    LoudnessMatch(Phrase predicted, const ParameterValues& own)
+        : phrase(std::move(predicted)), ownValues(own) {}
 
     /// Computes the gain of these values at once, for the present wheel, the wheel at rest and
     /// `awaitedWheel`, where the wheel is about to be. Takes time with the number of modes: not for

@@ -72,7 +72,7 @@ ParameterValues mutated(const ParameterValues& now,
             next.set(info.parameter,
                      moved(info, next[info.parameter], std::min(strength, 1.0), random));
 
-    LoudnessMatch match(instrument, preset.surface, anyRateHz, preset.parameters);
+    LoudnessMatch match({instrument, preset.surface, anyRateHz}, preset.parameters);
     const double louderDb = loudnessLufs(match, next) - loudnessLufs(match, now);
     if (std::isfinite(louderDb)) {
         const double wanted = now[level] + std::min(-louderDb, maximumLouderDb);

@@ -51,12 +51,12 @@ Player::Player(std::shared_ptr<const Instrument> instrument,
       hand(*playedInstrument,
            sharedSurfaceProfile(surface, sampleRateHz),
            seed,
-           handStrengths(playedInstrument, surface, sampleRateHz, own)),
+           handStrengths({playedInstrument, surface, sampleRateHz}, own)),
       keys(held), slotTuning(*playedInstrument, cellSamples / sampleRateHz),
       scheduler(*playedInstrument, seed),
       renderer(*playedInstrument, sampleRateHz, cellStrategy(performance.get()), held, hand) {
     if (!performance)
-        loudness.emplace(playedInstrument, surface, sampleRateHz, own);
+        loudness.emplace(Phrase(playedInstrument, surface, sampleRateHz), own);
     lateNotes.reserve(lateCapacity);
 }
 

@@ -1,5 +1,6 @@
 #include "Plugin/ImportedSound.h"
 
+#include "Instrument/PhrasePrediction.h"
 #include "Instrument/SingleObjectMap.h"
 #include "Instrument/StartingLevel.h"
 #include "Plugin/ImportSummary.h"
@@ -64,12 +65,13 @@ soundOf(const ObjectWorkshop::Product& product, const Sound& before, double samp
         values.set(ParameterId::material, ownMaterial);
         values.set(ParameterId::thickness, parameterInfo(ParameterId::thickness).defaultValue);
         if (isNew && isStruck(values))
-            values = withAudibleMallet(*built, preset.surface, sampleRateHz, values);
+            values = withAudibleMallet({*built, preset.surface, sampleRateHz}, values);
         preset.parameters = values;
     }
     // The loudness of scrapes and rolls is predicted only up to a constant.
     if (isNew && isStruck(values))
-        values.set(ParameterId::level, startingLevel(*built, preset.surface, sampleRateHz, values));
+        values.set(ParameterId::level,
+                   startingLevel({*built, preset.surface, sampleRateHz}, values));
     else
         values = asLoudAs(before, preset, *built, values, sampleRateHz);
     const auto stored = preset.parameters;
@@ -89,13 +91,12 @@ ParameterValues asLoudAs(const Sound& before,
     const auto& now = before.parameters;
     if (before.instrument == nullptr)
         return values;
-    const auto& surface = preset.surface;
-    double level = now[ParameterId::level] +
-                   predictedLufs(before.instrument, surface, sampleRateHz, now) -
-                   predictedLufs(built, surface, sampleRateHz, values);
-    if (isStruck(now) && now[ParameterId::level] <=
-                             highestLevel(before.instrument, surface, sampleRateHz, now) + 0.1)
-        level = std::min(level, highestLevel(built, surface, sampleRateHz, values));
+    const Phrase former(before.instrument, preset.surface, sampleRateHz);
+    const Phrase next(built, preset.surface, sampleRateHz);
+    double level =
+        now[ParameterId::level] + predictedLufs(former, now) - predictedLufs(next, values);
+    if (isStruck(now) && now[ParameterId::level] <= highestLevel(former, now) + 0.1)
+        level = std::min(level, highestLevel(next, values));
     if (std::isfinite(level))
         values.set(ParameterId::level, level);
     return values;

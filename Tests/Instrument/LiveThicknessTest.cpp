@@ -85,8 +85,8 @@ TEST_CASE("The predicted loudness of a sheet at twice its thickness is that of o
     parameters.set(modalPulse, 1);
     for (const int kind : {strikeContact, rollContact}) {
         parameters.set(contact, kind);
-        const LoudnessMatch thick(sheet(), {}, sampleRateHz, parameters);
-        const LoudnessMatch higher(thickSheet(), {}, sampleRateHz, parameters);
+        const LoudnessMatch thick({sheet(), {}, sampleRateHz}, parameters);
+        const LoudnessMatch higher({thickSheet(), {}, sampleRateHz}, parameters);
         const auto lufs = thick.predictedLufs(with(parameters, thickness, 200));
         const auto expected = higher.predictedLufs(parameters);
         for (std::size_t level = 0; level < lufs.size(); ++level)
@@ -100,7 +100,7 @@ TEST_CASE("valuesThatMatter does not change a prediction, and thickness matters"
         ParameterValues own;
         own.set(contact, kind);
         own.set(rollCoupling, 50);
-        const LoudnessMatch match(instrument, {}, sampleRateHz, own);
+        const LoudnessMatch match({instrument, {}, sampleRateHz}, own);
         for (const auto& info : parameterTable())
             for (const double value : {info.minimum, info.maximum}) {
                 const auto values = with(own, info.parameter, value);
@@ -114,7 +114,7 @@ TEST_CASE("The matching gain compares both materials at the current thickness") 
     const auto instrument = shellUnderKeys();
     ParameterValues own;
     own.set(matchLoudness, 1);
-    LoudnessMatch match(instrument, {}, sampleRateHz, own);
+    LoudnessMatch match({instrument, {}, sampleRateHz}, own);
     const auto gainAt = [&](double percent) {
         const auto now = with(with(own, thickness, percent), material, firstLibraryMaterial);
         match.prepare(now);

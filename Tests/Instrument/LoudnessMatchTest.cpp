@@ -52,7 +52,8 @@ public:
         own.set(contact, kind);
         own.set(matchLoudness, 1);
         own.set(imperfection, 0); // random for each key, so no prediction includes it
-        match = std::make_unique<LoudnessMatch>(instrument, preset.surface, sampleRateHz, own);
+        match =
+            std::make_unique<LoudnessMatch>(Phrase(instrument, preset.surface, sampleRateHz), own);
         for (std::uint32_t take = 0; take < takes; ++take)
             voices.push_back(std::make_unique<Player>(
                 instrument, sampleRateHz, preset.surface,
@@ -307,8 +308,8 @@ TEST_CASE("The gain from one mallet to another is the negative of the reverse ga
     const auto& preset = factoryPresets().front();
     const auto rubber = with(preset.parameters, mallet, firstRackMallet + 2);
     const auto instrument = Instrument::build(preset.keyMap, ObjectLibrary::shared()).value();
-    LoudnessMatch there(instrument, {}, sampleRateHz, preset.parameters);
-    LoudnessMatch back(instrument, {}, sampleRateHz, rubber);
+    LoudnessMatch there({instrument, {}, sampleRateHz}, preset.parameters);
+    LoudnessMatch back({instrument, {}, sampleRateHz}, rubber);
     const double gain = gainOf(there, rubber);
     CHECK(gain > 3);
     CHECK(std::abs(gain + gainOf(back, preset.parameters)) < 1e-9);
@@ -321,7 +322,7 @@ TEST_CASE("The gain is finite and at most 40 dB, and 0 if nothing sounds") {
     map.object = "bar";
     const auto instrument = Instrument::build(map, library).value();
     const ParameterValues own;
-    LoudnessMatch match(instrument, {}, sampleRateHz, own);
+    LoudnessMatch match({instrument, {}, sampleRateHz}, own);
     for (const int kind : {strikeContact, scrapeContact, rollContact})
         for (const auto parameter :
              {mallet, youngsModulus, density, fluidDamping, viscoelasticDamping, lossFactor,
@@ -333,7 +334,7 @@ TEST_CASE("The gain is finite and at most 40 dB, and 0 if nothing sounds") {
                 INFO(parameterInfo(parameter).id << " " << value);
                 CHECK(std::abs(gainOf(match, now)) <= 40);
             }
-    LoudnessMatch silent(instrument, {}, 30, own);
+    LoudnessMatch silent({instrument, {}, 30}, own);
     CHECK(gainOf(silent, with(own, malletMass, 500)) == 0);
     CHECK(std::isinf(silent.predictedLufs(own)[0]));
 }

@@ -102,7 +102,7 @@ TEST_CASE("A mutation is as loud as its origin within the level's reach, and nev
     for (const auto* name : {"Rosewood Xylophone", "Steel Plate", "Handbell"}) {
         const auto& preset = *findFactoryPreset(name);
         const auto instrument = built(preset);
-        const LoudnessMatch match(instrument, preset.surface, 48000, preset.parameters);
+        const LoudnessMatch match({instrument, preset.surface, 48000}, preset.parameters);
         const auto loudness = [&](const ParameterValues& values) {
             return match.predictedLufs(values)[PhrasePrediction::middleVelocity] + values[level];
         };

@@ -126,7 +126,7 @@ TEST_CASE("A file's name finds it again through folders that are links") {
 TEST_CASE("The initial preset is plain, plays, and is as loud as the first factory preset") {
     const auto loudness = [](const Preset& preset) {
         const auto instrument = Instrument::build(preset.keyMap, ObjectLibrary::shared()).value();
-        const LoudnessMatch match(instrument, preset.surface, 48000, preset.parameters);
+        const LoudnessMatch match({instrument, preset.surface, 48000}, preset.parameters);
         return match.predictedLufs(preset.parameters)[PhrasePrediction::middleVelocity] +
                preset.parameters[ParameterId::level];
     };
