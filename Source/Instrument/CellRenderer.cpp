@@ -1,6 +1,5 @@
 #include "Instrument/CellRenderer.h"
 
-#include "Instrument/DecayTime.h"
 #include "Instrument/SettingsOfParameters.h"
 
 #include <algorithm>

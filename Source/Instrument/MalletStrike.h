@@ -4,7 +4,6 @@
 
 #include "Instrument/DrivingPoint.h"
 #include "Instrument/KeyMallet.h"
-#include "Instrument/StrikePlace.h"
 #include "Object/Material.h"
 #include "Parameters/ParameterTable.h"
 #include "Synth/Strike.h"
@@ -13,6 +12,12 @@
 #include <cstdint>
 
 namespace idiophone {
+
+/// A place on a key's strip.
+struct StrikePlace {
+    double along = 0;  ///< 0 to 1 on the strip
+    double across = 0; ///< −1 to 1
+};
 
 /// Returns the key's own place, moved by "strike position". Any thread.
 StrikePlace aimedPlace(double keyAlong, const ParameterValues& parameters);

@@ -1,8 +1,6 @@
 #include "Instrument/Mutation.h"
 
-#include "Instrument/ContactLaw.h"
 #include "Instrument/LoudnessMatch.h"
-#include "Instrument/MalletStrike.h"
 #include "Instrument/SettingsOfParameters.h"
 
 #include <algorithm>
@@ -20,21 +18,6 @@ constexpr double anyRateHz = 48000; // any rate will do if both predictions have
 /// Returns −1 to 1. The standard's distributions differ from library to library.
 double nextRandom(std::mt19937& random) {
     return 2 * (static_cast<double>(random()) / 4294967295.0) - 1;
-}
-
-ParameterValues withPlayedMaterial(const ParameterValues& now, const ModalObject& object) {
-    if (static_cast<int>(now[material]) == customMaterial)
-        return now;
-    const auto* chosen = chosenLibraryMaterial(now);
-    return withCustomMaterial(now, chosen != nullptr ? *chosen : object.material);
-}
-
-ParameterValues withPlayedMallet(const ParameterValues& now, const ModalObject& object) {
-    const auto* chosen = chosenMallet(now);
-    if (chosen == nullptr)
-        return now;
-    const double compliance = surfaceCompliancePerPa(object.material, now);
-    return withCustomMallet(now, *chosen, contactModulusPa(*chosen, compliance));
 }
 
 double moved(const ParameterInfo& info, double value, double strength, std::mt19937& random) {
@@ -64,8 +47,10 @@ ParameterValues mutated(const ParameterValues& now,
                         std::uint32_t seed) {
     if (instrument == nullptr || instrument->slots().empty() || !(strength > 0))
         return now;
-    const auto& object = *instrument->slots().front().object;
-    auto next = withPlayedMaterial(withPlayedMallet(now, object), object);
+    const auto& own = instrument->slots().front().object->material;
+    auto next = effectiveFigures(now, &own);
+    for (const auto& choice : figureChoices)
+        next.set(choice.choice, choice.custom);
     std::mt19937 random(seed);
     for (const auto& info : parameterTable())
         if (info.mutation.step > 0)

@@ -1,6 +1,5 @@
 #include "Instrument/PhrasePrediction.h"
 
-#include "Instrument/DecayTime.h"
 #include "Instrument/DraggedForce.h"
 #include "Instrument/MalletStrike.h"
 #include "Instrument/RollCoupling.h"

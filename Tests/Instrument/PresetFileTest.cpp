@@ -1,7 +1,6 @@
 #include "Instrument/PresetFile.h"
 
 #include "Instrument/FactoryContent.h"
-#include "Instrument/InitialPreset.h"
 #include "Instrument/LoudnessMatch.h"
 #include "Object/FileBytes.h"
 #include "Support/TestFolder.h"
