@@ -9,12 +9,17 @@
 
 namespace idiophone {
 
+class JsonPlace;
+
 inline constexpr int surfaceFormatVersion = 1;
 
 /// Parses and validates a surface file; `file` stands for it in errors. The name, slowest speed and
 /// roughness are optional; the slowest speed's default is a tenth of v_max. At most 64 KiB. Not for
 /// the audio thread.
 Result<Surface> parseSurface(std::string_view text, std::string_view file);
+
+/// Reads a surface within a preset or a scene. An error throws JsonPlace::Fault.
+Surface surfaceAt(const JsonPlace& place);
 
 /// Returns the surface as JSON text that `parseSurface` reads back to an equal surface.
 std::string encodeSurface(const Surface& surface);
