@@ -58,9 +58,6 @@ public:
     /// time on every pass.
     void beginSong() noexcept { songBegins = true; }
 
-    /// Returns the complete prediction for these values and the wheel; not for the audio thread.
-    PhrasePrediction::Loudness predictedLufs(const ParameterValues& values) const noexcept;
-
 private:
     /// The values that the loudness depends on.
     struct Goal {

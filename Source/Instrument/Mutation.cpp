@@ -33,11 +33,6 @@ double moved(const ParameterInfo& info, double value, double strength, std::mt19
     return info.fromNormalised(std::clamp(next, lowest, highest));
 }
 
-double loudnessLufs(LoudnessMatch& match, const ParameterValues& values) {
-    match.prepare(values);
-    return match.predictedLufs(values)[PhrasePrediction::middleVelocity] + match.gainDb();
-}
-
 } // namespace
 
 ParameterValues mutated(const ParameterValues& now,
@@ -57,8 +52,13 @@ ParameterValues mutated(const ParameterValues& now,
             next.set(info.parameter,
                      moved(info, next[info.parameter], std::min(strength, 1.0), random));
 
-    LoudnessMatch match({instrument, preset.surface, anyRateHz}, preset.parameters);
-    const double louderDb = loudnessLufs(match, next) - loudnessLufs(match, now);
+    const Phrase phrase(instrument, preset.surface, anyRateHz);
+    LoudnessMatch match(phrase, preset.parameters);
+    const auto matchedLufs = [&](const ParameterValues& values) {
+        match.prepare(values);
+        return predictedLufs(phrase, values) + match.gainDb();
+    };
+    const double louderDb = matchedLufs(next) - matchedLufs(now);
     if (std::isfinite(louderDb)) {
         const double wanted = now[level] + std::min(-louderDb, maximumLouderDb);
         next.set(level, std::min(wanted, std::max(now[level], 0.0)));

@@ -5,7 +5,6 @@
 #include "Instrument/LoudnessPhrase.h"
 
 #include "Instrument/HandStrengths.h"
-#include "Instrument/LoudnessMatch.h"
 #include "Instrument/PhrasePrediction.h"
 #include "Support/WithParameter.h"
 #include "TestInstruments.h"
@@ -85,12 +84,6 @@ TEST_CASE("A silent object keeps its level and its mallet") {
     CHECK(startingLevel({sheet(0), {}, sampleRateHz}, values) == -7);
     CHECK(withAudibleMallet({sheet(0), {}, sampleRateHz}, values) == values);
     CHECK(withAudibleMallet({sheet(4), {}, sampleRateHz}, values) == values);
-}
-
-TEST_CASE("The predicted loudness equals the loudness match's at its middle velocity") {
-    const LoudnessMatch match({sheet(1), {}, sampleRateHz}, still());
-    CHECK(predictedLufs({sheet(1), {}, sampleRateHz}, still()) ==
-          match.predictedLufs(still())[PhrasePrediction::middleVelocity]);
 }
 
 TEST_CASE("Hands scrape harder if scrapes are fainter than strikes, with strength 1 if keys roll") {
