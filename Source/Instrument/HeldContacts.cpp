@@ -195,7 +195,7 @@ void HeldContacts::move(Contact& contact,
                         const ParameterValues& parameters) const noexcept {
     const auto own = aimedPlace(key.along, parameters);
     const double target = placeMoved(controllersOf(contact).place, own.along);
-    const auto& strip = instrument.strip(key);
+    const auto& strip = *key.strip;
     const double cellSeconds = cellSamples / rateHz;
     const double ratio =
         instrument.slots()[static_cast<std::size_t>(key.slot)].sizeRatio * parameters[size];

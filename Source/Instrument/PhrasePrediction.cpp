@@ -102,7 +102,7 @@ void PhrasePrediction::beginStrikes() noexcept {
     for (std::size_t note = firstNote; note < endNote; ++note) {
         const auto& noteKey = phrase->notes[note].key;
         const auto place = aimedPlace(noteKey.along, parameters);
-        points[note] = phrase->instrument->strip(noteKey).between(place.along, place.across).point;
+        points[note] = noteKey.strip->between(place.along, place.across).point;
         pushes[note] = listeningDirection(points[note]);
     }
     const auto modes = lowestModes().atThickness(thicknessRatio).moved(conditions.frequencyRatio());
@@ -181,7 +181,7 @@ void PhrasePrediction::beginForce(const SynthesisSettings& settings) noexcept {
     for (std::size_t note = firstNote; note < endNote; ++note) {
         const auto& noteKey = phrase->notes[note].key;
         const auto aimed = aimedPlace(noteKey.along, parameters);
-        const auto place = phrase->instrument->strip(noteKey).between(aimed.along, aimed.across);
+        const auto place = noteKey.strip->between(aimed.along, aimed.across);
         points[note] = place.point;
         pushes[note] = draggedForce(place.point, place.direction, friction).direction;
         for (float& component : pushes[note])
