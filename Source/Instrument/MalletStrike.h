@@ -38,18 +38,8 @@ double surfaceCompliancePerPa(const Material& own, const ParameterValues& parame
 Striker
 striker(const KeyMallet& key, const ParameterValues& parameters, double surfaceCompliance = 0);
 
-/// Returns the speed [m/s] of a mallet at MIDI velocity 1 to 127. Any thread.
-double malletSpeedAt(int velocity, const ParameterValues& parameters);
-
-/// Returns the strike of a mallet at a speed > 0, into the surface, on an object that yields as
-/// `driven`. Any thread.
-Strike malletStrike(const StrikePoint& point,
-                    const Striker& mallet,
-                    double speedMetresPerSecond,
-                    const DrivingPoint& driven);
-
-/// Returns the strike of the chosen mallet on a slot's object, under the parameters' material, size
-/// and thickness. Any thread.
+/// Returns the strike at a MIDI velocity, 1 to 127, of the chosen mallet into a slot's object, under the parameters' material,
+/// size and thickness. The point's rows must be the object's. Any thread.
 Strike malletStrike(const StrikePoint& point,
                     int velocity,
                     const KeyMallet& key,
