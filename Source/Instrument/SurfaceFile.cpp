@@ -57,12 +57,6 @@ Surface surfaceAt(const JsonPlace& place) {
     return std::move(*checked);
 }
 
-Result<Surface> parseSurface(std::string_view text, std::string_view file) {
-    if (text.size() > 1 << 16)
-        return failure(std::string(file) + ": it is too large for a surface");
-    return parsedJson(text, file, surfaceAt);
-}
-
 std::string encodeSurface(const Surface& surface) {
     ordered_json root{
         {"format", "idiophone-surface"}, {"version", surfaceFormatVersion}, {"name", surface.name}};
