@@ -110,14 +110,6 @@ void HeldContacts::setPressure(int channel, double pressure) noexcept {
             contact.pressure = pressure;
 }
 
-void HeldContacts::setSpeedController(int channel, int value) noexcept {
-    controllers[static_cast<std::size_t>(channel)].speed = value;
-}
-
-void HeldContacts::setPlaceController(int channel, int value) noexcept {
-    controllers[static_cast<std::size_t>(channel)].place = value;
-}
-
 double HeldContacts::placeMoved(int controller, double along) noexcept {
     const double turn = controller - controllerAtRest;
     return along + (turn < 0 ? turn / controllerAtRest * along
@@ -125,7 +117,7 @@ double HeldContacts::placeMoved(int controller, double along) noexcept {
 }
 
 void HeldContacts::resetControllers(int channel) noexcept {
-    controllers[static_cast<std::size_t>(channel)] = {};
+    controllers(channel) = {};
     for (auto& contact : contacts)
         if (contact.channel == channel && contact.force.isHeld())
             contact.pressure = contact.strikePressure;
@@ -178,8 +170,8 @@ void HeldContacts::soundOne(Contact& contact,
     move(contact, key, parameters);
     // The rendered signal is the normal part of the force.
     alignas(64) std::array<float, cellSamples> newtons;
-    if (contact.force.render({.speedMetresPerSecond =
-                                  parameters[contactSpeed] * controllersOf(contact).speed / 127.0,
+    if (contact.force.render({.speedMetresPerSecond = parameters[contactSpeed] *
+                                                      controllers(contact.channel).speed / 127.0,
                               .normalForceNewtons = parameters[contactForce] * contact.pressure},
                              parameters[roughness] * forceScale(key.mallet), newtons))
         synthesiser.applyForce(slot,
@@ -192,9 +184,9 @@ void HeldContacts::soundOne(Contact& contact,
 
 void HeldContacts::move(Contact& contact,
                         const Key& key,
-                        const ParameterValues& parameters) const noexcept {
+                        const ParameterValues& parameters) noexcept {
     const auto own = aimedPlace(key.along, parameters);
-    const double target = placeMoved(controllersOf(contact).place, own.along);
+    const double target = placeMoved(controllers(contact.channel).place, own.along);
     const auto& strip = *key.strip;
     const double cellSeconds = cellSamples / rateHz;
     const double ratio =
@@ -226,7 +218,7 @@ void HeldContacts::forgetAll() noexcept {
 
 void HeldContacts::reset() noexcept {
     forgetAll();
-    controllers = {};
+    channelControllers = {};
 }
 
 } // namespace idiophone

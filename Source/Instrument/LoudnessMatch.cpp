@@ -93,8 +93,8 @@ std::size_t LoudnessMatch::advance(const ParameterValues& now, std::size_t modes
         taken += prediction.advance(modes - taken);
         if (!prediction.complete())
             break;
-        auto& side = state.onReference ? state.reference : state.played;
-        side.known() = {.valid = true, .goal = side.goal, .lufs = prediction.lufs()};
+        auto& side = state.unknown();
+        side.known() = {.goal = side.goal, .lufs = prediction.lufs()};
         beginNext();
     }
     if (!state.working && std::exchange(isSongStart, false))
@@ -121,7 +121,7 @@ LoudnessMatch::Known& LoudnessMatch::Side::known() noexcept {
 }
 
 bool LoudnessMatch::Side::isKnown() noexcept {
-    return known().valid && known().goal == goal;
+    return known().goal == goal;
 }
 
 LoudnessMatch::Goal LoudnessMatch::goalOf(const ParameterValues& values) const noexcept {
@@ -144,13 +144,12 @@ void LoudnessMatch::setGoal(const ParameterValues& now) noexcept {
 
 /// Begins the next unknown prediction of the goal, or computes the gain if all are known.
 void LoudnessMatch::beginNext() noexcept {
-    state.onReference = !state.reference.isKnown();
-    state.working = state.onReference || !state.played.isKnown();
+    state.working = !state.unknown().isKnown();
     if (!state.working) {
         state.gainDb = gainOfKnown();
         return;
     }
-    const auto& goal = (state.onReference ? state.reference : state.played).goal;
+    const auto& goal = state.unknown().goal;
     prediction = PhrasePrediction(phrase, goal.values, goal.wheel);
 }
 

@@ -62,12 +62,11 @@ private:
     /// The values that the loudness depends on.
     struct Goal {
         ParameterValues values;
-        int wheel = 0; ///< at rest for strikes, as it does not affect them
+        int wheel = -1; ///< at rest for strikes, as it does not affect them; −1: no goal yet
 
         bool operator==(const Goal&) const = default;
     };
     struct Known {
-        bool valid = false;
         Goal goal;
         PhrasePrediction::Loudness lufs{};
     };
@@ -84,8 +83,10 @@ private:
         double gainDb = 0;
         Side reference, played;
         bool working = false;
-        bool onReference = false; ///< true: works on `reference`, not `played`
         std::optional<Goal> seen; ///< inputs of the present goals
+
+        /// Returns the side to predict first.
+        Side& unknown() noexcept { return reference.isKnown() ? played : reference; }
     };
 
     std::size_t advance(const ParameterValues& now, std::size_t modes) noexcept;

@@ -178,7 +178,7 @@ void Player::strike(std::span<const MidiEvent> notes) {
                 note, std::max(1, static_cast<int>(std::lround(keys.softness() * velocity))));
         else if (strikes(values))
             scheduler.strikeKey(playedInstrument->key(note), velocity,
-                                held.placeController(event.channel()), moment);
+                                held.controllers(event.channel()).place, moment);
     };
     std::ranges::for_each(lateNotes, strikeNote);
     lateNotes.clear();

@@ -48,10 +48,14 @@ ParameterValues stillOn(float gain) {
 } // namespace
 
 TEST_CASE("Eight keys represent all, from the lowest to the highest") {
-    CHECK(phraseNote({.lowestNote = 36, .highestNote = 96}, 0) == 36);
-    CHECK(phraseNote({.lowestNote = 36, .highestNote = 96}, 7) == 96);
-    CHECK(phraseNote({.lowestNote = 36, .highestNote = 96}, 3) == 61);
-    CHECK(phraseNote({.lowestNote = 60, .highestNote = 60}, 5) == 60);
+    KeyMap map;
+    map.lowestNote = 36;
+    map.highestNote = 96;
+    CHECK(phraseNote(map, 0) == 36);
+    CHECK(phraseNote(map, 7) == 96);
+    CHECK(phraseNote(map, 3) == 61);
+    map.lowestNote = map.highestNote = 60;
+    CHECK(phraseNote(map, 5) == 60);
 }
 
 TEST_CASE("The loudest strike has the same peak if sheet and mallet are a quarter as heavy") {
