@@ -154,11 +154,11 @@ std::shared_ptr<const Instrument> Instrument::onStage(KeyMap keyMap,
 }
 
 /// Makes the strip if the object is new: several keys may share a large one.
-const StrikeStrip* Instrument::stripOf(const ModalObject& object) {
-    auto known = strips.find(&object);
-    if (known == strips.end())
-        known = strips.emplace(&object, strikeStrip(object, map)).first;
-    return &known->second;
+std::shared_ptr<const StrikeStrip> Instrument::stripOf(const ModalObject& object) {
+    auto& strip = strips[&object];
+    if (strip == nullptr)
+        strip = std::make_shared<const StrikeStrip>(strikeStrip(object, map));
+    return strip;
 }
 
 void Instrument::describeSlots() {

@@ -21,10 +21,10 @@ namespace idiophone {
 
 /// The object, place and mallet of a MIDI note.
 struct Key {
-    int slot = -1;                      ///< −1: the note is silent
-    const StrikeStrip* strip = nullptr; ///< the object's; null if the note is silent
-    double along = 0.5;                 ///< place on the strip, 0 to 1
-    KeyMallet mallet = {};              ///< difference from the chosen mallet
+    int slot = -1;                            ///< −1: the note is silent
+    std::shared_ptr<const StrikeStrip> strip; ///< the object's; null if the note is silent
+    double along = 0.5;                       ///< place on the strip, 0 to 1
+    KeyMallet mallet = {};                    ///< difference from the chosen mallet
     /// False if the preset has no object for the key, so that the key plays a neighbour's.
     bool isOwn = true;
 };
@@ -46,9 +46,6 @@ Result<void> boundedSlots(std::span<const SynthesiserSlot> slots,
 
 class Instrument {
 public:
-    Instrument(const Instrument&) = delete; // the keys point to the strips
-    Instrument& operator=(const Instrument&) = delete;
-
     /// Loads the objects that the key map names. The error names the object or the setting at
     /// fault. More modes than `maximumModesOfSlots` are an error.
     static Result<std::shared_ptr<const Instrument>> build(const KeyMap& keyMap,
@@ -89,13 +86,13 @@ private:
     Result<void> buildSingleObject(ObjectLibrary& library);
     void voice();
     void addResizedKeys();
-    const StrikeStrip* stripOf(const ModalObject& object);
+    std::shared_ptr<const StrikeStrip> stripOf(const ModalObject& object);
     void describeSlots();
 
     std::uint64_t serial;
     KeyMap map;
     std::vector<SynthesiserSlot> synthesiserSlots;
-    std::map<const ModalObject*, StrikeStrip> strips;
+    std::map<const ModalObject*, std::shared_ptr<const StrikeStrip>> strips;
     std::array<Key, 128> keys;
     std::vector<KeyMallet> mallets;              ///< [slots]
     std::vector<LowestModes> lowestModesOfSlots; ///< [slots]
