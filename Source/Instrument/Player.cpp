@@ -175,7 +175,8 @@ void Player::strike(std::span<const MidiEvent> notes) {
             return;
         if (performance)
             renderer.startNote(
-                note, std::max(1, static_cast<int>(std::lround(keys.softness() * velocity))));
+                *performance, note,
+                std::max(1, static_cast<int>(std::lround(keys.softness() * velocity))));
         else if (strikes(values))
             scheduler.strikeKey(playedInstrument->key(note), velocity,
                                 held.controllers(event.channel()).place, moment);

@@ -122,6 +122,7 @@ public:
     std::optional<std::size_t> takeSilenced();
     const Synthesiser& synthesiser() const { return renderer.synthesiser(); }
     const Instrument& instrument() const { return *playedInstrument; }
+    /// Returns the stage; without one nothing is on it.
     PlayedStage& stage() noexcept { return performance ? *performance : noStage; }
     const PlayedStage& stage() const noexcept { return performance ? *performance : noStage; }
     /// Returns the slot of the last key or strike; nothing before the first.

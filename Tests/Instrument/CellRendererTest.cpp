@@ -177,7 +177,7 @@ TEST_CASE("On a stage a renderer plays the ears' mix of separate slots") {
     CHECK(stage.slotOutputs == rig.instrument->slots().size());
     CHECK(sound.left[9] == 0.25f);
     CHECK(sound.right[9] == 0.5f);
-    rig.renderer.startNote(60, 80);
+    rig.renderer.startNote(stage, 60, 80);
     CHECK(stage.notes == std::vector{ConstantStage::Note(60, 80, 0, 10)});
     CHECK(rig.renderer.moment(rig.parameters, 1).sample ==
           cellSamples); // the ears have heard this cell
