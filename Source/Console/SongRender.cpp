@@ -31,7 +31,7 @@ Result<RenderTally> renderSong(Player& player,
                                const std::string& task) {
     const double rate = format.sampleRateHz;
     const std::int64_t lastEvent = events.empty() ? -1 : sampleOf(events.back(), rate);
-    player.setOffline(true);
+    player.stage().setOffline(true);
     RenderTally tally;
     for (const auto& event : events)
         if (event.isNoteOn() && (!format.seconds || event.seconds < *format.seconds))

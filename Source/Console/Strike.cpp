@@ -192,7 +192,7 @@ Result<void> strikeObject(const StrikeOptions& options) {
                                   options.format.file.filename().string());
     if (!tally)
         return tl::unexpected(tally.error());
-    const auto& point = (*instrument)->strip((*instrument)->key(struckKey)).points.front();
+    const auto& point = (*instrument)->key(struckKey).strip->points.front();
     const auto strike =
         malletStrike(point, options.velocity, {}, values, (*instrument)->slots().front());
     report(*known, *row,

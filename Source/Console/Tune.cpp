@@ -167,7 +167,7 @@ writePreset(const TuneOptions& options, const BarInstrument& instrument, int fro
         .and_then([&](const std::shared_ptr<const Instrument>& built) {
             preset.parameters.set(
                 ParameterId::level,
-                startingLevel(built, preset.surface, measuredRateHz, preset.parameters));
+                startingLevel({built, preset.surface, measuredRateHz}, preset.parameters));
             return writeTextFile(inFolder(options, ".json"), encodePreset(preset) + "\n");
         });
 }

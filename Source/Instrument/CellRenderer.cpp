@@ -1,6 +1,5 @@
 #include "Instrument/CellRenderer.h"
 
-#include "Instrument/DecayTime.h"
 #include "Instrument/SettingsOfParameters.h"
 
 #include <algorithm>
@@ -104,8 +103,7 @@ void CellRenderer::moveGain(float goal) {
 
 void CellRenderer::copyOut(const StereoSpan& output, StrikeScheduler& strikes) {
     const int count = static_cast<int>(output.size());
-    if (hasMallets())
-        strikes.strikeBefore(position + count, begunCell());
+    strikes.strikeBefore(position + count, begunCell());
     for (std::size_t k = 0; k < output.size(); ++k) {
         const auto from = static_cast<std::size_t>(position) + k;
         const float part = static_cast<float>(from + 1) / cellSamples;
@@ -118,7 +116,7 @@ void CellRenderer::copyOut(const StereoSpan& output, StrikeScheduler& strikes) {
 
 StrikeMoment CellRenderer::moment(const ParameterValues& values, double softness) {
     return {.cell = begunCell(),
-            .sample = static_cast<double>(hasMallets() ? position : cellSamples),
+            .sample = static_cast<double>(strategy->hasMallets() ? position : cellSamples),
             .values = values,
             .softness = softness};
 }
@@ -127,10 +125,11 @@ void CellRenderer::updateDampers(const ParameterValues& values, const KeyState& 
     slotHeld = slotTouched;
     if (const auto slot = hand.heldSlot())
         slotHeld[*slot] = true;
-    if (values[letRing] != 0 || !hasMallets())
+    const bool hasMallets = strategy->hasMallets();
+    if (values[letRing] != 0 || !hasMallets)
         slotHeld.assign(slotHeld.size(), true);
     std::fill(slotPressed.begin(), slotPressed.end(), 0.0f);
-    const bool pressureDamps = strikes(values) && hasMallets();
+    const bool pressureDamps = strikes(values) && hasMallets;
     const auto heldKeys = keys.heldKeys();
     for (std::size_t note = 0; note < heldKeys.size(); ++note) {
         const int key = instrument.key(static_cast<int>(note)).slot;

@@ -45,8 +45,9 @@ public:
     /// Returns the moment of a strike at the next sample.
     StrikeMoment moment(const ParameterValues& values, double softness);
     /// Starts the bodies of a note at the next sample.
-    void startNote(int note, int velocity) { strategy->startNote(note, velocity, index, position); }
-    bool hasMallets() const { return strategy->hasMallets(); }
+    void startNote(StagePlayer& stage, int note, int velocity) const {
+        stage.startNote(note, velocity, index, position);
+    }
 
     void updateDampers(const ParameterValues& values, const KeyState& keys);
     /// A hand on its surface holds a slot, or no longer holds it.

@@ -34,13 +34,11 @@ public:
     /// Overwrites the outputs with the sound of ringing modes.
     virtual void begin(Synthesiser& synthesiser, StereoCell& cell) = 0;
     /// Completes the newest cell, after ringing and held sounds.
-    virtual void finish(const BegunCell& begun, StrikeScheduler& strikes, StereoCell& cell) = 0;
+    virtual void finish(const BegunCell&, StrikeScheduler&, StereoCell&) {}
     /// Fades forces of the strategy's own out over a cell.
-    virtual void fadeForces(Synthesiser& synthesiser, StereoCell& cell) = 0;
+    virtual void fadeForces(Synthesiser&, StereoCell&) {}
     /// Returns whether notes strike or press with mallets, and dampers follow keys.
     virtual bool hasMallets() const = 0;
-    /// Starts a note's bodies, at a sample of a cell.
-    virtual void startNote(int note, int velocity, std::int64_t cell, int sampleInCell) = 0;
 };
 
 /// All slots share one output, and strikes act within a cell.
@@ -52,10 +50,7 @@ public:
     void begin(Synthesiser& synthesiser, StereoCell& cell) override {
         synthesiser.beginCell(cell.mixed());
     }
-    void finish(const BegunCell&, StrikeScheduler&, StereoCell&) override {}
-    void fadeForces(Synthesiser&, StereoCell&) override {}
     bool hasMallets() const override { return true; }
-    void startNote(int, int, std::int64_t, int) override {}
 };
 
 /// Each slot has its own output, which the listener's ears mix. The ears process whole cells, so
@@ -80,9 +75,6 @@ public:
         performance.release(synthesiser, cell.slots);
     }
     bool hasMallets() const override { return false; }
-    void startNote(int note, int velocity, std::int64_t cell, int sampleInCell) override {
-        performance.startNote(note, velocity, cell, sampleInCell);
-    }
 
 private:
     StagePlayer& performance;

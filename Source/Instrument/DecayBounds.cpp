@@ -15,19 +15,11 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-DampingLaw
-each(const DampingLaw& a, const DampingLaw& b, double (*choose)(double, double)) noexcept {
+template <class Choose>
+DampingLaw each(const DampingLaw& a, const DampingLaw& b, Choose choose) noexcept {
     return {.fluidPerSecond = choose(a.fluidPerSecond, b.fluidPerSecond),
             .viscoelasticSeconds = choose(a.viscoelasticSeconds, b.viscoelasticSeconds),
             .lossFactor = choose(a.lossFactor, b.lossFactor)};
-}
-
-double lesser(double a, double b) noexcept {
-    return std::min(a, b);
-}
-
-double greater(double a, double b) noexcept {
-    return std::max(a, b);
 }
 
 /// Returns a bound of both bounds' modes. Every law grows with the frequency, so each figure counts
@@ -37,7 +29,7 @@ ModeBound boundOfBoth(const ModeBound& a, const ModeBound& b) noexcept {
             .scale = std::min(a.scale, b.scale),
             .extraPerSecond = std::min(a.extraPerSecond, b.extraPerSecond),
             .specificStiffness = std::max(a.specificStiffness, b.specificStiffness),
-            .law = each(a.law, b.law, lesser)};
+            .law = each(a.law, b.law, std::ranges::min)};
 }
 
 bool bounds(const ModeBound& slower, const ModeBound& faster) noexcept {
@@ -162,7 +154,7 @@ DecayBounds decayBounds(const Instrument& instrument, RingingKeys keys) {
             continue;
         const auto& material = object.material;
         addKept(result, slot);
-        result.most = each(result.most, material.damping, greater);
+        result.most = each(result.most, material.damping, std::ranges::max);
         for (std::size_t mode = 0; mode < object.modeCount(); ++mode) {
             const double eigenvalue = object.eigenvalues[mode];
             const ModeDamping damping = object.damping(mode);

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <span>
 
 namespace idiophone {
 namespace {
@@ -86,13 +85,6 @@ DrivingPoint::DrivingPoint(const ModalObject& object,
             squaredShapes[i] *= static_cast<double>(object.gains[i].real());
         eigenvalues[i] = live.law.eigenvalueRatio * object.eigenvalueAt(i, thickness);
     }
-}
-
-double DrivingPoint::impulsiveMobilityPerKg() const noexcept {
-    double sum = rigidPerKg;
-    for (const double square : std::span(squaredShapes).first(modes))
-        sum += square;
-    return sum;
 }
 
 DrivingPoint::Yielding DrivingPoint::yieldingIn(double contactSeconds) const noexcept {

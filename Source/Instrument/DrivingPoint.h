@@ -44,10 +44,6 @@ public:
                  double slotSizeRatio = 1,
                  const PitchMode* pitch = nullptr) noexcept;
 
-    /// Returns the sum of all mobilities [1/kg], which acts in an impact too short for any mode to
-    /// turn back.
-    double impulsiveMobilityPerKg() const noexcept;
-
     /// Returns the collision with a striker at a speed > 0 [m/s].
     ///
     /// Time: at the complex frequency s = r e^{iπ/4} a mode answers a force by φ² s/(s² + ω²) = B/s

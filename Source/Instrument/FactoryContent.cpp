@@ -17,6 +17,18 @@ const Preset* findFactoryPreset(std::string_view name) {
     return findNamed(factoryPresets(), name);
 }
 
+Preset initialPreset() {
+    Preset preset;
+    preset.name = "Init";
+    preset.description = "Rosewood bars with all parameters at their defaults, to start from.";
+    preset.keyMap = {.kind = KeyMapKind::bars,
+                     .lowestNote = 65,
+                     .highestNote = 108,
+                     .object = "xylophone-{note}"};
+    preset.parameters.set(ParameterId::level, -8.7);
+    return preset;
+}
+
 std::optional<std::span<const std::byte>> factoryObject(std::string_view name) {
     const auto files = factoryFiles();
     const auto found = std::ranges::find(files, std::string(name) + ".modal", &EmbeddedFile::name);

@@ -1,6 +1,5 @@
 #include "Instrument/HandScrape.h"
 
-#include "Instrument/GainRamp.h"
 #include "Instrument/SettingsOfParameters.h"
 #include "Instrument/StrikePointMetres.h"
 
@@ -27,10 +26,10 @@ HandScrape::HandScrape(const Instrument& played,
                        std::uint64_t seed,
                        std::vector<double> slotStrengths)
     : instrument(played), cellSeconds(cellSamples / profile->sampleRateHz()),
-      releaseFade(profile->sampleRateHz()), strengths(std::move(slotStrengths)) {
+      strengths(std::move(slotStrengths)) {
     for (std::size_t k = 0; k < contactCount; ++k)
         contacts.push_back(
-            {.force = ContactForce(profile, (seed * contactCount + k) ^ apartFromKeys),
+            {.force = PressedForce(profile, (seed * contactCount + k) ^ apartFromKeys),
              .path = {},
              .place = {}});
 }
@@ -48,13 +47,10 @@ void HandScrape::touch(const SurfaceTouch& touch) noexcept {
         lift();
     if (!touches()) {
         // A contact that has made no sound yet needs no fade-out.
-        if (!contacts[now].isActive || !contacts[now].begins)
+        if (!contacts[now].force.isActive() || !contacts[now].force.begins())
             now = (now + 1) % contactCount;
         Contact& contact = contacts[now];
-        contact.force.reset();
-        contact.isActive = contact.begins = true;
-        contact.isLifted = false;
-        contact.fade = 1;
+        contact.force.begin();
         contact.slot = touch.slot;
         contact.path.begin(touch.point, metresOf(touch));
     }
@@ -63,14 +59,14 @@ void HandScrape::touch(const SurfaceTouch& touch) noexcept {
 }
 
 void HandScrape::lift() noexcept {
-    contacts[now].isLifted = true;
+    contacts[now].force.release();
 }
 
 void HandScrape::sound(const ParameterValues& parameters,
                        Synthesiser& synthesiser,
                        std::span<const CellOutput> cellsOfSlots) noexcept {
     for (Contact& contact : contacts)
-        if (contact.isActive)
+        if (contact.force.isActive())
             soundOne(contact, parameters, synthesiser, cellsOfSlots[contact.slot]);
 }
 
@@ -79,39 +75,26 @@ void HandScrape::soundOne(Contact& contact,
                           Synthesiser& synthesiser,
                           const CellOutput& cell) noexcept {
     const auto& slot = instrument.slots()[contact.slot];
-    const auto* chosen = chosenLibraryMaterial(parameters);
-    const double friction = (chosen != nullptr ? *chosen : slot.object->material).friction;
+    const double friction = contactMaterial(parameters, slot.object->material).friction;
     const double ratio = slot.sizeRatio * parameters[size];
     const double metresPerSecond =
         ratio * contact.path.advance(cellSeconds, fastestMetresPerSecond / ratio);
-    const ForcePlace start = contact.place;
-    const double startGain = contact.gain;
+    const ForcePlace before = contact.place;
+    const bool begins = contact.force.begins();
     contact.place = contact.path.place(friction);
-    contact.gain = strengths[contact.slot] * parameters[roughness] *
-                   forceScale(instrument.mallet(contact.slot));
-
     alignas(64) std::array<float, cellSamples> newtons;
-    const bool presses =
-        contact.force.render({.speedMetresPerSecond = metresPerSecond,
+    if (contact.force.render({.speedMetresPerSecond = metresPerSecond,
                               .normalForceNewtons = parameters[contactForce] * contact.pressure},
-                             newtons);
-    if (presses) {
-        applyGainRamp(newtons, contact.begins ? contact.gain : startGain, contact.gain);
-        if (contact.isLifted)
-            releaseFade.apply(contact.fade, newtons);
+                             strengths[contact.slot] * parameters[roughness] *
+                                 forceScale(instrument.mallet(contact.slot)),
+                             newtons))
         synthesiser.applyForce(
             contact.slot,
             {.contact = firstForce + static_cast<std::size_t>(&contact - contacts.data()),
-             .start = contact.begins ? contact.place : start,
+             .start = begins ? contact.place : before,
              .end = contact.place,
              .newtons = newtons},
             cell);
-    }
-    contact.begins = false;
-    if (contact.isLifted) {
-        contact.fade = releaseFade.after(contact.fade);
-        contact.isActive = contact.fade > 0;
-    }
 }
 
 std::optional<std::size_t> HandScrape::heldSlot() const noexcept {
@@ -119,14 +102,13 @@ std::optional<std::size_t> HandScrape::heldSlot() const noexcept {
 }
 
 bool HandScrape::silent() const noexcept {
-    return std::ranges::none_of(contacts, &Contact::isActive);
+    return std::ranges::none_of(contacts,
+                                [](const Contact& contact) { return contact.force.isActive(); });
 }
 
 void HandScrape::reset() noexcept {
-    for (Contact& contact : contacts) {
-        contact.force.reset();
-        contact.isActive = contact.isLifted = false;
-    }
+    for (Contact& contact : contacts)
+        contact.force.end();
     now = 0;
 }
 

@@ -4,10 +4,9 @@
 
 #include "Instrument/HeldContacts.h"
 #include "Instrument/Instrument.h"
-#include "Instrument/ReleaseFade.h"
+#include "Instrument/PressedForce.h"
 #include "Instrument/SurfacePath.h"
 #include "Parameters/ParameterTable.h"
-#include "Synth/ContactForce.h"
 #include "Synth/Synthesiser.h"
 
 #include <array>
@@ -59,19 +58,14 @@ public:
 
 private:
     struct Contact {
-        ContactForce force;
-        bool isActive = false;
-        bool isLifted = false;
-        double fade = 1;     ///< 0 to 1, falling after the hand lifts
-        bool begins = false; ///< no sound of this contact yet
+        PressedForce force;
         std::size_t slot = 0;
         double pressure = 0;
         SurfacePath path;
         ForcePlace place;
-        double gain = 0;
     };
 
-    bool touches() const noexcept { return contacts[now].isActive && !contacts[now].isLifted; }
+    bool touches() const noexcept { return contacts[now].force.isHeld(); }
     SurfacePath::Point metresOf(const SurfaceTouch& touch) const noexcept;
     void soundOne(Contact& contact,
                   const ParameterValues& parameters,
@@ -80,7 +74,6 @@ private:
 
     const Instrument& instrument;
     double cellSeconds;
-    ReleaseFade releaseFade;
     std::vector<double> strengths;
     std::vector<Contact> contacts; ///< two: one may fade out while the other one plays
     std::size_t now = 0;           ///< index of the newest contact

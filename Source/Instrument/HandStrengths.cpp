@@ -2,7 +2,6 @@
 
 #include "Instrument/HeldContacts.h"
 #include "Instrument/PhrasePrediction.h"
-#include "Instrument/SpreadNotes.h"
 
 #include <cmath>
 #include <map>
@@ -13,8 +12,6 @@ namespace {
 /// Corrects what the prediction of scrapes leaves out, and sets their distance below a strike;
 /// measured over the factory presets.
 constexpr double scrapeConstantDb = 31;
-
-constexpr int keysTried = 8;
 
 ParameterValues scraping(ParameterValues values) {
     values.set(ParameterId::contact, scrapeContact);
@@ -39,31 +36,28 @@ double between(const std::map<int, double>& known, int note) {
 
 } // namespace
 
-std::vector<double> handStrengths(const std::shared_ptr<const Instrument>& instrument,
-                                  const Surface& surface,
-                                  double sampleRateHz,
-                                  const ParameterValues& own) {
-    std::vector<double> strengths(instrument->slots().size(), 1);
+std::vector<double> handStrengths(const Phrase& phrase, const ParameterValues& own) {
+    const auto& instrument = *phrase.instrument;
+    std::vector<double> strengths(instrument.slots().size(), 1);
     if (!strikes(own))
         return strengths;
-    const auto& map = instrument->keyMap();
     const auto scraped = scraping(own);
     std::map<int, double> weakerDb; // by key
-    for (int i = 0; i < keysTried; ++i) {
-        const int note = spreadNote(map.lowestNote, map.highestNote, i, keysTried);
-        if (instrument->key(note).slot < 0 || weakerDb.contains(note))
+    auto repeated = phrase;
+    for (const auto& note : phrase.notes) {
+        if (note.key.slot < 0 || weakerDb.contains(note.midiNote))
             continue;
-        const Phrase phrase(instrument, surface, sampleRateHz, note, note);
-        if (const double weaker = predictedLufs(phrase, own) - predictedLufs(phrase, scraped);
+        repeated.notes.fill(note);
+        if (const double weaker = predictedLufs(repeated, own) - predictedLufs(repeated, scraped);
             std::isfinite(weaker))
-            weakerDb[note] = weaker;
+            weakerDb[note.midiNote] = weaker;
     }
     if (weakerDb.empty())
         return strengths;
     // An object that several keys play has the mean over them.
     std::vector<double> sums(strengths.size(), 0), keys(strengths.size(), 0);
     for (int note = 0; note < 128; ++note)
-        if (const int slot = instrument->key(note).slot; slot >= 0) {
+        if (const int slot = instrument.key(note).slot; slot >= 0) {
             sums[static_cast<std::size_t>(slot)] += between(weakerDb, note);
             keys[static_cast<std::size_t>(slot)] += 1;
         }

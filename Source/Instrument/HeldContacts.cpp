@@ -1,7 +1,6 @@
 #include "Instrument/HeldContacts.h"
 
 #include "Instrument/DraggedForce.h"
-#include "Instrument/GainRamp.h"
 #include "Instrument/MalletStrike.h"
 #include "Instrument/RollCoupling.h"
 #include "Instrument/SettingsOfParameters.h"
@@ -31,21 +30,21 @@ bool strikes(const ParameterValues& parameters) {
 HeldContacts::HeldContacts(const Instrument& played,
                            std::shared_ptr<const SurfaceProfile> profile,
                            std::uint64_t seed)
-    : instrument(played), rateHz(profile->sampleRateHz()), releaseFade(rateHz) {
+    : instrument(played), rateHz(profile->sampleRateHz()) {
     static_assert(2 * capacity <= forceCapacity);
     contacts.reserve(2 * capacity);
     for (std::uint64_t i = 0; i < 2 * capacity; ++i) {
         // Keep the second half far from the contacts of any other seed.
         const auto apart = i < capacity ? 0 : std::uint64_t{1} << 63;
         contacts.push_back(
-            {.force = ContactForce(profile, (seed * capacity + i % capacity) ^ apart),
+            {.force = PressedForce(profile, (seed * capacity + i % capacity) ^ apart),
              .place = {}});
     }
 }
 
 HeldContacts::Contact* HeldContacts::find(int channel, int note) noexcept {
     const auto found = std::ranges::find_if(contacts, [=](const Contact& contact) {
-        return contact.isHeld() && contact.note == note && contact.channel == channel;
+        return contact.force.isHeld() && contact.note == note && contact.channel == channel;
     });
     return found == contacts.end() ? nullptr : &*found;
 }
@@ -55,8 +54,8 @@ HeldContacts::Contact* HeldContacts::find(int channel, int note) noexcept {
 HeldContacts::Contact& HeldContacts::freeContact() noexcept {
     const auto rank = [this](const Contact& contact) {
         const bool takesOver = &contact - contacts.data() >= std::ptrdiff_t{capacity};
-        return std::tuple(contact.isHeld(), contact.isActive(),
-                          contact.isActive() ? contact.fade : 0, takesOver, contact.pressCount);
+        return std::tuple(contact.force.isHeld(), contact.force.fade(), takesOver,
+                          contact.pressCount);
     };
     return *std::ranges::min_element(contacts, {}, rank);
 }
@@ -66,13 +65,13 @@ void HeldContacts::giveWay() noexcept {
     Contact* oldest = nullptr;
     std::size_t held = 0;
     for (auto& contact : contacts)
-        if (contact.isHeld()) {
+        if (contact.force.isHeld()) {
             ++held;
             if (oldest == nullptr || contact.pressCount < oldest->pressCount)
                 oldest = &contact;
         }
     if (held >= capacity)
-        oldest->isReleased = true;
+        oldest->force.release();
 }
 
 void HeldContacts::press(int channel, int note, double pressure) noexcept {
@@ -82,12 +81,9 @@ void HeldContacts::press(int channel, int note, double pressure) noexcept {
     if (chosen == nullptr) {
         giveWay();
         chosen = &freeContact();
-        chosen->force.reset();
+        chosen->force.begin();
         chosen->channel = channel;
         chosen->note = note;
-        chosen->isReleased = false;
-        chosen->fade = 1;
-        chosen->begins = true;
     }
     chosen->pressCount = ++pressCount;
     chosen->strikePressure = chosen->pressure = pressure;
@@ -95,12 +91,12 @@ void HeldContacts::press(int channel, int note, double pressure) noexcept {
 
 void HeldContacts::release(int channel, int note) noexcept {
     if (auto* contact = find(channel, note))
-        contact->isReleased = true;
+        contact->force.release();
 }
 
 void HeldContacts::releaseAll() noexcept {
     for (auto& contact : contacts)
-        contact.isReleased = true;
+        contact.force.release();
 }
 
 void HeldContacts::setPressure(int channel, int note, double pressure) noexcept {
@@ -110,16 +106,8 @@ void HeldContacts::setPressure(int channel, int note, double pressure) noexcept 
 
 void HeldContacts::setPressure(int channel, double pressure) noexcept {
     for (auto& contact : contacts)
-        if (contact.channel == channel && contact.isHeld())
+        if (contact.channel == channel && contact.force.isHeld())
             contact.pressure = pressure;
-}
-
-void HeldContacts::setSpeedController(int channel, int value) noexcept {
-    controllers[static_cast<std::size_t>(channel)].speed = value;
-}
-
-void HeldContacts::setPlaceController(int channel, int value) noexcept {
-    controllers[static_cast<std::size_t>(channel)].place = value;
 }
 
 double HeldContacts::placeMoved(int controller, double along) noexcept {
@@ -129,9 +117,9 @@ double HeldContacts::placeMoved(int controller, double along) noexcept {
 }
 
 void HeldContacts::resetControllers(int channel) noexcept {
-    controllers[static_cast<std::size_t>(channel)] = {};
+    controllers(channel) = {};
     for (auto& contact : contacts)
-        if (contact.channel == channel && contact.isHeld())
+        if (contact.channel == channel && contact.force.isHeld())
             contact.pressure = contact.strikePressure;
 }
 
@@ -142,7 +130,7 @@ void HeldContacts::sound(const ParameterValues& parameters,
     if (strikes(parameters))
         releaseAll();
     for (auto& contact : contacts)
-        if (contact.isActive()) {
+        if (contact.force.isActive()) {
             chooseKind(contact, parameters, settings, synthesiser);
             soundOne(contact, parameters, synthesiser,
                      cellsOfSlots[static_cast<std::size_t>(instrument.key(contact.note).slot)]);
@@ -163,15 +151,10 @@ void HeldContacts::chooseKind(Contact& contact,
         settings.frequencyRatio *= synthesiser.frequencyRatio(slot);
         const auto modes =
             coupledModes(instrument.lowestModes(slot), instrument.slots()[slot], settings);
-        contact.force.setCoupledModes(modes.span());
+        contact.force.contact().setCoupledModes(modes.span());
     }
-    contact.force.setSettings(
+    contact.force.contact().setSettings(
         {.kind = rolls ? ContactKind::roll : ContactKind::scrape, .rollModalCoupling = coupling});
-}
-
-const Material& HeldContacts::ownMaterial(const Contact& contact) const noexcept {
-    const auto slot = static_cast<std::size_t>(instrument.key(contact.note).slot);
-    return instrument.slots()[slot].object->material;
 }
 
 void HeldContacts::soundOne(Contact& contact,
@@ -180,51 +163,37 @@ void HeldContacts::soundOne(Contact& contact,
                             const CellOutput& cell) noexcept {
     const auto& key = instrument.key(contact.note);
     const auto slot = static_cast<std::size_t>(key.slot);
-    const auto* chosen = chosenLibraryMaterial(parameters);
-    const double friction = (chosen != nullptr ? *chosen : ownMaterial(contact)).friction;
-    const StripStep start = contact.place;
-    const double startGain = contact.gain;
+    const double friction =
+        contactMaterial(parameters, instrument.slots()[slot].object->material).friction;
+    const StripStep before = contact.place;
+    const bool begins = contact.force.begins();
     move(contact, key, parameters);
     // The rendered signal is the normal part of the force.
-    contact.gain = parameters[roughness] * forceScale(key.mallet);
-
     alignas(64) std::array<float, cellSamples> newtons;
-    const bool presses = contact.force.render(
-        {.speedMetresPerSecond = parameters[contactSpeed] * controllersOf(contact).speed / 127.0,
-         .normalForceNewtons = parameters[contactForce] * contact.pressure},
-        newtons);
-    if (presses) {
-        const auto& from = contact.begins ? contact.place : start;
-        applyGainRamp(newtons, contact.begins ? contact.gain : startGain, contact.gain);
-        if (contact.isReleased)
-            releaseFade.apply(contact.fade, newtons);
+    if (contact.force.render({.speedMetresPerSecond = parameters[contactSpeed] *
+                                                      controllers(contact.channel).speed / 127.0,
+                              .normalForceNewtons = parameters[contactForce] * contact.pressure},
+                             parameters[roughness] * forceScale(key.mallet), newtons))
         synthesiser.applyForce(slot,
                                {.contact = static_cast<std::size_t>(&contact - contacts.data()),
-                                .start = pushed(from, friction),
+                                .start = pushed(begins ? contact.place : before, friction),
                                 .end = pushed(contact.place, friction),
                                 .newtons = newtons},
                                cell);
-    }
-    contact.begins = false;
-    if (contact.isReleased) {
-        contact.fade = releaseFade.after(contact.fade);
-        if (contact.fade == 0)
-            contact.note = -1;
-    }
 }
 
 void HeldContacts::move(Contact& contact,
                         const Key& key,
-                        const ParameterValues& parameters) const noexcept {
+                        const ParameterValues& parameters) noexcept {
     const auto own = aimedPlace(key.along, parameters);
-    const double target = placeMoved(controllersOf(contact).place, own.along);
-    const auto& strip = instrument.strip(key);
+    const double target = placeMoved(controllers(contact.channel).place, own.along);
+    const auto& strip = *key.strip;
     const double cellSeconds = cellSamples / rateHz;
     const double ratio =
         instrument.slots()[static_cast<std::size_t>(key.slot)].sizeRatio * parameters[size];
     const double furthest =
         fastestGlideMetresPerSecond * cellSeconds / (strip.lengthMetres * ratio);
-    if (contact.begins) {
+    if (contact.force.begins()) {
         contact.along = target;
         contact.across = own.across;
     }
@@ -235,21 +204,21 @@ void HeldContacts::move(Contact& contact,
 }
 
 bool HeldContacts::silent() const noexcept {
-    return std::ranges::none_of(contacts, &Contact::isActive);
+    return std::ranges::none_of(contacts,
+                                [](const Contact& contact) { return contact.force.isActive(); });
 }
 
 void HeldContacts::forgetAll() noexcept {
     for (auto& contact : contacts) {
-        contact.note = -1;
         contact.pressCount = 0;
-        contact.force.reset();
+        contact.force.end();
     }
     pressCount = 0;
 }
 
 void HeldContacts::reset() noexcept {
     forgetAll();
-    controllers = {};
+    channelControllers = {};
 }
 
 } // namespace idiophone

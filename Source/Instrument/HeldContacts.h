@@ -3,9 +3,8 @@
 #pragma once
 
 #include "Instrument/Instrument.h"
-#include "Instrument/ReleaseFade.h"
+#include "Instrument/PressedForce.h"
 #include "Parameters/ParameterTable.h"
-#include "Synth/ContactForce.h"
 #include "Synth/Synthesiser.h"
 
 #include <array>
@@ -54,15 +53,18 @@ public:
     /// Sets the pressure, 0 to 1, of one held key or of all held keys of a channel.
     void setPressure(int channel, int note, double pressure) noexcept;
     void setPressure(int channel, double pressure) noexcept;
-    void setSpeedController(int channel, int value) noexcept; ///< 0 to 127
-    void setPlaceController(int channel, int value) noexcept; ///< 0 to 127
-    int placeController(int channel) const noexcept {
-        return controllers[static_cast<std::size_t>(channel)].place;
+    struct Controllers {
+        int speed = controllerAtRest, place = controllerAtRest; ///< 0 to 127
+    };
+    Controllers& controllers(int channel) noexcept {
+        return channelControllers[static_cast<std::size_t>(channel)];
     }
     /// Returns the place on a strip, 0 to 1, to which the place controller moves `along`. At rest
     /// the controller moves nothing; at 0 and 127 it reaches the ends.
     static double placeMoved(int controller, double along) noexcept;
-    void takeControllersOf(const HeldContacts& other) noexcept { controllers = other.controllers; }
+    void takeControllersOf(const HeldContacts& other) noexcept {
+        channelControllers = other.channelControllers;
+    }
     /// Returns the channel's controllers to rest; held keys press as hard as they were struck.
     void resetControllers(int channel) noexcept;
 
@@ -79,26 +81,14 @@ public:
 
 private:
     struct Contact {
-        bool isActive() const { return note >= 0; }
-        bool isHeld() const { return isActive() && !isReleased; }
-
-        ContactForce force;
+        PressedForce force;
         int channel = 0;
-        int note = -1; ///< −1: no contact
+        int note = 0;
         std::uint64_t pressCount = 0;
         double strikePressure = 0; ///< from the note's velocity
         double pressure = 0;
-        bool isReleased = false;
-        double fade = 1;              ///< 0 to 1, falling after the release
-        bool begins = false;          ///< no sound of this contact yet
         double along = 0, across = 0; ///< on the key's strip
         StripStep place;
-        double gain = 0;
-    };
-
-    struct Controllers {
-        int speed = controllerAtRest;
-        int place = controllerAtRest;
     };
 
     void chooseKind(Contact& contact,
@@ -109,23 +99,18 @@ private:
                   const ParameterValues& parameters,
                   Synthesiser& synthesiser,
                   const CellOutput& cell) noexcept;
-    void move(Contact& contact, const Key& key, const ParameterValues& parameters) const noexcept;
+    void move(Contact& contact, const Key& key, const ParameterValues& parameters) noexcept;
 
     Contact* find(int channel, int note) noexcept; ///< the held key, or nullptr
     Contact& freeContact() noexcept;
     void giveWay() noexcept;
-    const Controllers& controllersOf(const Contact& contact) const noexcept {
-        return controllers[static_cast<std::size_t>(contact.channel)];
-    }
-    const Material& ownMaterial(const Contact& contact) const noexcept;
 
     const Instrument& instrument;
     double rateHz;
-    ReleaseFade releaseFade;
     std::vector<Contact>
         contacts; ///< twice the capacity: the second half serves while others fade out
     std::uint64_t pressCount = 0;
-    std::array<Controllers, channels> controllers{};
+    std::array<Controllers, channels> channelControllers{};
 };
 
 } // namespace idiophone

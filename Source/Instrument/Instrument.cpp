@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <map>
 #include <numbers>
 #include <optional>
 #include <set>
@@ -141,23 +140,25 @@ std::shared_ptr<const Instrument> Instrument::onStage(KeyMap keyMap,
     auto instrument = std::shared_ptr<Instrument>(new Instrument(std::move(keyMap)));
     instrument->synthesiserSlots = std::move(slots);
     instrument->ownStage = std::move(stage);
-    std::map<int, int> stripOfSlot;
     for (std::size_t note = 0; note < slotOfKey.size(); ++note) {
         const int slot = slotOfKey[note];
         if (slot < 0)
             continue;
-        const auto [strip, isNew] =
-            stripOfSlot.try_emplace(slot, static_cast<int>(instrument->strips.size()));
-        if (isNew)
-            instrument->strips.push_back(
-                strikeStrip(*instrument->synthesiserSlots[static_cast<std::size_t>(slot)].object,
-                            instrument->map));
+        const auto& struck = instrument->synthesiserSlots[static_cast<std::size_t>(slot)];
         instrument->keys[note] = {.slot = slot,
-                                  .strip = strip->second,
+                                  .strip = instrument->stripOf(*struck.object),
                                   .along = instrument->map.strikePlace(static_cast<int>(note))};
     }
     instrument->describeSlots();
     return instrument;
+}
+
+/// Makes the strip if the object is new: several keys may share a large one.
+std::shared_ptr<const StrikeStrip> Instrument::stripOf(const ModalObject& object) {
+    auto& strip = strips[&object];
+    if (strip == nullptr)
+        strip = std::make_shared<const StrikeStrip>(strikeStrip(object, map));
+    return strip;
 }
 
 void Instrument::describeSlots() {
@@ -188,7 +189,6 @@ bool Instrument::keysHaveObjects() const {
 }
 
 Result<void> Instrument::buildBars(ObjectLibrary& library) {
-    std::map<const ModalObject*, int> stripOfObject; // several keys may share a large one
     const double middleHz = midiNoteHz((map.lowestNote + map.highestNote) / 2.0);
     for (int note = map.lowestNote; note <= map.highestNote; ++note) {
         const double pitchRatio = midiNoteHz(note) / middleHz;
@@ -198,12 +198,8 @@ Result<void> Instrument::buildBars(ObjectLibrary& library) {
         auto object = library.find(name);
         if (!object)
             return tl::unexpected(object.error());
-        const auto [strip, isNew] =
-            stripOfObject.try_emplace(object->get(), static_cast<int>(strips.size()));
-        if (isNew)
-            strips.push_back(strikeStrip(**object, map));
         keys[static_cast<std::size_t>(note)] = {.slot = static_cast<int>(synthesiserSlots.size()),
-                                                .strip = strip->second,
+                                                .strip = stripOf(**object),
                                                 .along = map.strikePlace(note),
                                                 .mallet = {.pitchRatio = pitchRatio}};
         const auto pitch = pitchMode(**object, pitchModeOfBar(**object, note), 1);
@@ -253,21 +249,19 @@ Result<void> Instrument::buildSingleObject(ObjectLibrary& library) {
     auto object = library.find(map.object);
     if (!object)
         return tl::unexpected(object.error());
-    strips.push_back(strikeStrip(**object, map));
-
     const double referenceHz =
         map.referenceNote >= 0 ? midiNoteHz(map.referenceNote) : modeHz(**object, 0);
     for (int note = map.lowestNote; note <= map.highestNote; ++note) {
         auto& key = keys[static_cast<std::size_t>(note)];
         if (map.kind == KeyMapKind::zones) {
-            key = {.slot = 0, .strip = 0, .along = map.strikePlace(note)};
+            key = {.slot = 0, .strip = stripOf(**object), .along = map.strikePlace(note)};
             continue;
         }
         // Scale the mallet with the object, so that every key is the same event at another size.
         // With one mallet for all, small objects would be louder by the cube of their pitch.
         const double sizeRatio = referenceHz / midiNoteHz(note);
         key = {.slot = static_cast<int>(synthesiserSlots.size()),
-               .strip = 0,
+               .strip = stripOf(**object),
                .along = map.strikePlace(note),
                .mallet = {.scale = sizeRatio}};
         synthesiserSlots.push_back({.object = *object,

@@ -12,6 +12,7 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -20,10 +21,10 @@ namespace idiophone {
 
 /// The object, place and mallet of a MIDI note.
 struct Key {
-    int slot = -1;         ///< −1: the note is silent
-    int strip = 0;         ///< index into Instrument::strips
-    double along = 0.5;    ///< place on the strip, 0 to 1
-    KeyMallet mallet = {}; ///< difference from the chosen mallet
+    int slot = -1;                            ///< −1: the note is silent
+    std::shared_ptr<const StrikeStrip> strip; ///< the object's; null if the note is silent
+    double along = 0.5;                       ///< place on the strip, 0 to 1
+    KeyMallet mallet = {};                    ///< difference from the chosen mallet
     /// False if the preset has no object for the key, so that the key plays a neighbour's.
     bool isOwn = true;
 };
@@ -65,10 +66,6 @@ public:
     const KeyMap& keyMap() const { return map; }
     std::span<const SynthesiserSlot> slots() const { return synthesiserSlots; }
     const Key& key(int midiNote) const { return keys[static_cast<std::size_t>(midiNote & 127)]; }
-    const StrikeStrip& strip(const Key& key) const {
-        return strips[static_cast<std::size_t>(key.strip)];
-    }
-
     /// Returns the mallet for strikes on a slot without a key: its key's, if it has one.
     const KeyMallet& mallet(std::size_t slot) const { return mallets[slot]; }
     const LowestModes& lowestModes(std::size_t slot) const { return lowestModesOfSlots[slot]; }
@@ -89,12 +86,13 @@ private:
     Result<void> buildSingleObject(ObjectLibrary& library);
     void voice();
     void addResizedKeys();
+    std::shared_ptr<const StrikeStrip> stripOf(const ModalObject& object);
     void describeSlots();
 
     std::uint64_t serial;
     KeyMap map;
     std::vector<SynthesiserSlot> synthesiserSlots;
-    std::vector<StrikeStrip> strips;
+    std::map<const ModalObject*, std::shared_ptr<const StrikeStrip>> strips;
     std::array<Key, 128> keys;
     std::vector<KeyMallet> mallets;              ///< [slots]
     std::vector<LowestModes> lowestModesOfSlots; ///< [slots]

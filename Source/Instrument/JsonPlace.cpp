@@ -12,6 +12,15 @@ void JsonPlace::fail(const std::string& predicate) const {
     throw Fault{name() + " " + predicate};
 }
 
+void JsonPlace::expectFormat(const std::string& kind, int newest) const {
+    if (!value.is_object() || !value.contains("format") || value["format"] != "idiophone-" + kind)
+        fail("is not an Idiophone " + kind);
+    const int version = at("version").integer(1, 1'000'000'000);
+    if (version > newest)
+        fail("was made by a newer Idiophone (" + kind + " version " + std::to_string(version) +
+             ")");
+}
+
 void JsonPlace::allow(std::initializer_list<std::string_view> members) const {
     if (!value.is_object())
         fail("is not a JSON object");

@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <functional>
 #include <initializer_list>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -34,6 +35,9 @@ public:
 
     [[noreturn]] void fail(const std::string& predicate) const;
 
+    /// Fails unless the value is an Idiophone file of that kind, such as "preset", and its version
+    /// is at most `newest`.
+    void expectFormat(const std::string& kind, int newest) const;
     /// Fails unless the value is an object with these members only.
     void allow(std::initializer_list<std::string_view> members) const;
     bool has(const char* key) const { return value.contains(key); }
@@ -65,6 +69,18 @@ private:
     const nlohmann::json& value;
     std::string path;
 };
+
+/// Reads a member by a function of JsonPlace, or one that takes a JsonPlace first. Without the
+/// member the value stays.
+template <class Value, class Function, class... Arguments>
+void read(const JsonPlace& place,
+          const char* key,
+          Value& value,
+          Function function,
+          const Arguments&... arguments) {
+    if (place.has(key))
+        value = static_cast<Value>(std::invoke(function, place.at(key), arguments...));
+}
 
 /// Returns `parse` of the whole text's root. If that throws a fault, or the text is not JSON,
 /// returns an error that begins with the name.

@@ -130,12 +130,12 @@ void KeyState::controller(int channel, int number, int value) noexcept {
     switch (number) {
     case midi::modulation:
         for (int each = first; each <= last; ++each)
-            held.setSpeedController(each, value);
+            held.controllers(each).speed = value;
         modulation = value;
         break;
     case midi::place:
         for (int each = first; each <= last; ++each)
-            held.setPlaceController(each, value);
+            held.controllers(each).place = value;
         break;
     case midi::sustainPedal:
         sustainPedal = value >= 64;

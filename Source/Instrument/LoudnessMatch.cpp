@@ -3,8 +3,8 @@
 #include "Instrument/SettingsOfParameters.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <initializer_list>
 #include <limits>
 #include <numeric>
 #include <span>
@@ -26,17 +26,11 @@ void copyInto(ParameterValues& to,
         to.set(parameter, from[parameter]);
 }
 
-void copyInto(ParameterValues& to,
-              const ParameterValues& from,
-              std::initializer_list<ParameterId> parameters) noexcept {
-    copyInto(to, from, std::span(parameters.begin(), parameters.size()));
-}
-
 /// `now` with the preset's material and mallet.
 ParameterValues withOwn(ParameterValues now, const ParameterValues& own) noexcept {
     copyInto(now, own, materialFigures);
     copyInto(now, own, malletFigures);
-    copyInto(now, own, {material, mallet});
+    copyInto(now, own, std::array{material, mallet});
     return now;
 }
 
@@ -45,34 +39,23 @@ ParameterValues withOwn(ParameterValues now, const ParameterValues& own) noexcep
 ParameterValues valuesThatMatter(const ParameterValues& values) noexcept {
     ParameterValues result;
     copyInto(result, values,
-             {material, size, thickness, keepPitch, tune, concertPitch, strikeAlong, strikeAcross,
-              radiation, letRing, contact});
+             std::array{material, size, thickness, keepPitch, tune, concertPitch, strikeAlong,
+                        strikeAcross, radiation, letRing, contact});
     if (static_cast<int>(values[material]) == customMaterial)
         copyInto(result, values, materialFigures);
     if (values[letRing] == 0)
-        copyInto(result, values, {releaseTime});
+        result.set(releaseTime, values[releaseTime]);
     if (!strikes(values)) {
-        copyInto(result, values, {contactSpeed});
+        result.set(contactSpeed, values[contactSpeed]);
         if (static_cast<int>(values[contact]) == rollContact)
-            copyInto(result, values, {rollCoupling});
+            result.set(rollCoupling, values[rollCoupling]);
         return result;
     }
     copyInto(result, values,
-             {mallet, malletSpeed, malletFollow, velocityCurve, chatter, modalPulse});
+             std::array{mallet, malletSpeed, malletFollow, velocityCurve, chatter, modalPulse});
     if (static_cast<int>(values[mallet]) == customMallet)
         copyInto(result, values, malletFigures);
     return result;
-}
-
-LoudnessMatch::LoudnessMatch(std::shared_ptr<const Instrument> instrument,
-                             const Surface& surface,
-                             double sampleRateHz,
-                             const ParameterValues& own)
-    : phrase(std::move(instrument), surface, sampleRateHz), ownValues(own) {}
-
-PhrasePrediction::Loudness
-LoudnessMatch::predictedLufs(const ParameterValues& values) const noexcept {
-    return predictedLoudness(phrase, values, wheel);
 }
 
 void LoudnessMatch::prepare(const ParameterValues& now, int awaitedWheel) noexcept {
@@ -110,8 +93,8 @@ std::size_t LoudnessMatch::advance(const ParameterValues& now, std::size_t modes
         taken += prediction.advance(modes - taken);
         if (!prediction.complete())
             break;
-        auto& side = state.onReference ? state.reference : state.played;
-        side.known() = {.valid = true, .goal = side.goal, .lufs = prediction.lufs()};
+        auto& side = state.unknown();
+        side.known() = {.goal = side.goal, .lufs = prediction.lufs()};
         beginNext();
     }
     if (!state.working && std::exchange(isSongStart, false))
@@ -138,7 +121,7 @@ LoudnessMatch::Known& LoudnessMatch::Side::known() noexcept {
 }
 
 bool LoudnessMatch::Side::isKnown() noexcept {
-    return known().valid && known().goal == goal;
+    return known().goal == goal;
 }
 
 LoudnessMatch::Goal LoudnessMatch::goalOf(const ParameterValues& values) const noexcept {
@@ -161,14 +144,13 @@ void LoudnessMatch::setGoal(const ParameterValues& now) noexcept {
 
 /// Begins the next unknown prediction of the goal, or computes the gain if all are known.
 void LoudnessMatch::beginNext() noexcept {
-    state.onReference = !state.reference.isKnown();
-    state.working = state.onReference || !state.played.isKnown();
+    state.working = !state.unknown().isKnown();
     if (!state.working) {
         state.gainDb = gainOfKnown();
         return;
     }
-    const auto& goal = (state.onReference ? state.reference : state.played).goal;
-    prediction.begin(phrase, goal.values, goal.wheel);
+    const auto& goal = state.unknown().goal;
+    prediction = PhrasePrediction(phrase, goal.values, goal.wheel);
 }
 
 double LoudnessMatch::gainOfKnown() noexcept {

@@ -6,8 +6,8 @@
 #include "Instrument/PhrasePrediction.h"
 
 #include <cstddef>
-#include <memory>
 #include <optional>
+#include <utility>
 
 namespace idiophone {
 
@@ -25,12 +25,9 @@ public:
     /// Maximum of modes that one `advance` processes: about 20 µs of work.
     static constexpr std::size_t modesPerCell = 16;
 
-    /// `surface` must be valid; keys that scrape or roll sound like it. `own` are the preset's
-    /// values.
-    LoudnessMatch(std::shared_ptr<const Instrument> instrument,
-                  const Surface& surface,
-                  double sampleRateHz,
-                  const ParameterValues& own);
+    /// `own` are the preset's values.
+    LoudnessMatch(Phrase predicted, const ParameterValues& own)
+        : phrase(std::move(predicted)), ownValues(own) {}
 
     /// Computes the gain of these values at once, for the present wheel, the wheel at rest and
     /// `awaitedWheel`, where the wheel is about to be. Takes time with the number of modes: not for
@@ -61,19 +58,15 @@ public:
     /// time on every pass.
     void beginSong() noexcept { songBegins = true; }
 
-    /// Returns the complete prediction for these values and the wheel; not for the audio thread.
-    PhrasePrediction::Loudness predictedLufs(const ParameterValues& values) const noexcept;
-
 private:
     /// The values that the loudness depends on.
     struct Goal {
         ParameterValues values;
-        int wheel = 0; ///< at rest for strikes, as it does not affect them
+        int wheel = -1; ///< at rest for strikes, as it does not affect them; −1: no goal yet
 
         bool operator==(const Goal&) const = default;
     };
     struct Known {
-        bool valid = false;
         Goal goal;
         PhrasePrediction::Loudness lufs{};
     };
@@ -90,8 +83,10 @@ private:
         double gainDb = 0;
         Side reference, played;
         bool working = false;
-        bool onReference = false; ///< true: works on `reference`, not `played`
         std::optional<Goal> seen; ///< inputs of the present goals
+
+        /// Returns the side to predict first.
+        Side& unknown() noexcept { return reference.isKnown() ? played : reference; }
     };
 
     std::size_t advance(const ParameterValues& now, std::size_t modes) noexcept;

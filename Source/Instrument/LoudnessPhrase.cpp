@@ -1,6 +1,6 @@
 #include "Instrument/LoudnessPhrase.h"
 
-#include "Instrument/SpreadNotes.h"
+#include "Instrument/Phrase.h"
 
 namespace idiophone {
 namespace {
@@ -14,12 +14,12 @@ MidiEvent event(int sample, int status, int note, int velocity) {
 } // namespace
 
 std::vector<MidiEvent> loudnessPhrase(const KeyMap& keyMap, int velocity, double sampleRateHz) {
-    constexpr int count = PhraseMeter::notes, noteOn = 0x90, noteOff = 0x80;
+    constexpr int noteOn = 0x90, noteOff = 0x80;
     const double noteSamples = PhraseMeter::noteSeconds * sampleRateHz;
     std::vector<MidiEvent> events;
-    for (int i = 0; i < count; ++i) {
-        const int note = spreadNote(keyMap.lowestNote, keyMap.highestNote, i, count);
-        const int time = static_cast<int>(i * noteSamples);
+    for (std::size_t i = 0; i < PhraseMeter::notes; ++i) {
+        const int note = phraseNote(keyMap, i);
+        const int time = static_cast<int>(static_cast<double>(i) * noteSamples);
         events.push_back(event(time, noteOn, note, velocity));
         events.push_back(event(time + static_cast<int>(noteSamples) - 100, noteOff, note, 0));
     }

@@ -58,22 +58,6 @@ Striker striker(const KeyMallet& key, const ParameterValues& parameters, double 
             .law = contactLaw(head.headRadiusMetres * key.scale, modulusPa, head.forceExponent)};
 }
 
-double malletSpeedAt(int velocity, const ParameterValues& parameters) {
-    return parameters[malletSpeed] * std::pow(velocity / 127.0, parameters[velocityCurve]);
-}
-
-Strike malletStrike(const StrikePoint& point,
-                    const Striker& mallet,
-                    double speedMetresPerSecond,
-                    const DrivingPoint& driven) {
-    const auto collision = driven.struckBy(mallet, speedMetresPerSecond);
-    const auto impulse = static_cast<float>(collision.impulseNewtonSeconds);
-    return {.point = point,
-            .impulseNewtonSeconds = {-impulse * point.normal[0], -impulse * point.normal[1],
-                                     -impulse * point.normal[2]},
-            .durationSeconds = collision.contactSeconds};
-}
-
 Strike malletStrike(const StrikePoint& point,
                     int velocity,
                     const KeyMallet& key,
@@ -82,11 +66,13 @@ Strike malletStrike(const StrikePoint& point,
     const auto& object = *struck.object;
     const DrivingPoint driven(object, point, synthesisSettings(parameters), struck.sizeRatio,
                               struck.pitch ? &*struck.pitch : nullptr);
-    auto strike = malletStrike(
-        point, striker(key, parameters, surfaceCompliancePerPa(object.material, parameters)),
-        malletSpeedAt(velocity, parameters), driven);
-    for (float& component : strike.impulseNewtonSeconds)
-        component *= static_cast<float>(key.gain);
+    const auto collision = driven.struckBy(
+        striker(key, parameters, surfaceCompliancePerPa(object.material, parameters)),
+        parameters[malletSpeed] * std::pow(velocity / 127.0, parameters[velocityCurve]));
+    Strike strike{.point = point, .durationSeconds = collision.contactSeconds};
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        strike.impulseNewtonSeconds[axis] = -static_cast<float>(collision.impulseNewtonSeconds) *
+                                            point.normal[axis] * static_cast<float>(key.gain);
     return strike;
 }
 

@@ -4,7 +4,6 @@
 
 #include "Instrument/DrivingPoint.h"
 #include "Instrument/KeyMallet.h"
-#include "Instrument/StrikePlace.h"
 #include "Object/Material.h"
 #include "Parameters/ParameterTable.h"
 #include "Synth/Strike.h"
@@ -13,6 +12,12 @@
 #include <cstdint>
 
 namespace idiophone {
+
+/// A place on a key's strip.
+struct StrikePlace {
+    double along = 0;  ///< 0 to 1 on the strip
+    double across = 0; ///< −1 to 1
+};
 
 /// Returns the key's own place, moved by "strike position". Any thread.
 StrikePlace aimedPlace(double keyAlong, const ParameterValues& parameters);
@@ -33,18 +38,8 @@ double surfaceCompliancePerPa(const Material& own, const ParameterValues& parame
 Striker
 striker(const KeyMallet& key, const ParameterValues& parameters, double surfaceCompliance = 0);
 
-/// Returns the speed [m/s] of a mallet at MIDI velocity 1 to 127. Any thread.
-double malletSpeedAt(int velocity, const ParameterValues& parameters);
-
-/// Returns the strike of a mallet at a speed > 0, into the surface, on an object that yields as
-/// `driven`. Any thread.
-Strike malletStrike(const StrikePoint& point,
-                    const Striker& mallet,
-                    double speedMetresPerSecond,
-                    const DrivingPoint& driven);
-
-/// Returns the strike of the chosen mallet on a slot's object, under the parameters' material, size
-/// and thickness. Any thread.
+/// Returns the strike at a MIDI velocity, 1 to 127, of the chosen mallet into a slot's object, under the parameters' material,
+/// size and thickness. The point's rows must be the object's. Any thread.
 Strike malletStrike(const StrikePoint& point,
                     int velocity,
                     const KeyMallet& key,

@@ -1,8 +1,6 @@
 #include "Instrument/Mutation.h"
 
-#include "Instrument/ContactLaw.h"
 #include "Instrument/LoudnessMatch.h"
-#include "Instrument/MalletStrike.h"
 #include "Instrument/SettingsOfParameters.h"
 
 #include <algorithm>
@@ -22,21 +20,6 @@ double nextRandom(std::mt19937& random) {
     return 2 * (static_cast<double>(random()) / 4294967295.0) - 1;
 }
 
-ParameterValues withPlayedMaterial(const ParameterValues& now, const ModalObject& object) {
-    if (static_cast<int>(now[material]) == customMaterial)
-        return now;
-    const auto* chosen = chosenLibraryMaterial(now);
-    return withCustomMaterial(now, chosen != nullptr ? *chosen : object.material);
-}
-
-ParameterValues withPlayedMallet(const ParameterValues& now, const ModalObject& object) {
-    const auto* chosen = chosenMallet(now);
-    if (chosen == nullptr)
-        return now;
-    const double compliance = surfaceCompliancePerPa(object.material, now);
-    return withCustomMallet(now, *chosen, contactModulusPa(*chosen, compliance));
-}
-
 double moved(const ParameterInfo& info, double value, double strength, std::mt19937& random) {
     const auto& range = info.mutation;
     const double place = info.toNormalised(value);
@@ -50,11 +33,6 @@ double moved(const ParameterInfo& info, double value, double strength, std::mt19
     return info.fromNormalised(std::clamp(next, lowest, highest));
 }
 
-double loudnessLufs(LoudnessMatch& match, const ParameterValues& values) {
-    match.prepare(values);
-    return match.predictedLufs(values)[PhrasePrediction::middleVelocity] + match.gainDb();
-}
-
 } // namespace
 
 ParameterValues mutated(const ParameterValues& now,
@@ -64,16 +42,23 @@ ParameterValues mutated(const ParameterValues& now,
                         std::uint32_t seed) {
     if (instrument == nullptr || instrument->slots().empty() || !(strength > 0))
         return now;
-    const auto& object = *instrument->slots().front().object;
-    auto next = withPlayedMaterial(withPlayedMallet(now, object), object);
+    const auto& own = instrument->slots().front().object->material;
+    auto next = effectiveFigures(now, &own);
+    for (const auto& choice : figureChoices)
+        next.set(choice.choice, choice.custom);
     std::mt19937 random(seed);
     for (const auto& info : parameterTable())
         if (info.mutation.step > 0)
             next.set(info.parameter,
                      moved(info, next[info.parameter], std::min(strength, 1.0), random));
 
-    LoudnessMatch match(instrument, preset.surface, anyRateHz, preset.parameters);
-    const double louderDb = loudnessLufs(match, next) - loudnessLufs(match, now);
+    const Phrase phrase(instrument, preset.surface, anyRateHz);
+    LoudnessMatch match(phrase, preset.parameters);
+    const auto matchedLufs = [&](const ParameterValues& values) {
+        match.prepare(values);
+        return predictedLufs(phrase, values) + match.gainDb();
+    };
+    const double louderDb = matchedLufs(next) - matchedLufs(now);
     if (std::isfinite(louderDb)) {
         const double wanted = now[level] + std::min(-louderDb, maximumLouderDb);
         next.set(level, std::min(wanted, std::max(now[level], 0.0)));

@@ -1,6 +1,5 @@
 #include "Instrument/PhrasePrediction.h"
 
-#include "Instrument/DecayTime.h"
 #include "Instrument/DraggedForce.h"
 #include "Instrument/MalletStrike.h"
 #include "Instrument/RollCoupling.h"
@@ -25,20 +24,15 @@ constexpr double slowestDecay = 1e-3; // [1/s] far slower than the phrase
 
 PhrasePrediction::Loudness
 predictedLoudness(const Phrase& phrase, const ParameterValues& values, int wheel) noexcept {
-    PhrasePrediction prediction;
-    prediction.begin(phrase, values, wheel);
+    PhrasePrediction prediction(phrase, values, wheel);
     prediction.advance(std::numeric_limits<std::size_t>::max());
     return prediction.lufs();
 }
 
-void PhrasePrediction::begin(const Phrase& played,
-                             const ParameterValues& values,
-                             int wheelPosition) noexcept {
-    phrase = &played;
-    parameters = values;
-    wheel = wheelPosition;
-    meters = {};
-    endNote = 0;
+PhrasePrediction::PhrasePrediction(const Phrase& played,
+                                   const ParameterValues& values,
+                                   int wheelPosition) noexcept
+    : phrase(&played), parameters(values), wheel(wheelPosition) {
     beginObject();
 }
 
@@ -99,27 +93,28 @@ void PhrasePrediction::beginObject() noexcept {
     nearModes = {};
     held = !strikes(parameters);
     if (held)
-        beginForce(parameters, settings);
+        beginForce(settings);
     else
-        beginStrikes(parameters);
+        beginStrikes();
 }
 
-void PhrasePrediction::beginStrikes(const ParameterValues& values) noexcept {
+void PhrasePrediction::beginStrikes() noexcept {
     for (std::size_t note = firstNote; note < endNote; ++note) {
         const auto& noteKey = phrase->notes[note].key;
-        const auto place = aimedPlace(noteKey.along, values);
-        points[note] = phrase->instrument->strip(noteKey).between(place.along, place.across).point;
+        const auto place = aimedPlace(noteKey.along, parameters);
+        points[note] = noteKey.strip->between(place.along, place.across).point;
         pushes[note] = listeningDirection(points[note]);
     }
     const auto modes = lowestModes().atThickness(thicknessRatio).moved(conditions.frequencyRatio());
     const auto strikeOf = [&](std::size_t note, int velocity) {
-        return malletStrike(points[note], velocity, phrase->notes[note].key.mallet, values, slot());
+        return malletStrike(points[note], velocity, phrase->notes[note].key.mallet, parameters,
+                            slot());
     };
     const auto trainOf = [&](const Strike& strike, std::size_t note) {
         const auto train = contactTrain(strike, phrase->notes[note].key.mallet.scale,
-                                        values[chatter], static_cast<std::uint32_t>(firstNote));
-        return values[modalPulse] != 0 ? withModalPulses(train, modes.span())
-                                       : withFilledNulls(train);
+                                        parameters[chatter], static_cast<std::uint32_t>(firstNote));
+        return parameters[modalPulse] != 0 ? withModalPulses(train, modes.span())
+                                           : withFilledNulls(train);
     };
     middleNote = (firstNote + endNote) / 2;
     for (std::size_t level = 0; level < levels; ++level) {
@@ -181,24 +176,22 @@ void PhrasePrediction::addClick(const RingingMode<levels>& mode, double weightin
     }
 }
 
-void PhrasePrediction::beginForce(const ParameterValues& values,
-                                  const SynthesisSettings& settings) noexcept {
-    const auto& own = slot().object->material;
-    const auto* chosen = chosenLibraryMaterial(values);
-    const double friction = (chosen != nullptr ? *chosen : own).friction;
+void PhrasePrediction::beginForce(const SynthesisSettings& settings) noexcept {
+    const double friction = contactMaterial(parameters, slot().object->material).friction;
     for (std::size_t note = firstNote; note < endNote; ++note) {
         const auto& noteKey = phrase->notes[note].key;
-        const auto aimed = aimedPlace(noteKey.along, values);
-        const auto place = phrase->instrument->strip(noteKey).between(aimed.along, aimed.across);
+        const auto aimed = aimedPlace(noteKey.along, parameters);
+        const auto place = noteKey.strip->between(aimed.along, aimed.across);
         points[note] = place.point;
         pushes[note] = draggedForce(place.point, place.direction, friction).direction;
         for (float& component : pushes[note])
             component *= static_cast<float>(forceScale(noteKey.mallet));
     }
-    const bool rolls = static_cast<int>(values[contact]) == rollContact;
+    const bool rolls = static_cast<int>(parameters[contact]) == rollContact;
     const ContactForceSettings kind{.kind = rolls ? ContactKind::roll : ContactKind::scrape,
-                                    .rollModalCoupling = rolls ? values[rollCoupling] / 100 : 0};
-    const double speed = values[contactSpeed] * wheel / 127.0;
+                                    .rollModalCoupling =
+                                        rolls ? parameters[rollCoupling] / 100 : 0};
+    const double speed = parameters[contactSpeed] * wheel / 127.0;
     const auto coupled = coupledModes(lowestModes(), slot(), settings);
     force = HeldForceSpectrum(phrase->surface, speed, kind, coupled.span(), phrase->sampleRateHz);
     stiff = StiffMotion(phrase->sampleRateHz);
@@ -277,9 +270,8 @@ void PhrasePrediction::addMode(RingingMode<levels>& mode, const ModalPole& pole)
                                                   std::complex(0.0, velocity.imag()) * mean.imag();
             }
         }
-    }
-    if (!held)
         addClick(mode, weighting);
+    }
     const auto powers = nearModes.add(mode, firstNote, endNote);
     for (std::size_t level = 0; level < levels; ++level)
         meters[level].addMode(held ? PhraseMeter::Note::sustained : PhraseMeter::Note::struck,

@@ -27,9 +27,10 @@ public:
     /// LUFS for each velocity (PhraseMeter.h; the mean of both channels, before `level`).
     using Loudness = std::array<double, velocities.size()>;
 
-    /// Starts a new prediction, for a modulation wheel at 0 to 127. `phrase` must stay alive until
-    /// the prediction is complete.
-    void begin(const Phrase& phrase, const ParameterValues& parameters, int wheel) noexcept;
+    PhrasePrediction() = default; ///< nothing to predict
+    /// Starts a prediction, for a modulation wheel at 0 to 127. `phrase` must stay alive until it
+    /// is complete.
+    PhrasePrediction(const Phrase& phrase, const ParameterValues& parameters, int wheel) noexcept;
 
     /// Processes up to `modes` more modes and returns how many.
     std::size_t advance(std::size_t modes) noexcept;
@@ -46,10 +47,10 @@ private:
     static constexpr std::size_t levels = velocities.size();
 
     void beginObject() noexcept;
-    void beginStrikes(const ParameterValues& parameters) noexcept;
+    void beginStrikes() noexcept;
     RigidClick clickOf(const Strike& strike) const noexcept;
     void addClick(const RingingMode<levels>& mode, double weighting) noexcept;
-    void beginForce(const ParameterValues& parameters, const SynthesisSettings& settings) noexcept;
+    void beginForce(const SynthesisSettings& settings) noexcept;
     void endObject() noexcept;
     void addModes(std::size_t count) noexcept;
     void addMode(RingingMode<levels>& mode, const ModalPole& pole) noexcept;
@@ -70,7 +71,7 @@ private:
     double release = 0;   ///< [1/s]
     bool held = false;    ///< scraped or rolled
     std::array<StrikePoint, PhraseMeter::notes> points;
-    std::array<std::array<float, 3>, PhraseMeter::notes> pushes; ///< force direction per 1 Ns
+    std::array<std::array<float, 3>, PhraseMeter::notes> pushes{}; ///< force direction per 1 Ns
     // Keys that share an object strike it at places that yield differently. For all velocities the
     // prediction uses the middle note's strike. At the middle velocity it adds how the other notes
     // differ from it.

@@ -27,7 +27,7 @@ void PitchBend::setParameters(const ParameterValues& parameters) noexcept {
     const bool isMoved = std::exchange(mpeParameter, isOn) != isOn;
     if (isMoved && !(configured && configured->any() == isOn)) {
         configured.reset();
-        forgetNotes();
+        reset();
     }
     bendHeldNotes();
 }
@@ -37,7 +37,7 @@ void PitchBend::forgetGiven() noexcept {
     memberRange.forgetGiven();
     newlyGiven = {};
     if (std::exchange(configured, std::nullopt))
-        forgetNotes();
+        reset();
     bendHeldNotes();
 }
 
@@ -161,7 +161,7 @@ void PitchBend::configure(int managerChannel, int members) noexcept {
         memberRange.give(memberSemitones);
         newlyGiven.memberRange = memberSemitones;
     }
-    forgetNotes();
+    reset();
 }
 
 void PitchBend::forgetParameter(int channel) noexcept {
@@ -172,7 +172,7 @@ void PitchBend::releaseNotes() noexcept {
     heldBy.fill(none);
 }
 
-void PitchBend::forgetNotes() noexcept {
+void PitchBend::reset() noexcept {
     commonBends.fill(0);
     heldBy.fill(none);
     noteSemitones.fill(0);
@@ -198,10 +198,6 @@ void PitchBend::takeSetupOf(const PitchBend& other) noexcept {
     parameterMsb = other.parameterMsb;
     parameterLsb = other.parameterLsb;
     noteGroups.fill(groupOf(lowerManager));
-}
-
-void PitchBend::reset() noexcept {
-    forgetNotes();
 }
 
 } // namespace idiophone

@@ -104,7 +104,6 @@ private:
     void giveRange(int channel, int semitones, int cents) noexcept;
     void bendHeldNotes() noexcept;
     void forgetParameter(int channel) noexcept;
-    void forgetNotes() noexcept;
 
     bool mpeParameter = false;
     std::optional<Zones> configured; ///< by MIDI, since the parameter last moved

@@ -1,65 +1,48 @@
-// Controls the stage of a player. Without a stage all of it does nothing.
+// The stage of a player, as its owner controls and watches it. This class itself is the stage of a
+// player without one: nothing is on it.
 #pragma once
 
-#include "Instrument/Instrument.h"
-#include "Instrument/Stage.h"
+#include "Instrument/PlacedImpact.h"
 
+#include <array>
 #include <cstdint>
-#include <memory>
 #include <span>
-#include <utility>
 
 namespace idiophone {
 
-/// For the audio thread; neither allocates, locks nor throws.
+/// Transform of a slot's body from its object's own mesh, scaled, to the stage; z points up.
+struct BodyPose {
+    bool isThere = false;
+    std::array<float, 3> originMetres{};
+    std::array<float, 4> turn{0, 0, 0, 1}; ///< a unit quaternion x, y, z, w
+};
+
+/// For the audio thread; neither allocates, locks nor throws. The exception is offline mode: then
+/// it waits for its worker, or does the work itself.
 class PlayedStage {
 public:
-    /// Sets whether rendering may wait for the simulation.
-    void setOffline(bool isOffline) noexcept {
-        if (performance)
-            performance->setOffline(isOffline);
-    }
-    /// See StagePlayer::waitForSimulation.
-    void waitForSimulation() noexcept {
-        if (performance)
-            performance->waitForSimulation();
-    }
-    /// Stops bodies in place, or lets them go on.
-    void pauseStage(bool isPaused) noexcept {
-        if (performance)
-            performance->setPaused(isPaused);
-    }
-    /// Returns bodies to their state before the first note.
-    void resetStage() noexcept {
-        if (performance)
-            performance->stop();
-    }
-    /// Returns the impacts of bodies since the last call; valid until the next cell.
-    std::span<const PlacedImpact> takeImpacts() noexcept {
-        return performance ? performance->takeImpacts() : std::span<const PlacedImpact>();
-    }
-    /// Returns StagePlayer::number, or 0.
-    std::uint32_t performanceNumber() const noexcept {
-        return performance ? performance->number() : 0;
-    }
-    /// Returns where the bodies of the slots are; empty without a stage.
-    std::span<const BodyPose> bodyPoses() const noexcept {
-        return performance ? performance->poses() : std::span<const BodyPose>();
-    }
-    /// Returns the number of impacts and contacts that became known too late to act at their time.
-    std::int64_t lateEvents() const noexcept { return performance ? performance->lateEvents() : 0; }
+    virtual ~PlayedStage() = default;
 
-protected:
-    PlayedStage(std::shared_ptr<const Instrument> instrument,
-                double sampleRateHz,
-                std::uint64_t seed)
-        : playedInstrument(std::move(instrument)) {
-        if (const auto& stage = playedInstrument->stage())
-            performance = stage->makePlayer(sampleRateHz, seed);
-    }
+    /// Sets whether it may wait for the simulation. If not, impacts that become known too late act
+    /// as soon as possible, and contacts act from then on. Both count as late events.
+    virtual void setOffline(bool) noexcept {}
+    /// Returns when the simulation is as far ahead of the sound as its worker would be, about a
+    /// second. Not for the audio thread, but for its caller between two blocks.
+    virtual void waitForSimulation() noexcept {}
 
-    std::shared_ptr<const Instrument> playedInstrument; ///< outlives the performance's own thread
-    std::unique_ptr<StagePlayer> performance;           ///< null without a stage
+    /// Stops bodies in place, or lets them go on from there.
+    virtual void pause(bool) noexcept {}
+    /// Returns all bodies to their state before the first note; objects ring on.
+    virtual void reset() noexcept {}
+
+    virtual std::int64_t lateEvents() const noexcept { return 0; }
+    /// Returns the impacts since the last call, in seconds since the first cell; valid until the
+    /// next cell.
+    virtual std::span<const PlacedImpact> takeImpacts() noexcept { return {}; }
+    /// Returns a number unique in the process, which changes with every `reset`; 0 without a stage.
+    /// Times of impacts are comparable only under the same number.
+    virtual std::uint32_t number() const noexcept { return 0; }
+    virtual std::span<const BodyPose> bodyPoses() const noexcept { return {}; } ///< [slots] now
 };
 
 } // namespace idiophone

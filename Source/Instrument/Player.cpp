@@ -42,17 +42,21 @@ Player::Player(std::shared_ptr<const Instrument> instrument,
                const Surface& surface,
                std::uint64_t seed,
                const ParameterValues& own)
-    : PlayedStage(std::move(instrument), sampleRateHz, seed), glide(cellSamples / sampleRateHz),
+    : playedInstrument(std::move(instrument)),
+      performance(playedInstrument->stage()
+                      ? playedInstrument->stage()->makePlayer(sampleRateHz, seed)
+                      : nullptr),
+      glide(cellSamples / sampleRateHz),
       held(*playedInstrument, sharedSurfaceProfile(surface, sampleRateHz), seed),
       hand(*playedInstrument,
            sharedSurfaceProfile(surface, sampleRateHz),
            seed,
-           handStrengths(playedInstrument, surface, sampleRateHz, own)),
+           handStrengths({playedInstrument, surface, sampleRateHz}, own)),
       keys(held), slotTuning(*playedInstrument, cellSamples / sampleRateHz),
       scheduler(*playedInstrument, seed),
       renderer(*playedInstrument, sampleRateHz, cellStrategy(performance.get()), held, hand) {
-    if (renderer.hasMallets())
-        loudness.emplace(playedInstrument, surface, sampleRateHz, own);
+    if (!performance)
+        loudness.emplace(Phrase(playedInstrument, surface, sampleRateHz), own);
     lateNotes.reserve(lateCapacity);
 }
 
@@ -127,7 +131,7 @@ void Player::follow(const MidiEvent& event) {
         playedResizedKeys = playedResizedKeys || !playedInstrument->hasOwn(note);
         playedLast = static_cast<std::size_t>(playedInstrument->key(note).slot);
         renderer.endSilence(glide.values(), keys);
-        if (renderer.hasMallets() && !strikes(glide.values()))
+        if (!performance && !strikes(glide.values()))
             held.press(event.channel(), note, keys.softness() * event.second() / 127.0);
     }
     if (midi::isChannelMode(event.bytes) && midi::releasesAllNotes(event.first()))
@@ -135,7 +139,7 @@ void Player::follow(const MidiEvent& event) {
     if (midi::isAllSoundOff(event.bytes)) {
         allSoundOffCame = true;
         renderer.silence();
-        resetStage();
+        stage().reset();
         scheduler.clear();
         lateNotes.clear();
     }
@@ -160,7 +164,7 @@ void Player::strike(std::span<const MidiEvent> notes) {
     if (notes.empty() && lateNotes.empty() && !scheduler.hasSurfaceStrikes())
         return;
     const auto& values = glide.values();
-    if (renderer.isWithinCell() && renderer.hasMallets()) {
+    if (renderer.isWithinCell() && !performance) {
         slotTuning.applyToPlayed(keys.bend(), renderer.synthesiser());
         renderer.updateDampers(values, keys);
     }
@@ -169,12 +173,13 @@ void Player::strike(std::span<const MidiEvent> notes) {
         const int note = event.first(), velocity = event.second();
         if (!event.isNoteOn() || !slotTuning.sounds(note))
             return;
-        if (!renderer.hasMallets())
-            renderer.startNote(note,
-                         std::max(1, static_cast<int>(std::lround(keys.softness() * velocity))));
+        if (performance)
+            renderer.startNote(
+                *performance, note,
+                std::max(1, static_cast<int>(std::lround(keys.softness() * velocity))));
         else if (strikes(values))
             scheduler.strikeKey(playedInstrument->key(note), velocity,
-                                held.placeController(event.channel()), moment);
+                                held.controllers(event.channel()).place, moment);
     };
     std::ranges::for_each(lateNotes, strikeNote);
     lateNotes.clear();
@@ -225,7 +230,7 @@ void Player::restart() {
     scheduler.reset();
     slotTuning.reset();
     if (performance)
-        performance->reset();
+        performance->restart();
 }
 
 void Player::reset() {

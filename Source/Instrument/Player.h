@@ -10,7 +10,6 @@
 #include "Instrument/LoudnessMatch.h"
 #include "Instrument/MidiEvent.h"
 #include "Instrument/ParameterGlide.h"
-#include "Instrument/PlayedStage.h"
 #include "Instrument/SilencedModes.h"
 #include "Instrument/SlotTuning.h"
 #include "Instrument/StereoSpan.h"
@@ -27,7 +26,7 @@ namespace idiophone {
 /// Constructed and destroyed off the audio thread; the rest is for the audio thread and neither
 /// allocates, locks nor throws. The same events and parameters give the same samples, bit for bit,
 /// for all block sizes.
-class Player : public PlayedStage {
+class Player {
 public:
     /// `surface` must be valid; scrapes and rolls sound like it. The seed decides where their noise
     /// begins, and how strikes spread and chatter. `own` are the preset's values, whose loudness
@@ -83,7 +82,7 @@ public:
     /// Returns the maximum by which tunings and wheels may lower a slot below its key in equal
     /// temperament.
     double semitonesBelowEqual() const noexcept {
-        return slotTuning.semitonesBelowEqual() + keys.bend().maximumSemitones();
+        return slotTuning.semitonesBelowEqual() + bend().maximumSemitones();
     }
 
     /// Returns whether a key without an object of its own was ever played.
@@ -91,19 +90,16 @@ public:
 
     /// Takes over the pedals, wheels and other controllers of another player, but not its keys.
     void takeControllersOf(const Player& former) noexcept;
-    /// Takes over only MPE's zones and the bend ranges.
-    void takeBendSetupOf(const Player& former) noexcept {
-        keys.bend().takeSetupOf(former.keys.bend());
-    }
-    /// See PitchBend.
-    PitchBend::Given takeGivenBends() noexcept { return keys.bend().takeGiven(); }
-    void forgetGivenBends() noexcept { keys.bend().forgetGiven(); }
+    PitchBend& bend() noexcept { return keys.bend(); }
+    const PitchBend& bend() const noexcept { return keys.bend(); }
 
-    /// Sets the host's tempo from the next cell on; 0 if it gives none.
-    void setTempo(double beatsPerMinute) { tempo = beatsPerMinute; }
-    /// Sets the song position at the next sample, in beats, while the host plays and gives one. It
-    /// advances with the tempo. A motor in that tempo follows it.
-    void setSongPlace(std::optional<double> beats) { songPlace = beats; }
+    /// Sets the host's tempo from the next cell on, 0 if it gives none, and the song position at
+    /// the next sample, in beats, while the host plays and gives one. The position advances with
+    /// the tempo. A motor in that tempo follows it.
+    void setSong(double beatsPerMinute, std::optional<double> beats) {
+        tempo = beatsPerMinute;
+        songPlace = beats;
+    }
     /// Marks that the transport started or looped. Reseeds the strike counter from the song
     /// position, so that every pass renders the same samples. If nothing sounds or moves, it also
     /// returns everything but keys and controllers to the start, which makes the passes equal to
@@ -126,6 +122,9 @@ public:
     std::optional<std::size_t> takeSilenced();
     const Synthesiser& synthesiser() const { return renderer.synthesiser(); }
     const Instrument& instrument() const { return *playedInstrument; }
+    /// Returns the stage; without one nothing is on it.
+    PlayedStage& stage() noexcept { return performance ? *performance : noStage; }
+    const PlayedStage& stage() const noexcept { return performance ? *performance : noStage; }
     /// Returns the slot of the last key or strike; nothing before the first.
     std::optional<std::size_t> slotPlayedLast() const { return playedLast; }
 
@@ -137,6 +136,9 @@ private:
     void restart();
 
     std::int64_t ownersLabel = 0;
+    std::shared_ptr<const Instrument> playedInstrument; ///< outlives the performance's own thread
+    std::unique_ptr<StagePlayer> performance;           ///< null if mallets play
+    PlayedStage noStage;
     ParameterGlide glide;
     HeldContacts held;
     HandScrape hand;

@@ -3,7 +3,6 @@
 #include "Instrument/JsonPlace.h"
 #include "Instrument/ParameterJson.h"
 #include "Instrument/SurfaceFile.h"
-#include "Instrument/SurfaceJson.h"
 #include "Object/OneLine.h"
 
 #include <nlohmann/json.hpp>
@@ -65,19 +64,13 @@ KeyMap parseKeyMap(const JsonPlace& place) {
     map.kind = parseKind(place.at("kind"));
     map.lowestNote = place.at("lowestNote").integer(0, 127);
     map.highestNote = place.at("highestNote").integer(map.lowestNote, 127);
-    if (place.has("resizedFrom"))
-        map.resizedFrom = place.at("resizedFrom").integer(0, 127);
-    if (place.has("resizedTo"))
-        map.resizedTo = place.at("resizedTo").integer(0, 127);
+    read(place, "resizedFrom", map.resizedFrom, &JsonPlace::integer, 0, 127);
+    read(place, "resizedTo", map.resizedTo, &JsonPlace::integer, 0, 127);
     map.object = place.at("object").textOrEmpty();
-    if (place.has("strikePath"))
-        map.strikePath = parsePath(place.at("strikePath"));
-    if (place.has("strikeAt"))
-        map.strikeAt = parseStrikeAt(place.at("strikeAt"));
-    if (place.has("strikeWidth"))
-        map.strikeWidth = place.at("strikeWidth").number(0, 1);
-    if (place.has("referenceNote"))
-        map.referenceNote = place.at("referenceNote").number(0, 127);
+    read(place, "strikePath", map.strikePath, parsePath);
+    read(place, "strikeAt", map.strikeAt, parseStrikeAt);
+    read(place, "strikeWidth", map.strikeWidth, &JsonPlace::number, 0, 1);
+    read(place, "referenceNote", map.referenceNote, &JsonPlace::number, 0, 127);
     if (place.has("voicingDb"))
         for (const auto& key : place.at("voicingDb").list(128))
             map.voicingDb.push_back(key.number(-40, 40));
@@ -95,23 +88,6 @@ std::vector<std::string> parseTags(const JsonPlace& place) {
             tags.push_back(std::move(text));
     }
     return tags;
-}
-
-/// Sets the parameters present and returns the ids that this version does not know.
-std::vector<std::string> parseParameters(const JsonPlace& place, ParameterValues& values) {
-    std::vector<std::string> unknown;
-    for (const auto& [id, value] : place.members()) {
-        const auto* info = findParameter(id);
-        if (info == nullptr) {
-            unknown.push_back(id);
-            continue;
-        }
-        const auto parsed = parameterOfJson(*info, value.json());
-        if (!parsed)
-            value.fail("is a value that it cannot take");
-        values.set(info->parameter, *parsed);
-    }
-    return unknown;
 }
 
 /// Returns the values that differ from the preset's own.
@@ -138,33 +114,22 @@ ModeSet parseMutedModes(const JsonPlace& place) {
 }
 
 Preset parse(const JsonPlace& root) {
-    const auto& json = root.json();
-    if (!json.is_object() || !json.contains("format") || json["format"] != "idiophone-preset")
-        root.fail("is not an Idiophone preset");
-    const int version = root.at("version").integer(1, 1'000'000'000);
-    if (version > presetFormatVersion)
-        root.fail("was made by a newer Idiophone (preset version " + std::to_string(version) + ")");
+    root.expectFormat("preset", presetFormatVersion);
     Preset preset;
     preset.name = root.at("name").textCutTo(longestNameBytes);
-    if (root.has("author"))
-        preset.author = root.at("author").textCutTo(longestNameBytes);
-    if (root.has("description"))
-        preset.description = root.at("description").textCutTo(longestDescriptionBytes);
-    if (root.has("tags"))
-        preset.tags = parseTags(root.at("tags"));
+    read(root, "author", preset.author, &JsonPlace::textCutTo, longestNameBytes);
+    read(root, "description", preset.description, &JsonPlace::textCutTo, longestDescriptionBytes);
+    read(root, "tags", preset.tags, parseTags);
     preset.keyMap = parseKeyMap(root.at("keyMap"));
     if (root.has("parameters"))
-        preset.unknownParameters = parseParameters(root.at("parameters"), preset.parameters);
+        preset.unknownParameters = readParameters(root.at("parameters"), preset.parameters);
     if (root.has("matchedTo")) {
         preset.matchedTo = preset.parameters;
-        parseParameters(root.at("matchedTo"), *preset.matchedTo);
+        readParameters(root.at("matchedTo"), *preset.matchedTo);
     }
-    if (root.has("surface"))
-        preset.surface = surfaceAt(root.at("surface"));
-    if (root.has("mutedModes"))
-        preset.mutedModes = parseMutedModes(root.at("mutedModes"));
-    if (root.has("seed"))
-        preset.seed = static_cast<std::uint32_t>(root.at("seed").wholeNumber(0, 4294967295));
+    read(root, "surface", preset.surface, surfaceAt);
+    read(root, "mutedModes", preset.mutedModes, parseMutedModes);
+    read(root, "seed", preset.seed, &JsonPlace::wholeNumber, 0, 4294967295);
     return preset;
 }
 

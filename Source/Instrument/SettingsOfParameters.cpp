@@ -41,15 +41,6 @@ ParameterValues withCustomMaterial(ParameterValues values, const Material& own) 
     return values;
 }
 
-ParameterValues withCustomMallet(ParameterValues values, const Mallet& played, double contactPa) {
-    values.set(mallet, customMallet);
-    values.set(malletHardness, contactPa / pascalsPerMegapascal);
-    values.set(malletMass, played.massKg * 1e3);
-    values.set(malletRadius, played.headRadiusMetres * 1e3);
-    values.set(malletExponent, played.forceExponent);
-    return values;
-}
-
 const FigureChoice* choiceOfFigure(ParameterId parameter) {
     const auto found = std::ranges::find_if(figureChoices, [parameter](const auto& choice) {
         return std::ranges::find(choice.figures, parameter) != choice.figures.end();
@@ -65,9 +56,10 @@ ParameterValues effectiveFigures(ParameterValues values, const Material* own) {
     }
     if (const auto* racked = chosenMallet(values)) {
         const double compliance = own != nullptr ? surfaceCompliancePerPa(*own, values) : 0;
-        const double chosenMallet = values[mallet];
-        values = withCustomMallet(values, *racked, contactModulusPa(*racked, compliance));
-        values.set(mallet, chosenMallet);
+        values.set(malletHardness, contactModulusPa(*racked, compliance) / pascalsPerMegapascal);
+        values.set(malletMass, racked->massKg * 1e3);
+        values.set(malletRadius, racked->headRadiusMetres * 1e3);
+        values.set(malletExponent, racked->forceExponent);
     }
     return values;
 }
@@ -123,6 +115,11 @@ const Material* chosenLibraryMaterial(const ParameterValues& values) {
     const auto library = materialLibrary();
     const auto index = static_cast<std::size_t>(choice - firstLibraryMaterial);
     return choice >= firstLibraryMaterial && index < library.size() ? &library[index] : nullptr;
+}
+
+const Material& contactMaterial(const ParameterValues& values, const Material& own) {
+    const auto* chosen = chosenLibraryMaterial(values);
+    return chosen != nullptr ? *chosen : own;
 }
 
 const Mallet* chosenMallet(const ParameterValues& values) {

@@ -55,12 +55,13 @@ bool hasPitch(std::span<const SynthesiserSlot> slots);
 /// figures. They do not include its Poisson ratio and contact figures. Any thread.
 ParameterValues withCustomMaterial(ParameterValues values, const Material& material);
 
-/// Returns the values with that mallet as the custom one. Its contact has this modulus on any
-/// surface. Any thread.
-ParameterValues withCustomMallet(ParameterValues values, const Mallet& played, double contactPa);
-
 /// Returns the synthesiser's settings for the values. Any thread.
 SynthesisSettings synthesisSettings(const ParameterValues& values);
+
+/// Returns the decay rate [1/s] that falls by 60 dB in that time: ln(1000)/T60.
+constexpr double decayPerSecond(double t60Seconds) {
+    return 6.907755278982137 / t60Seconds;
+}
 
 /// Returns the motor's speed in turns per second: two openings a turn. If a note length is chosen
 /// and the tempo is known (not 0), there is one opening in every note of that length. Any thread.
@@ -72,6 +73,10 @@ std::optional<double> motorTurnsAt(const ParameterValues& values, double songBea
 
 /// Returns the live material chosen from the library, or nullptr if none is. Any thread.
 const Material* chosenLibraryMaterial(const ParameterValues& values);
+
+/// Returns the material whose contact figures act: the library's if one is chosen, otherwise the
+/// object's `own`. Any thread.
+const Material& contactMaterial(const ParameterValues& values, const Material& own);
 
 /// Returns the chosen mallet of the rack, or nullptr for the custom one. Any thread.
 const Mallet* chosenMallet(const ParameterValues& values);

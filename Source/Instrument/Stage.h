@@ -2,11 +2,10 @@
 // objects. The module Scene implements it for players.
 #pragma once
 
-#include "Instrument/PlacedImpact.h"
+#include "Instrument/PlayedStage.h"
 #include "Synth/CellOutput.h"
 #include "Synth/Synthesiser.h"
 
-#include <array>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -14,30 +13,16 @@
 
 namespace idiophone {
 
-/// Transform of a slot's body from its object's own mesh, scaled, to the stage; z points up.
-struct BodyPose {
-    bool isThere = false;
-    std::array<float, 3> originMetres{};
-    std::array<float, 4> turn{0, 0, 0, 1}; ///< a unit quaternion x, y, z, w
-};
-
-/// The stage of one player. Constructed and destroyed off the audio thread; the rest is for the
-/// audio thread and neither allocates, locks nor throws. The exception is offline mode: then it
-/// waits for its worker, or does the work itself.
-class StagePlayer {
+/// The stage of one player, as the player sounds it. Constructed and destroyed off the audio
+/// thread.
+class StagePlayer : public PlayedStage {
 public:
-    virtual ~StagePlayer() = default;
-
     /// Starts the bodies of a note at a sample of the newest cell, or beyond its end.
     virtual void
     startNote(int midiNote, int velocity, std::int64_t cell, double sampleInCell) noexcept = 0;
 
     /// Sets the number of the next note, from 0 on. It seeds the random part of its bodies' motion.
     virtual void countNotesFrom(std::uint32_t number) noexcept = 0;
-
-    /// Returns when the simulation is as far ahead of the sound as its worker would be, about a
-    /// second. Not for the audio thread, but for its caller between two blocks.
-    virtual void waitForSimulation() noexcept = 0;
 
     /// Adds the sound of the bodies in the newest cell, each slot's to its own output. Call it once
     /// a cell, after `Synthesiser::beginCell`.
@@ -54,27 +39,10 @@ public:
     virtual void hear(std::span<const CellOutput> cellsOfSlots,
                       const CellOutput& ears) noexcept = 0;
 
-    /// Sets whether it may wait for the simulation. If not, impacts that become known too late act
-    /// as soon as possible, and contacts act from then on. Both count as late events.
-    virtual void setOffline(bool isOffline) noexcept = 0;
-
-    /// Stops bodies in place; later they go on from there.
-    virtual void setPaused(bool isPaused) noexcept = 0;
-    /// Returns all bodies to their state before the first note; objects ring on.
-    virtual void stop() noexcept = 0;
-    /// Returns to the constructed state.
-    virtual void reset() noexcept = 0;
-
+    /// Returns to the constructed state; also resets.
+    virtual void restart() noexcept = 0;
     /// Returns whether nothing moves, and no sound is on its way to the listener.
     virtual bool silent() const noexcept = 0;
-    virtual std::int64_t lateEvents() const noexcept = 0;
-    /// Returns the impacts since the last call, in seconds since the first cell. The next `sound`
-    /// forgets them.
-    virtual std::span<const PlacedImpact> takeImpacts() noexcept = 0;
-    /// Returns a number unique in the process, which changes with every `stop` and `reset`. Times
-    /// of impacts are comparable only under the same number.
-    virtual std::uint32_t number() const noexcept = 0;
-    virtual std::span<const BodyPose> poses() const noexcept = 0; ///< present poses of the slots
 };
 
 /// Immutable, so any number of players share it.

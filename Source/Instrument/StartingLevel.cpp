@@ -3,8 +3,6 @@
 #include "Instrument/ContactLaw.h"
 #include "Instrument/LoudnessPhrase.h"
 #include "Instrument/PhrasePrediction.h"
-#include "Instrument/Player.h"
-#include "Instrument/SpreadNotes.h"
 #include "Object/Mallet.h"
 
 #include <algorithm>
@@ -36,32 +34,21 @@ std::vector<std::size_t> rackFromSoftToHard() {
 
 } // namespace
 
-double predictedLufs(const std::shared_ptr<const Instrument>& instrument,
-                     const Surface& surface,
-                     double sampleRateHz,
-                     const ParameterValues& values) {
-    return predictedLufs(Phrase(instrument, surface, sampleRateHz), values);
-}
-
-double loudestStrikePeak(const std::shared_ptr<const Instrument>& instrument,
-                         const Surface& surface,
-                         double sampleRateHz,
-                         const ParameterValues& parameters) {
-    constexpr int keys = 8;
+double loudestStrikePeak(const Phrase& phrase, const ParameterValues& parameters) {
     constexpr double heardSeconds = 0.05;
-    Player player(instrument, sampleRateHz, surface, 1, parameters);
-    std::vector<float> left(static_cast<std::size_t>(std::ceil(heardSeconds * sampleRateHz)));
+    Player player(phrase.instrument, phrase.sampleRateHz, phrase.surface, 1, parameters);
+    std::vector<float> left(
+        static_cast<std::size_t>(std::ceil(heardSeconds * phrase.sampleRateHz)));
     std::vector<float> right(left.size());
-    const auto& map = instrument->keyMap();
     double peak = 0;
-    for (int i = 0; i < keys; ++i) {
-        const int note = spreadNote(map.lowestNote, map.highestNote, i, keys);
+    for (const auto& note : phrase.notes) {
         player.reset();
         player.prepare(parameters);
-        player.process({left, right},
-                       std::array{MidiEvent{.sampleOffset = 0,
-                                            .bytes = {0x90, static_cast<std::uint8_t>(note), 127}}},
-                       parameters);
+        player.process(
+            {left, right},
+            std::array{MidiEvent{.sampleOffset = 0,
+                                 .bytes = {0x90, static_cast<std::uint8_t>(note.midiNote), 127}}},
+            parameters);
         for (const auto* channel : {&left, &right})
             for (const float sample : *channel)
                 peak = std::max(peak, static_cast<double>(std::abs(sample)));
@@ -69,13 +56,9 @@ double loudestStrikePeak(const std::shared_ptr<const Instrument>& instrument,
     return peak;
 }
 
-ParameterValues withAudibleMallet(const std::shared_ptr<const Instrument>& instrument,
-                                  const Surface& surface,
-                                  double sampleRateHz,
-                                  const ParameterValues& values) {
+ParameterValues withAudibleMallet(const Phrase& phrase, const ParameterValues& values) {
     constexpr double faintestLufs =
         factoryChannelLufs - 12; // below this the level cannot compensate
-    const Phrase phrase(instrument, surface, sampleRateHz);
     double loudest = predictedLufs(phrase, values);
     auto best = values;
     for (const auto choice : rackFromSoftToHard()) {
@@ -91,21 +74,14 @@ ParameterValues withAudibleMallet(const std::shared_ptr<const Instrument>& instr
     return best;
 }
 
-double highestLevel(const std::shared_ptr<const Instrument>& instrument,
-                    const Surface& surface,
-                    double sampleRateHz,
-                    const ParameterValues& values) {
-    const double peak = loudestStrikePeak(instrument, surface, sampleRateHz, values);
+double highestLevel(const Phrase& phrase, const ParameterValues& values) {
+    const double peak = loudestStrikePeak(phrase, values);
     return hardestStrikeDecibels - 20 * std::log10(peak);
 }
 
-double startingLevel(const std::shared_ptr<const Instrument>& instrument,
-                     const Surface& surface,
-                     double sampleRateHz,
-                     const ParameterValues& values) {
-    const double asLoud =
-        factoryChannelLufs - predictedLufs(instrument, surface, sampleRateHz, values);
-    const double level = std::min(asLoud, highestLevel(instrument, surface, sampleRateHz, values));
+double startingLevel(const Phrase& phrase, const ParameterValues& values) {
+    const double asLoud = factoryChannelLufs - predictedLufs(phrase, values);
+    const double level = std::min(asLoud, highestLevel(phrase, values));
     return std::isfinite(level) ? level : values[ParameterId::level];
 }
 

@@ -2,51 +2,29 @@
 // the factory presets.
 #pragma once
 
-#include "Instrument/Instrument.h"
+#include "Instrument/Phrase.h"
 #include "Parameters/ParameterTable.h"
-#include "Synth/Surface.h"
-
-#include <memory>
 
 namespace idiophone {
 
-/// None of these is for the audio thread. `surface` must be valid; keys that scrape or roll sound
-/// like it.
-
-/// Returns the LUFS of PhrasePrediction's phrase at its middle velocity, before `level`.
-double predictedLufs(const std::shared_ptr<const Instrument>& instrument,
-                     const Surface& surface,
-                     double sampleRateHz,
-                     const ParameterValues& values);
+/// None of these is for the audio thread.
 
 /// Returns the highest peak of the keys, struck one at a time at velocity 127; full scale is 1,
 /// before `level`. Renders the first 50 ms of eight keys from the lowest to the highest.
-double loudestStrikePeak(const std::shared_ptr<const Instrument>& instrument,
-                         const Surface& surface,
-                         double sampleRateHz,
-                         const ParameterValues& parameters);
+double loudestStrikePeak(const Phrase& phrase, const ParameterValues& parameters);
 
 /// Returns the values, with another mallet of the rack if theirs leaves the instrument almost
 /// silent, as yarn does a small ball of steel. It is the softest audible mallet, or else the
 /// loudest.
-ParameterValues withAudibleMallet(const std::shared_ptr<const Instrument>& instrument,
-                                  const Surface& surface,
-                                  double sampleRateHz,
-                                  const ParameterValues& values);
+ParameterValues withAudibleMallet(const Phrase& phrase, const ParameterValues& values);
 
 /// Returns the `level` in dB at which about eight of the hardest strikes at once stay below full
 /// scale (docs/decisions/0005); infinity if nothing sounds. For keys that strike.
-double highestLevel(const std::shared_ptr<const Instrument>& instrument,
-                    const Surface& surface,
-                    double sampleRateHz,
-                    const ParameterValues& values);
+double highestLevel(const Phrase& phrase, const ParameterValues& values);
 
 /// Returns the `level` in dB at which the instrument is as loud as the factory presets, but at most
 /// `highestLevel`: short high sounds peak far above their loudness. Returns the values' own level
 /// if nothing sounds. For keys that strike.
-double startingLevel(const std::shared_ptr<const Instrument>& instrument,
-                     const Surface& surface,
-                     double sampleRateHz,
-                     const ParameterValues& values);
+double startingLevel(const Phrase& phrase, const ParameterValues& values);
 
 } // namespace idiophone

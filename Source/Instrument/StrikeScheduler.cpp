@@ -29,9 +29,8 @@ void StrikeScheduler::strikeKey(const Key& key,
     const auto number = strikeCount++;
     auto place = strikePlace(key.along, moment.values, number);
     place.along = HeldContacts::placeMoved(placeController, place.along);
-    strike(static_cast<std::size_t>(key.slot),
-           instrument.strip(key).between(place.along, place.across).point, velocity, key.mallet,
-           number, moment);
+    strike(static_cast<std::size_t>(key.slot), key.strip->between(place.along, place.across).point,
+           velocity, key.mallet, number, moment);
 }
 
 bool StrikeScheduler::keep(const SurfaceStrike& strike) {

@@ -4,13 +4,14 @@
 #include "Instrument/ObjectSurface.h"
 #include "Instrument/PlaceBetween.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
 namespace idiophone {
 namespace {
 
-using Point = std::array<double, 3>;
+using Eigen::Vector3d;
 
 constexpr int stripAlong = 129;
 // Places on either side of the path. Their number makes a step across one third of the distance
@@ -20,28 +21,20 @@ constexpr double stepsBetweenVertices = 3;
 // Share of the object's size; too small to be heard.
 constexpr double hair = 1e-7;
 
-Point operator+(const Point& a, const Point& b) {
-    return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
+double length(const Vector3d& a) {
+    return std::hypot(a.x(), a.y(), a.z());
 }
-Point operator-(const Point& a, const Point& b) {
-    return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-Point operator*(const Point& a, double factor) {
-    return {a[0] * factor, a[1] * factor, a[2] * factor};
-}
-Point cross(const Point& a, const Point& b) {
-    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-double length(const Point& a) {
-    return std::hypot(a[0], a[1], a[2]);
+
+Vector3d vectorOf(const std::array<float, 3>& a) {
+    return Eigen::Vector3f(a.data()).cast<double>();
 }
 
 struct PathPlace {
-    Point point;
-    Point direction; ///< unit, or zero where the path has no length
+    Vector3d point;
+    Vector3d direction; ///< unit, or zero where the path has no length
 };
 
-double pathLength(const std::vector<Point>& path) {
+double pathLength(const std::vector<Vector3d>& path) {
     double total = 0;
     for (std::size_t i = 1; i < path.size(); ++i)
         total += length(path[i] - path[i - 1]);
@@ -49,38 +42,33 @@ double pathLength(const std::vector<Point>& path) {
 }
 
 /// Returns the place at a fraction of the path's length.
-PathPlace placeOnPath(const std::vector<Point>& path, double fraction) {
+PathPlace placeOnPath(const std::vector<Vector3d>& path, double fraction) {
     double left = fraction * pathLength(path);
     for (std::size_t i = 1; i < path.size(); ++i) {
-        const auto step = path[i] - path[i - 1];
+        const Vector3d step = path[i] - path[i - 1];
         const double stepLength = length(step);
         if (stepLength > 0 && (left <= stepLength || i + 1 == path.size()))
             return {path[i - 1] + step * std::min(left / stepLength, 1.0), step * (1 / stepLength)};
         left -= stepLength;
     }
-    return {path.back(), {}};
+    return {path.back(), Vector3d::Zero()};
 }
 
-using Vector = std::array<float, 3>;
-
 /// Scales to unit length; returns zero if it is too short to have a direction.
-Vector normalised(const Point& a) {
+std::array<float, 3> normalised(const Vector3d& a) {
     const double norm = length(a);
     if (norm < 1e-6)
         return {};
-    return {static_cast<float>(a[0] / norm), static_cast<float>(a[1] / norm),
-            static_cast<float>(a[2] / norm)};
+    return {static_cast<float>(a.x() / norm), static_cast<float>(a.y() / norm),
+            static_cast<float>(a.z() / norm)};
 }
 
 /// Returns the unit vector of the direction's part in the surface.
-Vector tangent(const Vector& normal, const Point& direction) {
-    const Point unit{normal[0], normal[1], normal[2]};
-    const double rise = direction[0] * unit[0] + direction[1] * unit[1] + direction[2] * unit[2];
+std::array<float, 3> tangent(const std::array<float, 3>& normal, const Vector3d& direction) {
+    const auto unit = vectorOf(normal);
+    const double rise =
+        direction.x() * unit.x() + direction.y() * unit.y() + direction.z() * unit.z();
     return normalised(direction - unit * rise);
-}
-
-Vector normalised(const Vector& a) {
-    return normalised(Point{a[0], a[1], a[2]});
 }
 
 } // namespace
@@ -88,25 +76,29 @@ Vector normalised(const Vector& a) {
 StrikeStrip strikeStrip(const ModalObject& object, const KeyMap& map) {
     const ObjectBox box(object);
     const ObjectSurface surface(object);
-    std::vector<Point> path;
+    std::vector<Vector3d> path;
     for (const auto& relative : map.strikePath)
-        path.push_back(box.at(relative));
+        path.emplace_back(box.at(relative).data());
     // A path through the middle of a solid must not change sides by rounding.
-    const Point upwards{0, 0, hair * length(box.halfExtentMetres)};
-    const auto pointAt = [&](const Point& point) { return surface.nearest(point + upwards); };
+    const Vector3d upwards(0, 0, hair * length(Vector3d(box.halfExtentMetres.data())));
+    const auto pointAt = [&](const Vector3d& middle) {
+        const Vector3d point = middle + upwards;
+        return surface.nearest({point.x(), point.y(), point.z()});
+    };
 
     struct Rung {
         PathPlace middle;
-        Point reach; ///< from the middle to the strip's edge
+        Vector3d reach; ///< from the middle to the strip's edge
     };
     std::vector<Rung> rungs;
     double widest = 0;
     for (int along = 0; along < stripAlong; ++along) {
         const auto middle = placeOnPath(path, along / (stripAlong - 1.0));
-        const auto normal = pointAt(middle.point).normal;
-        Point reach = cross({normal[0], normal[1], normal[2]}, middle.direction);
-        if (const double norm = length(reach); norm > 0)
-            reach = reach * (map.strikeWidth * box.reachMetres(reach * (1 / norm)) / norm);
+        Vector3d reach = vectorOf(pointAt(middle.point).normal).cross(middle.direction);
+        if (const double norm = length(reach); norm > 0) {
+            const Vector3d unit = reach * (1 / norm);
+            reach *= map.strikeWidth * box.reachMetres({unit.x(), unit.y(), unit.z()}) / norm;
+        }
         widest = std::max(widest, length(reach));
         rungs.push_back({middle, reach});
     }
@@ -151,7 +143,7 @@ StripPlace StrikeStrip::between(double along, double across) const {
     const std::array weights{1 - std::max(u, v), std::abs(u - v), std::min(u, v)};
 
     PlaceBetween point;
-    Vector direction{};
+    std::array<float, 3> direction{};
     for (std::size_t k = 0; k < corners.size(); ++k) {
         point.add(points[corners[k]], weights[k]);
         for (std::size_t axis = 0; axis < 3; ++axis)
@@ -159,9 +151,9 @@ StripPlace StrikeStrip::between(double along, double across) const {
     }
     const auto heaviest =
         static_cast<std::size_t>(std::ranges::max_element(weights) - weights.begin());
-    const auto mean = normalised(direction);
+    const auto mean = normalised(vectorOf(direction));
     return {.point = point.point(),
-            .direction = mean == Vector{} ? directions[corners[heaviest]] : mean};
+            .direction = mean == std::array<float, 3>{} ? directions[corners[heaviest]] : mean};
 }
 
 StripStep StrikeStrip::around(double along, double across) const {

@@ -1,6 +1,6 @@
 #include "Instrument/SurfaceFile.h"
 
-#include "Instrument/SurfaceJson.h"
+#include "Instrument/JsonPlace.h"
 #include "Object/OneLine.h"
 
 #include <algorithm>
@@ -34,13 +34,7 @@ constexpr Figure figures[] = {
 
 Surface surfaceAt(const JsonPlace& place) {
     constexpr double unbounded = std::numeric_limits<double>::infinity();
-    const auto& root = place.json();
-    if (!root.is_object() || !root.contains("format") || root["format"] != "idiophone-surface")
-        place.fail("is not an Idiophone surface");
-    const int version = place.at("version").integer(1, 1'000'000'000);
-    if (version > surfaceFormatVersion)
-        place.fail("was made by a newer Idiophone (surface version " + std::to_string(version) +
-                   ")");
+    place.expectFormat("surface", surfaceFormatVersion);
     Surface surface;
     for (const auto& [key, value] : place.members()) {
         const auto* figure = std::ranges::find(figures, key, &Figure::key);
@@ -61,12 +55,6 @@ Surface surfaceAt(const JsonPlace& place) {
     if (!checked)
         throw JsonPlace::Fault{checked.error().message};
     return std::move(*checked);
-}
-
-Result<Surface> parseSurface(std::string_view text, std::string_view file) {
-    if (text.size() > 1 << 16)
-        return failure(std::string(file) + ": it is too large for a surface");
-    return parsedJson(text, file, surfaceAt);
 }
 
 std::string encodeSurface(const Surface& surface) {

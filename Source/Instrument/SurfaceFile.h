@@ -1,22 +1,22 @@
-// Reads and writes surfaces as JSON text; `idiophone surface` saves them, docs/surfaces.md
-// specifies them.
+// Reads and writes surfaces as JSON; `idiophone surface` saves them, and presets and scenes contain
+// them. docs/surfaces.md specifies them.
 #pragma once
 
 #include "Synth/Surface.h"
 
 #include <string>
-#include <string_view>
 
 namespace idiophone {
 
+class JsonPlace;
+
 inline constexpr int surfaceFormatVersion = 1;
 
-/// Parses and validates a surface file; `file` stands for it in errors. The name, slowest speed and
-/// roughness are optional; the slowest speed's default is a tenth of v_max. At most 64 KiB. Not for
-/// the audio thread.
-Result<Surface> parseSurface(std::string_view text, std::string_view file);
+/// Reads and validates a surface. The name, slowest speed and roughness are optional; the slowest
+/// speed's default is a tenth of v_max. An error throws JsonPlace::Fault. Not for the audio thread.
+Surface surfaceAt(const JsonPlace& place);
 
-/// Returns the surface as JSON text that `parseSurface` reads back to an equal surface.
+/// Returns the surface as JSON text that `surfaceAt` reads back to an equal surface.
 std::string encodeSurface(const Surface& surface);
 
 } // namespace idiophone

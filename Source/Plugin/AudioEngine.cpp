@@ -79,11 +79,12 @@ void AudioEngine::takeSettings(bool isOffline) noexcept {
     if (player == nullptr)
         return;
     if (messages.forgetsGivenBends.exchange(false))
-        player->forgetGivenBends();
-    player->setOffline(isOffline);
-    player->pauseStage(messages.stagePaused);
+        player->bend().forgetGiven();
+    auto& stage = player->stage();
+    stage.setOffline(isOffline);
+    stage.pause(messages.stagePaused);
     if (messages.stageReset.exchange(false))
-        player->resetStage();
+        stage.reset();
 }
 
 void AudioEngine::followTransport(const juce::AudioPlayHead* playHead, int blockSamples) noexcept {
@@ -92,8 +93,7 @@ void AudioEngine::followTransport(const juce::AudioPlayHead* playHead, int block
         return;
     transport.follow(playHead, blockSamples, player->synthesiser().sampleRateHz());
     report.tempo = transport.tempo();
-    player->setTempo(transport.tempo());
-    player->setSongPlace(transport.songPlace());
+    player->setSong(transport.tempo(), transport.songPlace());
     if (transport.begins() && player->beginSong() && output.silent())
         output.reset();
 }
@@ -131,7 +131,7 @@ void AudioEngine::render(const StereoSpan& rendered, std::span<const MidiEvent> 
 /// They are shown and saved.
 void AudioEngine::followGivenBends(Player& player) noexcept {
     using enum ParameterId;
-    const auto given = player.takeGivenBends();
+    const auto given = player.bend().takeGiven();
     const auto move = [this](ParameterId id, std::optional<double> value) {
         auto& parameter = parameters[id];
         if (value && parameter.info().clamped(*value) != parameter.exactValue())
@@ -161,7 +161,7 @@ void AudioEngine::sendReport(std::span<float* const> channels, int count) noexce
     if (auto* player = sound.player()) {
         report.modulationWheel = player->modulationWheel();
         report.modesMixed = player->synthesiser().modesMixed();
-        report.lateEvents = player->lateEvents();
+        report.lateEvents = player->stage().lateEvents();
         report.semitonesBelowEqual = player->semitonesBelowEqual();
         report.playedResizedKeys = player->hasPlayedResizedKeys();
         report.capture.take(*player);

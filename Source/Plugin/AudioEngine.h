@@ -38,10 +38,10 @@ public:
                  const juce::AudioPlayHead* playHead,
                  bool isOffline) noexcept;
 
-    /// [any thread, between two callbacks] See StagePlayer::waitForSimulation.
+    /// [any thread, between two callbacks] See PlayedStage::waitForSimulation.
     void waitForSimulation() noexcept {
         if (auto* player = sound.player())
-            player->waitForSimulation();
+            player->stage().waitForSimulation();
     }
 
 private:

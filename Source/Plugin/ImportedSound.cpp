@@ -1,5 +1,6 @@
 #include "Plugin/ImportedSound.h"
 
+#include "Instrument/PhrasePrediction.h"
 #include "Instrument/SingleObjectMap.h"
 #include "Instrument/StartingLevel.h"
 #include "Plugin/ImportSummary.h"
@@ -68,29 +69,28 @@ soundOf(const ObjectWorkshop::Product& product, const Sound& before, double samp
         values.set(ParameterId::material, ownMaterial);
         values.set(ParameterId::thickness, parameterInfo(ParameterId::thickness).defaultValue);
         if (isNew && isStruck(values))
-            values = withAudibleMallet(*built, surface, sampleRateHz, values);
+            values = withAudibleMallet({*built, surface, sampleRateHz}, values);
         sound.preset.parameters = values;
     }
     sound.stored = sound.preset.parameters;
     // The loudness of scrapes and rolls is predicted only up to a constant.
     if (!isNew || !isStruck(values))
         return asLoudAs(before, std::move(sound), sampleRateHz);
-    values.set(ParameterId::level, startingLevel(*built, surface, sampleRateHz, values));
+    values.set(ParameterId::level, startingLevel({*built, surface, sampleRateHz}, values));
     return sound;
 }
 
 Sound asLoudAs(const Sound& before, Sound sound, double sampleRateHz) {
     if (before.instrument == nullptr)
         return sound;
-    const auto& surface = sound.preset.surface;
     const auto& now = before.parameters;
     auto& values = sound.parameters;
-    double level = now[ParameterId::level] +
-                   predictedLufs(before.instrument, surface, sampleRateHz, now) -
-                   predictedLufs(sound.instrument, surface, sampleRateHz, values);
-    if (isStruck(now) && now[ParameterId::level] <=
-                             highestLevel(before.instrument, surface, sampleRateHz, now) + 0.1)
-        level = std::min(level, highestLevel(sound.instrument, surface, sampleRateHz, values));
+    const Phrase former(before.instrument, sound.preset.surface, sampleRateHz);
+    const Phrase next(sound.instrument, sound.preset.surface, sampleRateHz);
+    double level =
+        now[ParameterId::level] + predictedLufs(former, now) - predictedLufs(next, values);
+    if (isStruck(now) && now[ParameterId::level] <= highestLevel(former, now) + 0.1)
+        level = std::min(level, highestLevel(next, values));
     if (std::isfinite(level))
         values.set(ParameterId::level, level);
     return sound;

@@ -59,7 +59,7 @@ std::vector<std::array<double, 3>> InstrumentSession::struckPlaces(std::size_t i
         const auto& key = playing->key(note);
         if (key.slot != static_cast<int>(slots[index]))
             continue;
-        const auto& strip = playing->strip(key);
+        const auto& strip = *key.strip;
         for (int along = 0; along < strip.alongCount; ++along)
             places.push_back(strikePointMetres(
                 object,

@@ -14,7 +14,7 @@ PlayerCrossfade::~PlayerCrossfade() {
 
 void PlayerCrossfade::install(std::unique_ptr<Player> player) {
     if (player != nullptr && current != nullptr)
-        player->takeBendSetupOf(*current);
+        player->bend().takeSetupOf(current->bend());
     delete std::exchange(current, player.release());
     delete std::exchange(fading, nullptr);
 }

@@ -1,7 +1,6 @@
 #include "Plugin/PresetCollection.h"
 
 #include "Instrument/FactoryContent.h"
-#include "Instrument/InitialPreset.h"
 #include "Object/OneLine.h"
 #include "Plugin/FactoryPrograms.h"
 #include "Plugin/ObjectEmbedding.h"

@@ -36,7 +36,8 @@ Result<Sound> factorySound(const Preset& preset) {
 
 void storeValues(const Sound& sound, Preset& preset) {
     preset.parameters = withSetupOf({}, sound.parameters);
-    LoudnessMatch match(sound.instrument, sound.preset.surface, anyRateHz, sound.preset.parameters);
+    LoudnessMatch match({sound.instrument, sound.preset.surface, anyRateHz},
+                        sound.preset.parameters);
     match.prepare(preset.parameters);
     const auto& level = parameterInfo(ParameterId::level);
     const double wanted = preset.parameters[level.parameter] + match.gainDb();

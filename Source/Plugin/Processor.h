@@ -61,7 +61,7 @@ public:
     /// `pollMilliseconds`.
     void poll();
     static constexpr int pollMilliseconds = 50;
-    /// [any thread, between two callbacks] See StagePlayer::waitForSimulation.
+    /// [any thread, between two callbacks] See PlayedStage::waitForSimulation.
     void waitForSimulation() noexcept { engine.waitForSimulation(); }
 
 private:

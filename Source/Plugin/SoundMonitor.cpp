@@ -67,7 +67,7 @@ void SoundMonitor::takePicture(const Player& player) noexcept {
     const auto status = synthesiser.status();
     seen.slotCount = std::min(status.size(), seen.slots.size());
     std::copy_n(status.begin(), seen.slotCount, seen.slots.begin());
-    const auto bodies = player.bodyPoses();
+    const auto bodies = player.stage().bodyPoses();
     seen.bodyCount = std::min(bodies.size(), seen.bodies.size());
     std::copy_n(bodies.begin(), seen.bodyCount, seen.bodies.begin());
     seen.qualitySlope = synthesiser.settings().qualitySlope;

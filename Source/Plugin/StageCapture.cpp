@@ -48,9 +48,9 @@ std::vector<int> notesOf(const Instrument& instrument) {
 } // namespace
 
 void StageCapture::take(Player& player) noexcept {
-    for (const auto& impact : player.takeImpacts())
+    for (const auto& impact : player.stage().takeImpacts())
         messages.push({.instrument = player.instrument().serialNumber(),
-                       .performance = player.performanceNumber(),
+                       .performance = player.stage().number(),
                        .impact = impact});
 }
 

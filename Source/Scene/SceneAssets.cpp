@@ -152,7 +152,7 @@ Result<void> SceneAssets::loadKeyboard(ObjectLibrary& library) {
                 Eigen::Vector3d((note - middle) * stage.spacingMetres, 0, -topMetres(*object))) *
             Eigen::AngleAxisd(std::numbers::pi / 2, Eigen::Vector3d::UnitZ());
         bars.push_back({.role = allRoles.size() - 1, .motion = {.pose = pose}});
-        const auto place = instrument.strip(key).between(key.along, 0).point;
+        const auto place = key.strip->between(key.along, 0).point;
         targets[static_cast<std::size_t>(note)] =
             pose * Eigen::Vector3d(strikePointMetres(*object, place).data());
     }

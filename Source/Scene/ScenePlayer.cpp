@@ -19,7 +19,7 @@ ScenePlayer::ScenePlayer(const SceneStage& playedStage, double sampleRateHz, std
       firstSeed(stage.assets()->scene().seed + static_cast<std::uint32_t>(seed - 1)),
       worker(stage, sampleRateHz), simulations(stage.simulationCount()),
       bodies(*stage.assets(), stage.slots().size(), sampleRateHz, seed), places(stage.places()),
-      bodyPoses(stage.firstPoses().begin(), stage.firstPoses().end()), ownNumber(nextNumber()) {
+      poses(stage.firstPoses().begin(), stage.firstPoses().end()), ownNumber(nextNumber()) {
     recentImpacts.reserve(impactCapacity);
 }
 
@@ -156,7 +156,7 @@ void ScenePlayer::play(Simulation& simulation, const BegunCell& cell) noexcept {
         if (now < block.endCell())
             return;
         for (const auto& placed : block.places)
-            bodyPoses[placed.slot] = placed.pose;
+            poses[placed.slot] = placed.pose;
         const bool isOver = block.isLast;
         drop(simulation);
         if (isOver) {
@@ -204,20 +204,20 @@ void ScenePlayer::place(Simulation& simulation, std::int64_t cellsLeft) noexcept
     simulation.isPlaced = true;
 }
 
-void ScenePlayer::stop() noexcept {
+void ScenePlayer::reset() noexcept {
     for (std::size_t index = 0; index < simulations.size(); ++index) {
         if (simulations[index].number != 0)
             worker.start({.simulation = static_cast<std::uint32_t>(index)});
         clear(simulations[index]);
     }
-    std::ranges::copy(stage.firstPoses(), bodyPoses.begin());
+    std::ranges::copy(stage.firstPoses(), poses.begin());
     bodies.crowded.clear();
     recentImpacts.clear();
     ownNumber = nextNumber();
 }
 
-void ScenePlayer::reset() noexcept {
-    stop();
+void ScenePlayer::restart() noexcept {
+    reset();
     nextSimulation = 0;
     noteCount = 0;
     lateCount = 0;

@@ -29,14 +29,14 @@ public:
                  std::span<const CellOutput> cellsOfSlots) noexcept override;
     void hear(std::span<const CellOutput> cellsOfSlots, const CellOutput& heard) noexcept override;
     void setOffline(bool isOffline) noexcept override { mayWait = isOffline; }
-    void setPaused(bool isPaused) noexcept override { paused = isPaused; }
-    void stop() noexcept override;
+    void pause(bool isPaused) noexcept override { paused = isPaused; }
     void reset() noexcept override;
+    void restart() noexcept override;
     bool silent() const noexcept override;
     std::int64_t lateEvents() const noexcept override { return lateCount; }
     std::span<const PlacedImpact> takeImpacts() noexcept override;
     std::uint32_t number() const noexcept override { return ownNumber; }
-    std::span<const BodyPose> poses() const noexcept override { return bodyPoses; }
+    std::span<const BodyPose> bodyPoses() const noexcept override { return poses; }
 
 private:
     static constexpr std::size_t impactCapacity = 1024; // between two calls of takeImpacts
@@ -76,7 +76,7 @@ private:
     std::array<std::uint32_t, TouchTracker::voiceCount> pairOfVoice{}; ///< 0: not in use
     std::array<bool, TouchTracker::voiceCount> isPressed{};            ///< in this cell
     std::vector<Eigen::Vector3d> places;                               ///< by slot
-    std::vector<BodyPose> bodyPoses;                                   ///< by slot
+    std::vector<BodyPose> poses;                                       ///< by slot
     std::vector<PlacedImpact> recentImpacts;
     bool areImpactsTaken = false;
     std::uint32_t ownNumber;

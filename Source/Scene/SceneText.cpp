@@ -1,14 +1,13 @@
 #include "Scene/SceneText.h"
 
 #include "Instrument/ParameterJson.h"
-#include "Instrument/SurfaceJson.h"
+#include "Instrument/SurfaceFile.h"
 #include "Object/Material.h"
 #include "Object/OneLine.h"
 #include "Scene/HandText.h"
 
 #include <algorithm>
 #include <array>
-#include <functional>
 
 namespace idiophone {
 namespace {
@@ -28,17 +27,6 @@ constexpr std::array<std::pair<std::string_view, BodyForm>, 6> formNames{{
     {"surface", BodyForm::surface},
     {"ground", BodyForm::ground},
 }};
-
-/// Reads a member by a function of `JsonPlace` or of this file. Without it the value stays.
-template <class Value, class Function, class... Arguments>
-void read(const JsonPlace& place,
-          const char* key,
-          Value& value,
-          Function function,
-          const Arguments&... arguments) {
-    if (place.has(key))
-        value = std::invoke(function, place.at(key), arguments...);
-}
 
 BodyForm parseForm(const JsonPlace& place) {
     const auto name = place.text();
@@ -185,22 +173,14 @@ Listener parseListener(const JsonPlace& place) {
 
 ParameterValues parseParameters(const JsonPlace& place) {
     ParameterValues values;
-    for (const auto& [id, value] : place.members()) {
-        const auto* info = findParameter(id);
-        if (info == nullptr)
-            place.fail("has no " + inQuotes(id));
-        const auto parsed = parameterOfJson(*info, value.json());
-        if (!parsed)
-            value.fail("is a value that it cannot take");
-        values.set(info->parameter, *parsed);
-    }
+    if (const auto unknown = readParameters(place, values); !unknown.empty())
+        place.fail("has no " + inQuotes(unknown.front()));
     return values;
 }
 
 void parseTimes(const JsonPlace& root, Scene& scene) {
     read(root, "seconds", scene.seconds, &JsonPlace::number, 0.001, longestSeconds);
-    if (root.has("seed"))
-        scene.seed = static_cast<std::uint32_t>(root.at("seed").integer(0, 1'000'000'000));
+    read(root, "seed", scene.seed, &JsonPlace::integer, 0, 1'000'000'000);
     read(root, "steps_per_second", scene.stepsPerSecond, &JsonPlace::number, 1000, 20000);
     read(root, "gravity", scene.gravityMetresPerSecond2, &JsonPlace::number, 0, 100);
 }
@@ -218,11 +198,7 @@ void parseKinds(const JsonPlace& root, Scene& scene) {
 }
 
 Scene parse(const JsonPlace& root) {
-    if (!root.json().is_object() || !root.has("format") ||
-        root.json()["format"] != "idiophone-scene")
-        root.fail("is not an Idiophone scene");
-    if (root.at("version").integer(1, 1'000'000'000) > sceneFormatVersion)
-        root.fail("was made by a newer Idiophone");
+    root.expectFormat("scene", sceneFormatVersion);
     root.allow({"format", "version", "name", "description", "seconds", "seed", "steps_per_second",
                 "gravity", "kinds", "bodies", "kicks", "keyboard", "notes", "keys", "hand",
                 "listener", "parameters"});

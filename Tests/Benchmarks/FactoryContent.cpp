@@ -27,7 +27,7 @@ void addImpact(const SongEvent& event,
     const auto slot = static_cast<std::size_t>(key.slot);
     const StrikePlace place = strikePlace(key.along, parameters, number);
     const Strike strike =
-        malletStrike(instrument.strip(key).between(place.along, place.across).point, event.bytes[2],
+        malletStrike(key.strip->between(place.along, place.across).point, event.bytes[2],
                      key.mallet, parameters, instrument.slots()[slot]);
     const auto train =
         contactTrain(strike, key.mallet.scale, parameters[ParameterId::chatter], number);

@@ -67,7 +67,6 @@ public:
         notes.emplace_back(note, velocity, cell, sample);
     }
     void countNotesFrom(std::uint32_t) noexcept override {}
-    void waitForSimulation() noexcept override {}
     void sound(std::int64_t, Synthesiser&, std::span<const CellOutput>) noexcept override {}
     void release(Synthesiser&, std::span<const CellOutput>) noexcept override {}
     void hear(std::span<const CellOutput> slots, const CellOutput& ears) noexcept override {
@@ -75,15 +74,8 @@ public:
         std::ranges::fill(ears[0], 0.25f);
         std::ranges::fill(ears[1], 0.5f);
     }
-    void setOffline(bool) noexcept override {}
-    void setPaused(bool) noexcept override {}
-    void stop() noexcept override {}
-    void reset() noexcept override {}
+    void restart() noexcept override {}
     bool silent() const noexcept override { return true; }
-    std::int64_t lateEvents() const noexcept override { return 0; }
-    std::span<const PlacedImpact> takeImpacts() noexcept override { return {}; }
-    std::uint32_t number() const noexcept override { return 1; }
-    std::span<const BodyPose> poses() const noexcept override { return {}; }
 
     std::vector<Note> notes;
     std::size_t slotOutputs = 0;
@@ -185,7 +177,7 @@ TEST_CASE("On a stage a renderer plays the ears' mix of separate slots") {
     CHECK(stage.slotOutputs == rig.instrument->slots().size());
     CHECK(sound.left[9] == 0.25f);
     CHECK(sound.right[9] == 0.5f);
-    rig.renderer.startNote(60, 80);
+    rig.renderer.startNote(stage, 60, 80);
     CHECK(stage.notes == std::vector{ConstantStage::Note(60, 80, 0, 10)});
     CHECK(rig.renderer.moment(rig.parameters, 1).sample ==
           cellSamples); // the ears have heard this cell

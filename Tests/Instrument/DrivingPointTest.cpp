@@ -134,8 +134,8 @@ TEST_CASE("A free body struck off its centre yields by its rotation too") {
     struck.mass.inertiaKgM2 = {0.01, 0, 0, 0, 0.02, 0.003, 0, 0.003, 0.04};
     // r × n = (0, −0.3, 0); (I⁻¹)yy = 0.04/(0.02 · 0.04 − 0.003²).
     const double expected = 1 / 0.5 + 0.09 * 0.04 / (0.02 * 0.04 - 0.003 * 0.003);
-    CHECK(DrivingPoint(struck, onVertex, {}).impulsiveMobilityPerKg() ==
-          Approx(expected).epsilon(1e-6));
+    const auto impact = DrivingPoint(struck, onVertex, {}).struckBy(head(3, 1e-3), 2);
+    CHECK(impact.impulseNewtonSeconds == Approx(2 * 2 / (1.0 / 3 + expected)).epsilon(1e-6));
 }
 
 TEST_CASE("A mode far slower than the contact acts as a free mass, a far faster one is rigid") {
@@ -242,7 +242,12 @@ TEST_CASE("Live density, stiffness and thickness act on the struck mass and mode
     struck.bending = struck.eigenvalues; // a sheet
     SynthesisSettings thick;
     thick.thicknessRatio = 2;
-    const auto sheet = DrivingPoint(struck, onVertex, thick);
-    CHECK(sheet.impulsiveMobilityPerKg() ==
-          Approx(DrivingPoint(struck, onVertex, {}).impulsiveMobilityPerKg() / 2));
+    // A contact too short for any mode to turn back meets the sum of all mobilities.
+    const double mobilityPerKg = (1 + 1.478 + 11 * 2) / 0.1;
+    const auto tapOn = [&](const SynthesisSettings& settings) {
+        const auto impact = DrivingPoint(struck, onVertex, settings).struckBy(head(1e-3, 1e-9), 1);
+        return impact.impulseNewtonSeconds;
+    };
+    CHECK(tapOn({}) == Approx(2 / (1e3 + mobilityPerKg)).epsilon(1e-5));
+    CHECK(tapOn(thick) == Approx(2 / (1e3 + mobilityPerKg / 2)).epsilon(1e-5));
 }

@@ -79,7 +79,7 @@ double distance(const std::array<double, 3>& a, const std::array<double, 3>& b) 
 /// Returns a second of a hand that moves to and fro over the object of a key at 0.5 m/s. On a small
 /// object it makes at most about four passes, because faster motion would leap at each event.
 std::vector<float> scrapedToAndFro(Player& player, const Key& key, const Preset& preset) {
-    const auto& strip = player.instrument().strip(key);
+    const auto& strip = *key.strip;
     const auto& slot = player.instrument().slots()[static_cast<std::size_t>(key.slot)];
     const auto placeAt = [&](double along) { return strip.between(along, 0).point; };
     const double lengthMetres =
@@ -118,7 +118,7 @@ TEST_CASE("Every factory instrument is audible beside strikes when a hand scrape
             const auto scraped = scrapedToAndFro(player, key, preset);
             auto other = newPlayer();
             other.strikeSurface({.slot = static_cast<std::size_t>(key.slot),
-                                 .point = instrument->strip(key).between(0.4, 0).point,
+                                 .point = key.strip->between(0.4, 0).point,
                                  .velocity = 80});
             const auto struck =
                 renderStereo(other, {}, scraped.size(), 100, preset.parameters).left;

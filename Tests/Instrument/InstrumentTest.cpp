@@ -72,14 +72,14 @@ TEST_CASE("Keys that share an object share its strip") {
     const auto same = Instrument::build(keyMap(KeyMapKind::bars, 0, 127, "all"), library).value();
     for (int note = 0; note < 128; ++note) {
         CHECK(same->key(note).slot == note);
-        CHECK(&same->strip(same->key(note)) == &same->strip(same->key(0)));
+        CHECK(same->key(note).strip == same->key(0).strip);
     }
     library.add("bar-61", all);
     library.add("bar-62", one);
     const auto bars =
         Instrument::build(keyMap(KeyMapKind::bars, 60, 62, "bar-{note}"), library).value();
-    CHECK(&bars->strip(bars->key(60)) == &bars->strip(bars->key(62)));
-    CHECK(&bars->strip(bars->key(60)) != &bars->strip(bars->key(61)));
+    CHECK(bars->key(60).strip == bars->key(62).strip);
+    CHECK(bars->key(60).strip != bars->key(61).strip);
 }
 
 TEST_CASE("An instrument has a maximum number of modes on all keys together") {
@@ -122,7 +122,7 @@ TEST_CASE("Zones move the strike along the path as the keys go up") {
         const auto& key = instrument.key(note);
         CHECK(key.slot == 0);
         // The path visits the square's four corners, which are the rows 0 to 3.
-        const auto place = instrument.strip(key).between(key.along, 0).point;
+        const auto place = key.strip->between(key.along, 0).point;
         CHECK(weightOf(place, note - 60) > 0.98); // the table's step cuts the path's corners
     }
 }
@@ -150,7 +150,7 @@ TEST_CASE("Strike position across reaches the edges beside the path") {
     map.strikePath = {{-1, 0, 0}, {1, 0, 0}};
     const auto instrument = Instrument::build(map, library);
     REQUIRE(instrument);
-    const auto& strip = (*instrument)->strip((*instrument)->key(60));
+    const auto& strip = *(*instrument)->key(60).strip;
     CHECK(weightOf(strip.between(0, -1).point, 0) == Approx(1));
     CHECK(weightOf(strip.between(0, 1).point, 3) == Approx(1));
     CHECK(weightOf(strip.between(1, -1).point, 1) == Approx(1));
@@ -167,7 +167,7 @@ TEST_CASE("The length of a strike path is in metres") {
                                            .strikePath = {{-1, -1, 0}, {1, -1, 0}, {1, 0, 0}}},
                                           library)
                             .value();
-    CHECK(square->strip(square->key(60)).lengthMetres == Approx(1.5));
+    CHECK(square->key(60).strip->lengthMetres == Approx(1.5));
 }
 
 TEST_CASE("The error for a missing object names it") {

@@ -40,7 +40,7 @@ contactsOf(const Instrument& instrument, const ParameterValues& parameters, int 
             continue;
         const auto& slot = instrument.slots()[static_cast<std::size_t>(key.slot)];
         const auto place = aimedPlace(key.along, parameters);
-        const auto point = instrument.strip(key).between(place.along, place.across).point;
+        const auto point = key.strip->between(place.along, place.across).point;
         ContactTrain impact;
         impact.add({.delaySeconds = 0,
                     .strike = malletStrike(point, velocity, key.mallet, parameters, slot)});

@@ -31,7 +31,7 @@ TEST_CASE("The gain takes at most 16 modes a cell, and two predictions in all") 
         ParameterValues own;
         own.set(matchLoudness, 1);
         const auto changed = with(own, mallet, firstRackMallet + 2);
-        LoudnessMatch match(synthetic(modes), {}, sampleRateHz, own);
+        LoudnessMatch match({synthetic(modes), {}, sampleRateHz}, own);
         match.prepare(own);
         std::size_t work = 0, cells = 0;
         for (; cells < 10000; ++cells) {
@@ -51,7 +51,7 @@ TEST_CASE(
     "A value that no prediction uses costs no work, and another mallet costs one prediction") {
     ParameterValues own;
     own.set(matchLoudness, 1);
-    LoudnessMatch match(synthetic(500), {}, sampleRateHz, own);
+    LoudnessMatch match({synthetic(500), {}, sampleRateHz}, own);
     auto now = with(own, mallet, firstRackMallet + 2);
     match.prepare(now);
     for (const auto parameter :
@@ -74,7 +74,7 @@ TEST_CASE("The wheel changes the gain of scrapes but not of strikes") {
     own.set(matchLoudness, 1);
     for (const int kind : {strikeContact, scrapeContact}) {
         own.set(contact, kind);
-        LoudnessMatch match(synthetic(40), {}, sampleRateHz, own);
+        LoudnessMatch match({synthetic(40), {}, sampleRateHz}, own);
         const auto now = with(own, material, firstLibraryMaterial + 5);
         const double atRest = gainOf(match, now);
         match.setSpeedController(127);
@@ -98,10 +98,10 @@ TEST_CASE("After a reset the first cell has the gain, whatever was prepared") {
     for (const int kind : {strikeContact, scrapeContact, rollContact}) {
         own.set(contact, kind);
         const auto now = with(own, material, firstLibraryMaterial + 5);
-        LoudnessMatch fresh(instrument, {}, sampleRateHz, own);
+        LoudnessMatch fresh({instrument, {}, sampleRateHz}, own);
         const double gain = gainOf(fresh, now);
         REQUIRE(gain != 0);
-        LoudnessMatch match(instrument, {}, sampleRateHz, own);
+        LoudnessMatch match({instrument, {}, sampleRateHz}, own);
         match.prepare(with(own, matchLoudness, 0));
         complete(match, now);
         match.setSpeedController(127);
@@ -130,7 +130,7 @@ TEST_CASE("A prediction prepared for a wheel position is known there and at rest
     own.set(matchLoudness, 1);
     own.set(contact, scrapeContact);
     const auto now = with(own, material, firstLibraryMaterial + 5);
-    LoudnessMatch match(synthetic(500), {}, sampleRateHz, own);
+    LoudnessMatch match({synthetic(500), {}, sampleRateHz}, own);
     const double atRest = gainOf(match, now);
     match.setSpeedController(127);
     while (match.advance(now) > 0) {
@@ -138,7 +138,7 @@ TEST_CASE("A prediction prepared for a wheel position is known there and at rest
     const double moved = match.gainDb();
     REQUIRE(moved != atRest);
 
-    LoudnessMatch prepared(synthetic(500), {}, sampleRateHz, own);
+    LoudnessMatch prepared({synthetic(500), {}, sampleRateHz}, own);
     prepared.prepare(now, 127);
     CHECK(prepared.gainDb() == atRest);
     CHECK(prepared.advance(now) == 0);
@@ -156,7 +156,7 @@ TEST_CASE("A song that starts as before has its gain at once and follows the sam
         own.set(contact, kind);
         const auto first = with(own, material, firstLibraryMaterial + 5);
         const auto second = with(own, material, firstLibraryMaterial + 7);
-        LoudnessMatch match(instrument, {}, sampleRateHz, own);
+        LoudnessMatch match({instrument, {}, sampleRateHz}, own);
         match.prepare(first);
         const auto pass = [&](const std::vector<ParameterValues>& parts) {
             std::vector<double> gainsDb;
@@ -195,7 +195,7 @@ TEST_CASE("A song too short for a prediction is matched after some passes") {
     ParameterValues own;
     own.set(matchLoudness, 1);
     const auto now = with(own, material, firstLibraryMaterial + 5);
-    LoudnessMatch match(synthetic(500), {}, sampleRateHz, own);
+    LoudnessMatch match({synthetic(500), {}, sampleRateHz}, own);
     match.prepare(own);
     int passes = 0;
     for (; match.gainDb() == 0 && passes < 10000; ++passes) {
@@ -203,6 +203,6 @@ TEST_CASE("A song too short for a prediction is matched after some passes") {
         match.advance(now);
     }
     CHECK(passes > 10);
-    LoudnessMatch fresh(synthetic(500), {}, sampleRateHz, own);
+    LoudnessMatch fresh({synthetic(500), {}, sampleRateHz}, own);
     CHECK(match.gainDb() == gainOf(fresh, now));
 }

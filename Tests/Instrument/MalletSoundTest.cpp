@@ -106,9 +106,8 @@ TEST_CASE("The spectral centroid rises with velocity for every mallet on every k
                     instrument->slots()[static_cast<std::size_t>(instrument->key(note).slot)];
                 auto parameters = xylophoneWith(i);
                 parameters.set(size, sizeRatio);
-                const auto slowest =
-                    malletStrike(instrument->strip(instrument->key(note)).at(0.5, 0), 16,
-                                 instrument->key(note).mallet, parameters, slot);
+                const auto slowest = malletStrike(instrument->key(note).strip->at(0.5, 0), 16,
+                                                  instrument->key(note).mallet, parameters, slot);
                 const double hz = slot.object->dampedFrequencyHz(0) / sizeRatio;
                 if ((sizeRatio > 1 && note != 72) || slowest.durationSeconds * hz >= 2)
                     continue;
@@ -236,9 +235,8 @@ TEST_CASE("A strike with modal pulses is four strikes of one period each, with t
     const auto& key = instrument->key(84);
     const auto& slot = instrument->slots()[static_cast<std::size_t>(key.slot)];
     const auto place = strikePlace(key.along, parameters, 0);
-    const auto impact =
-        malletStrike(instrument->strip(key).between(place.along, place.across).point, 90,
-                     key.mallet, parameters, slot);
+    const auto impact = malletStrike(key.strip->between(place.along, place.across).point, 90,
+                                     key.mallet, parameters, slot);
     Synthesiser synthesiser({slot}, sampleRateHz);
     const auto settings = synthesisSettings(parameters);
     const auto modes =

@@ -112,16 +112,16 @@ TEST_CASE("On something rigid the impulse is (1 + e) m v into it, and grows with
     values.set(malletMass, 20);
     values.set(malletSpeed, 3);
     values.set(velocityCurve, 1);
-    const StrikePoint point{
-        .shapeRows = {5, 0, 0}, .weights = {1, 0, 0}, .normal = {0, 0.6f, 0.8f}};
+    const StrikePoint point{.shapeRows = {}, .weights = {1}, .normal = {0, 0.6f, 0.8f}};
+    const SynthesiserSlot rigid{.object = std::make_shared<const ModalObject>()};
     const auto strikeAt = [&](int velocity) {
-        return malletStrike(point, striker({}, values), malletSpeedAt(velocity, values), {});
+        return malletStrike(point, velocity, {}, values, rigid);
     };
     const auto hard = strikeAt(127);
     CHECK(hard.impulseNewtonSeconds[0] == 0);
     CHECK(hard.impulseNewtonSeconds[1] == Approx(-1.7 * 0.06 * 0.6));
     CHECK(hard.impulseNewtonSeconds[2] == Approx(-1.7 * 0.06 * 0.8));
-    CHECK(hard.point.shapeRows[0] == 5);
+    CHECK(hard.point == point);
     double lastImpulse = 0;
     double lastDuration = 1;
     for (int velocity = 1; velocity <= 127; ++velocity) {
@@ -136,10 +136,10 @@ TEST_CASE("On something rigid the impulse is (1 + e) m v into it, and grows with
 TEST_CASE("A mallet half the size has an eighth of the impulse and half the contact time") {
     for (const int choice : {int{customMallet}, int{firstRackMallet}}) { // Hertz and a wound head
         const auto values = racked(choice);
-        const auto whole = malletStrike({}, striker({}, values), 2, {});
-        const auto half = malletStrike({}, striker({.scale = 0.5}, values), 2, {});
-        CHECK(half.impulseNewtonSeconds[2] == Approx(whole.impulseNewtonSeconds[2] / 8));
-        CHECK(half.durationSeconds == Approx(whole.durationSeconds / 2));
+        const auto whole = DrivingPoint().struckBy(striker({}, values), 2);
+        const auto half = DrivingPoint().struckBy(striker({.scale = 0.5}, values), 2);
+        CHECK(half.impulseNewtonSeconds == Approx(whole.impulseNewtonSeconds / 8));
+        CHECK(half.contactSeconds == Approx(whole.contactSeconds / 2));
     }
 }
 

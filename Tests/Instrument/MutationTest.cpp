@@ -1,7 +1,7 @@
 #include "Instrument/Mutation.h"
 
 #include "Instrument/FactoryContent.h"
-#include "Instrument/LoudnessMatch.h"
+#include "Instrument/PhrasePrediction.h"
 #include "Instrument/Player.h"
 #include "Instrument/TestInstruments.h"
 #include "Support/RenderNotes.h"
@@ -102,9 +102,9 @@ TEST_CASE("A mutation is as loud as its origin within the level's reach, and nev
     for (const auto* name : {"Rosewood Xylophone", "Steel Plate", "Handbell"}) {
         const auto& preset = *findFactoryPreset(name);
         const auto instrument = built(preset);
-        const LoudnessMatch match(instrument, preset.surface, 48000, preset.parameters);
+        const Phrase phrase(instrument, preset.surface, 48000);
         const auto loudness = [&](const ParameterValues& values) {
-            return match.predictedLufs(values)[PhrasePrediction::middleVelocity] + values[level];
+            return predictedLufs(phrase, values) + values[level];
         };
         for (std::uint32_t seed = 0; seed < 6; ++seed) {
             INFO(name << ", seed " << seed);

@@ -163,7 +163,7 @@ TEST_CASE("A reset leaves nothing of earlier notes and controllers") {
     const auto& key = player.instrument().key(65);
     for (auto* each : {&player, &fresh})
         each->strikeSurface({.slot = static_cast<std::size_t>(key.slot),
-                             .point = player.instrument().strip(key).between(key.along, 0).point,
+                             .point = key.strip->between(key.along, 0).point,
                              .velocity = 100});
     const std::vector phrase{midi(0, 0x90, 69, 100), midi(100, 0x80, 69, 0),
                              midi(200, 0x90, 60, 100), midi(300, 0x80, 60, 0)};

@@ -27,7 +27,7 @@ TEST_CASE("Matching loudness applies the predicted gain from the first sample") 
     own.set(ParameterId::strikeSpread, 0);
     ParameterValues hard = own;
     hard.set(ParameterId::malletMass, 80);
-    LoudnessMatch match(instrument, {}, sampleRateHz, own);
+    LoudnessMatch match({instrument, {}, sampleRateHz}, own);
     hard.set(ParameterId::matchLoudness, 1);
     match.prepare(hard);
     hard.set(ParameterId::matchLoudness, 0);
@@ -83,7 +83,7 @@ TEST_CASE("A player that takes over the wheel position it was prepared for start
 
     auto matched = values;
     matched.set(ParameterId::matchLoudness, 1);
-    LoudnessMatch match(instrument, {}, sampleRateHz, own);
+    LoudnessMatch match({instrument, {}, sampleRateHz}, own);
     match.setSpeedController(120);
     match.prepare(matched);
     const double gain = std::pow(10, match.gainDb() / 20);

@@ -29,7 +29,7 @@ ParameterValues steadyHand() {
 SurfaceStrike strikeOf(const Instrument& instrument, int note, int velocity) {
     const auto& key = instrument.key(note);
     return {.slot = static_cast<std::size_t>(key.slot),
-            .point = instrument.strip(key).between(key.along, 0).point,
+            .point = key.strip->between(key.along, 0).point,
             .velocity = velocity};
 }
 

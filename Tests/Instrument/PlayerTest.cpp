@@ -37,8 +37,8 @@ TEST_CASE("Without radiation both channels are the sound at the struck point") {
     Synthesiser mono({instrument->slots()[static_cast<std::size_t>(key.slot)]}, sampleRateHz);
     mono.setSettings(synthesisSettings(parameters));
     const auto strike =
-        malletStrike(instrument->strip(key).between(key.along, 0).point, 100, key.mallet,
-                     parameters, instrument->slots()[static_cast<std::size_t>(key.slot)]);
+        malletStrike(key.strip->between(key.along, 0).point, 100, key.mallet, parameters,
+                     instrument->slots()[static_cast<std::size_t>(key.slot)]);
     ContactTrain impact;
     impact.add({.delaySeconds = 0, .strike = strike});
     std::vector<float> expected(2048);

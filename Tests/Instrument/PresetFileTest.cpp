@@ -1,8 +1,7 @@
 #include "Instrument/PresetFile.h"
 
 #include "Instrument/FactoryContent.h"
-#include "Instrument/InitialPreset.h"
-#include "Instrument/LoudnessMatch.h"
+#include "Instrument/PhrasePrediction.h"
 #include "Object/FileBytes.h"
 #include "Support/TestFolder.h"
 
@@ -126,8 +125,7 @@ TEST_CASE("A file's name finds it again through folders that are links") {
 TEST_CASE("The initial preset is plain, plays, and is as loud as the first factory preset") {
     const auto loudness = [](const Preset& preset) {
         const auto instrument = Instrument::build(preset.keyMap, ObjectLibrary::shared()).value();
-        const LoudnessMatch match(instrument, preset.surface, 48000, preset.parameters);
-        return match.predictedLufs(preset.parameters)[PhrasePrediction::middleVelocity] +
+        return predictedLufs({instrument, preset.surface, 48000}, preset.parameters) +
                preset.parameters[ParameterId::level];
     };
     const auto initial = initialPreset();

@@ -109,7 +109,7 @@ TEST_CASE("Strikes on surfaces wait in a limited number, and a cleared one never
     Rig rig;
     const auto& key = rig.instrument->key(69);
     const SurfaceStrike click{.slot = static_cast<std::size_t>(key.slot),
-                              .point = rig.instrument->strip(key).between(key.along, 0).point,
+                              .point = key.strip->between(key.along, 0).point,
                               .velocity = 100};
     int kept = 0;
     while (kept < 1000 && rig.scheduler.keep(click))

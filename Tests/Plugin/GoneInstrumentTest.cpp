@@ -63,16 +63,10 @@ private:
         void sound(std::int64_t, Synthesiser&, std::span<const CellOutput>) noexcept override {}
         void release(Synthesiser&, std::span<const CellOutput>) noexcept override {}
         void hear(std::span<const CellOutput>, const CellOutput&) noexcept override {}
-        void waitForSimulation() noexcept override {}
-        void setOffline(bool) noexcept override {}
-        void setPaused(bool) noexcept override {}
-        void stop() noexcept override {}
-        void reset() noexcept override {}
+        void restart() noexcept override {}
         bool silent() const noexcept override { return true; }
-        std::int64_t lateEvents() const noexcept override { return 0; }
         std::span<const PlacedImpact> takeImpacts() noexcept override { return {&struck, 1}; }
         std::uint32_t number() const noexcept override { return 1; }
-        std::span<const BodyPose> poses() const noexcept override { return {}; }
         PlacedImpact struck;
     };
 

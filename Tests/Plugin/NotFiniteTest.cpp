@@ -36,16 +36,9 @@ private:
             for (std::size_t c = 0; c < ears.channels(); ++c)
                 std::ranges::fill(ears[c], sample);
         }
-        void waitForSimulation() noexcept override {}
-        void setOffline(bool) noexcept override {}
-        void setPaused(bool) noexcept override {}
-        void stop() noexcept override {}
-        void reset() noexcept override { sample = 0; }
+        void restart() noexcept override { sample = 0; }
         bool silent() const noexcept override { return sample == 0; }
-        std::int64_t lateEvents() const noexcept override { return 0; }
-        std::span<const PlacedImpact> takeImpacts() noexcept override { return {}; }
-        std::uint32_t number() const noexcept override { return 1; }
-        std::span<const BodyPose> poses() const noexcept override { return {&pose, 1}; }
+        std::span<const BodyPose> bodyPoses() const noexcept override { return {&pose, 1}; }
         float sample = 0;
         BodyPose pose;
     };

@@ -93,10 +93,10 @@ TEST_CASE("A die hits its bar after the scene's delay, from any height") {
     CHECK_THAT(delay, WithinAbs(std::sqrt(2 / 9.81), 1e-9)); // one metre
     for (const int velocity : {1, 64, 127}) {
         Player player(instrument, rate);
-        player.setOffline(true);
+        player.stage().setOffline(true);
         const auto sound = play(player, {{0.1003, 72, velocity}}, 1, 256);
         CHECK_THAT(onsetSeconds(sound), WithinAbs(0.1003 + delay, 0.002));
-        CHECK(player.lateEvents() == 0);
+        CHECK(player.stage().lateEvents() == 0);
     }
 }
 
@@ -104,13 +104,13 @@ TEST_CASE("A scene instrument sounds the same for all block sizes and after a re
     const auto instrument = sceneInstrument("Dice on a xylophone");
     const std::vector<Note> notes{{0.05, 72, 90}, {0.06, 79, 120}, {0.4, 84, 30}, {0.41, 72, 127}};
     Player player(instrument, rate);
-    player.setOffline(true);
+    player.stage().setOffline(true);
     const auto first = play(player, notes, 1.5, 512);
     CHECK(std::ranges::any_of(first, [](float x) { return x != 0; }));
     player.reset();
     CHECK(play(player, notes, 1.5, 512) == first);
     Player other(instrument, rate);
-    other.setOffline(true);
+    other.stage().setOffline(true);
     CHECK(play(other, notes, 1.5, 37) == first);
 }
 
@@ -118,12 +118,12 @@ TEST_CASE("In real time a stage sounds as offline if its simulation is waited fo
     const auto instrument = sceneInstrument("Cylinder off a table");
     const std::vector<Note> notes{{0, 60, 64}, {0.3, 60, 100}};
     Player offline(instrument, rate), player(instrument, rate);
-    offline.setOffline(true);
+    offline.stage().setOffline(true);
     const auto expected = play(offline, notes, 1, 64);
     const auto sound =
-        play(player, notes, 1, 64, [](Player& waiting) { waiting.waitForSimulation(); });
+        play(player, notes, 1, 64, [](Player& waiting) { waiting.stage().waitForSimulation(); });
     CHECK((sound == expected));
-    CHECK(player.lateEvents() == 0);
+    CHECK(player.stage().lateEvents() == 0);
 }
 
 TEST_CASE("Impacts and contacts that are not waited for are late, are counted and sound") {
@@ -149,13 +149,13 @@ TEST_CASE("Impacts and contacts that are not waited for are late, are counted an
                                           stage->slotOfKey(0, 127), stage),
                       rate);
         std::vector<float> sound;
-        for (int attempt = 0; attempt < 100 && player.lateEvents() == 0; ++attempt) {
+        for (int attempt = 0; attempt < 100 && player.stage().lateEvents() == 0; ++attempt) {
             player.reset();
             play(player, {{0, 72, 100}}, 1, 512);
-            player.waitForSimulation();
+            player.stage().waitForSimulation();
             sound = play(player, {}, 0.1, 512);
         }
-        CHECK(player.lateEvents() > 0);
+        CHECK(player.stage().lateEvents() > 0);
         CHECK(tailLevel(sound, 0) > 0);
     }
 }
@@ -167,7 +167,7 @@ TEST_CASE("Keys of a scene without notes restart it") {
     CHECK(instrument->key(60).slot >= 0);
     CHECK_FALSE(instrument->keysHaveObjects());
     Player player(instrument, rate);
-    player.setOffline(true);
+    player.stage().setOffline(true);
     const auto sound = play(player, {{0, 60, 64}}, 2, 256);
     CHECK(onsetSeconds(sound) > 0.5 * delay);
     CHECK(onsetSeconds(sound) < delay + 0.3);
@@ -177,7 +177,7 @@ TEST_CASE("Keys of a scene without notes restart it") {
 TEST_CASE("A note beyond the maximum replaces the oldest simulation, and All Sound Off ends all") {
     const auto instrument = sceneInstrument("Dice on a xylophone");
     Player player(instrument, rate);
-    player.setOffline(true);
+    player.stage().setOffline(true);
     std::vector<Note> notes;
     for (int k = 0; k < 40; ++k)
         notes.push_back({0.02 * k, 65 + k, 100});
@@ -197,7 +197,7 @@ TEST_CASE("After All Sound Off, the next cylinder makes the table ring again") {
     const auto instrument = sceneInstrument("Cylinder off a table");
     Player first(instrument, rate), second(instrument, rate);
     for (auto* player : {&first, &second})
-        player->setOffline(true);
+        player->stage().setOffline(true);
     const auto expected = play(first, {{0, 60, 64}}, 0.5, 128);
     std::vector<float> left(64), right(64);
     const std::vector<MidiEvent> off{{0, {0xb0, 120, 0}}};
@@ -207,7 +207,7 @@ TEST_CASE("After All Sound Off, the next cylinder makes the table ring again") {
 
 TEST_CASE("Rolling before All Sound Off does not ring on under the next note") {
     Player player(sceneInstrument("Cylinder off a table"), rate);
-    player.setOffline(true);
+    player.stage().setOffline(true);
     const auto before = play(player, {{0, 60, 100}}, 0.6, 128);
     std::vector<float> left(64), right(64);
     const std::vector<MidiEvent> next{{0, {0xb0, 120, 0}}, {0, {0x90, 60, 1}}};
@@ -230,7 +230,7 @@ TEST_CASE("Rolling does not click when it is paused, resumed, stopped or replace
                 notes.push_back(
                     {(static_cast<double>(cells) - 7 + k) * cellSamples / rate, 60, 64});
         Player player(instrument, rate);
-        player.setOffline(true);
+        player.stage().setOffline(true);
         const auto seconds = [](std::size_t count) {
             return static_cast<double>(count * cellSamples) / rate;
         };
@@ -241,11 +241,11 @@ TEST_CASE("Rolling does not click when it is paused, resumed, stopped or replace
             sound.insert(sound.end(), next.begin(),
                          next.begin() + static_cast<std::ptrdiff_t>(next.size() / 2));
         };
-        player.pauseStage(end == End::pause);
+        player.stage().pause(end == End::pause);
         if (end == End::stop)
-            player.resetStage();
+            player.stage().reset();
         goOn(end == End::note ? std::vector<Note>{{0, 60, 64}} : std::vector<Note>(), restCells);
-        player.pauseStage(false);
+        player.stage().pause(false);
         goOn({}, 10);
         return sound;
     };
@@ -265,7 +265,7 @@ TEST_CASE("Rolling does not click when it is paused, resumed, stopped or replace
 TEST_CASE("The soft pedal slows the bodies that a note throws") {
     const auto thrown = [](int pedal, int velocity) {
         Player player(sceneInstrument("Dice on a xylophone"), rate);
-        player.setOffline(true);
+        player.stage().setOffline(true);
         std::vector<float> left(64), right(64);
         const std::vector<MidiEvent> down{{0, {0xb0, 67, static_cast<std::uint8_t>(pedal)}}};
         player.process({left, right}, down, {});

@@ -91,7 +91,7 @@ TEST_CASE("A bad scene gets one sentence with the place in the file") {
           "test.json: it is not JSON (line 3, column 3)");
     CHECK(faultOf("[1, 2]") == "test.json: it is not an Idiophone scene");
     CHECK(faultOf(R"({"format": "idiophone-scene", "version": 2, "name": "x"})") ==
-          "test.json: it was made by a newer Idiophone");
+          "test.json: it was made by a newer Idiophone (scene version 2)");
     CHECK(faultOf(sceneWith(R"(, "wind": 3)")) == "test.json: it has no 'wind'");
     CHECK(faultOf(sceneWith(R"(, "seconds": -1)")) ==
           "test.json: seconds is not between 0.001 and 3600");
