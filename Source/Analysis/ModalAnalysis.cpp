@@ -1,4 +1,4 @@
-#include "Analysis/PreviewAnalysis.h"
+#include "Analysis/ModalAnalysis.h"
 
 #include "Analysis/BodyModel.h"
 #include "Analysis/MethodChoice.h"
@@ -204,8 +204,7 @@ Result<ModalObject> analysed(const Mesh& mesh, const Task& task) {
     if (const auto usable = validate(settings); !usable)
         return tl::unexpected(usable.error());
     control.report(0, "Repairing the mesh");
-    auto repaired = repairMesh(mesh, {.weldTolerance = settings.weldTolerance,
-                                      .largestComponentOnly = settings.largestComponentOnly,
+    auto repaired = repairMesh(mesh, {.largestComponentOnly = settings.largestComponentOnly,
                                       .cancelled = control.cancelled});
     if (!repaired)
         return tl::unexpected(repaired.error());
