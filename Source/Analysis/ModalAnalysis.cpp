@@ -160,14 +160,8 @@ Result<BodyModel> bodyFor(MethodChoice& choice, const Mesh& mesh, const Task& ta
 std::vector<int>
 nearestVertices(const Mesh& surface, const Mesh& repaired, const std::vector<int>& vertices) {
     std::vector<int> nearest;
-    for (const int vertex : vertices) {
-        Eigen::Index found = 0;
-        (surface.vertices.rowwise() - repaired.vertices.row(vertex))
-            .rowwise()
-            .squaredNorm()
-            .minCoeff(&found);
-        nearest.push_back(found);
-    }
+    for (const int vertex : vertices)
+        nearest.push_back(nearestVertex(surface, repaired.vertices.row(vertex)));
     makeSortedSet(nearest);
     return nearest;
 }

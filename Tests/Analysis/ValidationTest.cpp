@@ -179,7 +179,7 @@ TEST_CASE("A free square plate of finite elements has eight modes within 2 % of 
 TEST_CASE("A free square plate remeshed like a user's has eight modes within 2 % of Ritz",
           "[validation]") {
     const double unit = plateUnitHz(1, 0.02, 0.3);
-    const auto surface = remesh(boxMesh({1, 1, 0.02}, {1, 1, 1}), {.edgeLengthMetres = 0.07});
+    const auto surface = remesh(boxMesh({1, 1, 0.02}, {1, 1, 1}), 0.07);
     REQUIRE(surface);
     const auto body = solvedSolid(*surface, elasticLaw(referenceWood(0.3)), density, 0.07,
                                   {.lowestHz = unit, .highestHz = 66 * unit});
