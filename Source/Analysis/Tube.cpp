@@ -49,8 +49,8 @@ struct Mode {
 Mode drivingMode(const ModalObject& bar, std::size_t mode, const Tube& tube, double mouthKgPerM2) {
     const double omega = std::sqrt(bar.eigenvalues[mode]);
     const Complex pressure(0, omega * mouthKgPerM2); // per unit modal velocity
-    const Complex impedance = airDensityKgPerM3 * speedOfSoundMetresPerSecond / tube.mouthM2() *
-                              tube.relativeImpedance(omega / (2 * pi));
+    const Complex impedance =
+        airImpedancePaSPerM / tube.mouthM2() * tube.relativeImpedance(omega / (2 * pi));
     const double extra = bar.damping(mode).extraPerSecond;
     return {.source = mode,
             .eigenvalue = bar.eigenvalues[mode],
@@ -148,8 +148,7 @@ std::complex<double> Tube::relativeImpedance(double soundHz) const {
 TubeResonance Tube::resonance(int n) const {
     const double hz = (2 * n + 1) * frequencyHz;
     const double inertance = airDensityKgPerM3 * acousticLengthMetres() / (2 * mouthM2());
-    const double resistance =
-        airDensityKgPerM3 * speedOfSoundMetresPerSecond / mouthM2() * relativeImpedance(hz).real();
+    const double resistance = airImpedancePaSPerM / mouthM2() * relativeImpedance(hz).real();
     return {.omega = 2 * pi * hz,
             .decayPerSecond = resistance / (2 * inertance),
             .inertanceKgPerM4 = inertance};
