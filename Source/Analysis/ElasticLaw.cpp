@@ -105,7 +105,7 @@ double slowestShearSpeedMetresPerSecond(const ElasticLaw& law, double densityKgP
     return std::sqrt(least / densityKgPerM3);
 }
 
-double leastYoungsModulusPa(const ElasticLaw& law) {
+double minimumYoungsModulusPa(const ElasticLaw& law) {
     const Matrix6d compliance = law.stiffnessPa.llt().solve(Matrix6d::Identity());
     double greatest = 0;
     const Eigen::MatrixXd directions = allDirections();

@@ -41,6 +41,6 @@ ElasticLaw elasticLaw(const Material& material, const GrainAxes& axes = {});
 double slowestShearSpeedMetresPerSecond(const ElasticLaw& law, double densityKgPerM3);
 
 /// Returns the minimum Young's modulus over the same directions.
-double leastYoungsModulusPa(const ElasticLaw& law);
+double minimumYoungsModulusPa(const ElasticLaw& law);
 
 } // namespace idiophone

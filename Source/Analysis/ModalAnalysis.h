@@ -22,7 +22,7 @@ struct AnalysisSettings {
     double thicknessMetres = 0.005;            ///< shells only
     double lowestFrequencyHz = lowestAnalysedHz;
     double maxFrequencyHz = highestAnalysedHz;
-    int maximumModes = mostAnalysedModes; ///< more modes in the band are an error
+    int maximumModes = maximumAnalysedModes; ///< more modes in the band are an error
     int elementBudget = 8000; ///< approximate number of tetrahedra; a wider band makes them coarser
     bool largestComponentOnly = false;   ///< leave smaller components of the mesh out
     std::vector<int> shapeVertices = {}; ///< input vertices that keep their shapes; empty: all

@@ -36,7 +36,7 @@ constexpr Effort exactEffort{1800, 1.5e8, 0.002, 2.5}, quickEffort{700, 1.5e7, 0
 
 /// A surface is refined only if it resolves less than this share of the band.
 constexpr double enoughOfBand = 0.6;
-constexpr double mostMatrixBytes = 1e9;
+constexpr double maximumMatrixBytes = 1e9;
 
 double waveNumberOf(double frequencyHz) {
     return 2 * std::numbers::pi * frequencyHz / speedOfSoundMetresPerSecond;
@@ -61,7 +61,7 @@ Index unknownsOf(const Effort& effort, Index symmetryOrder) {
 double kernelsOf(const Effort& effort, double faces, Index symmetryOrder) {
     return faces *
            std::min(faces / static_cast<double>(symmetryOrder),
-                    static_cast<double>(mostCollocations * unknownsOf(effort, symmetryOrder)));
+                    static_cast<double>(maximumCollocations * unknownsOf(effort, symmetryOrder)));
 }
 
 /// Returns a surface as fine as the band needs, within the limits of the effort.
@@ -76,7 +76,7 @@ Result<ClosedSurface> surfaceFor(const RadiatingBody& body,
     const Index order = surfaceSymmetry(surface->mesh).order();
     if (kernelsOf(effort, faces(), order) > effort.maximumKernels) {
         const double affordable =
-            effort.maximumKernels / static_cast<double>(mostCollocations * effort.unknowns);
+            effort.maximumKernels / static_cast<double>(maximumCollocations * effort.unknowns);
         return remeshed(*surface, edgeMetresOf(surface->mesh, 0.7 * affordable), control);
     }
     while (faces() / static_cast<double>(order) < static_cast<double>(unknownsOf(effort, order)) &&
@@ -162,7 +162,7 @@ Eigen::MatrixXd rowsOf(const std::vector<Eigen::Vector3d>& points) {
 unsigned threadsFor(const BoundaryElements& elements, unsigned threads) {
     const auto unknowns = static_cast<double>(elements.unknownCount());
     const double bytes = 8 * unknowns * unknowns * static_cast<double>(elements.symmetryOrder());
-    const auto most = static_cast<unsigned>(std::clamp(mostMatrixBytes / bytes, 1.0, 1024.0));
+    const auto most = static_cast<unsigned>(std::clamp(maximumMatrixBytes / bytes, 1.0, 1024.0));
     return std::clamp(threads == 0 ? std::thread::hardware_concurrency() : threads, 1U, most);
 }
 

@@ -59,7 +59,7 @@ Result<double> fitMesh(Mesh& mesh,
     if (given < finestEdgeShare * edge || given > coarsestEdgeShare * edge ||
         mesh.vertexCount() > 2 * settings.vertexBudget) {
         if (remeshedTriangles(mesh, edge) >
-            mostNewTriangles + static_cast<double>(mesh.faceCount()))
+            maximumNewTriangles + static_cast<double>(mesh.faceCount()))
             return failure("The mesh of " + std::to_string(mesh.vertexCount()) +
                            " vertices needs too many triangles to be covered with those of a "
                            "shell; simplify the mesh, or check its proportions and its unit.");

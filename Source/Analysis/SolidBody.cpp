@@ -52,7 +52,7 @@ Result<CoveredSurface> coveredAnew(const Mesh& surface,
     for (const double share : {1.0, 0.63, finestEdgeShare}) {
         const double edge = share * longest;
         if (remeshedTriangles(surface, edge) >
-            mostNewTriangles + static_cast<double>(surface.faceCount())) {
+            maximumNewTriangles + static_cast<double>(surface.faceCount())) {
             if (share < 1)
                 break;
             return failure("The mesh is too long and thin to be covered with triangles of " +

@@ -155,12 +155,12 @@ Result<TetMesh> tetrahedralise(const Mesh& closedSurface, const TetMeshSettings&
                        " nodes; lower the highest frequency or simplify the mesh.");
     };
     const double regular = std::pow(settings.targetEdgeMetres, 3) / (6 * std::sqrt(2.0));
-    const int mostAdded = settings.maximumNodes - static_cast<int>(closedSurface.vertexCount());
+    const int maximumAdded = settings.maximumNodes - static_cast<int>(closedSurface.vertexCount());
     auto filled =
         runTetGen(closedSurface, {.keepSurface = settings.keepSurface,
                                   .radiusEdgeRatio = radiusEdgeRatio(closedSurface, settings),
                                   .maximumVolumeM3 = volumeShare * regular,
-                                  .maximumAddedPoints = mostAdded,
+                                  .maximumAddedPoints = maximumAdded,
                                   .cancelled = settings.cancelled});
     if (!filled)
         return failure(filled.error().message);

@@ -18,7 +18,7 @@ using Complex = std::complex<double>;
 constexpr double pi = std::numbers::pi;
 /// A resonance farther from a mode than this does not share it.
 constexpr double wholeTone = 1.122;
-constexpr double leastSharedGain = 1e-3;
+constexpr double minimumSharedGain = 1e-3;
 
 double waveNumber(double omega) {
     return omega / speedOfSoundMetresPerSecond;
@@ -116,7 +116,7 @@ modesOver(const ModalObject& bar, const Tube& tube, std::span<const double> mout
         if (!mode || isShared[*mode])
             continue;
         const auto pair = sharingModes(bar, *mode, resonance, mouthKgPerM2[*mode]);
-        if (std::min(std::abs(pair[0].gain), std::abs(pair[1].gain)) < leastSharedGain)
+        if (std::min(std::abs(pair[0].gain), std::abs(pair[1].gain)) < minimumSharedGain)
             continue;
         isShared[*mode] = true;
         modes.insert(modes.end(), pair.begin(), pair.end());

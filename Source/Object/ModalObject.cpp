@@ -19,13 +19,13 @@ bool allWithin(const Values& values, Limit limit) {
 }
 
 // Also the limit of vertices in a mesh file.
-constexpr double farthestMetres = 1e6;
+constexpr double maximumMetres = 1e6;
 
 std::string sizesFault(const ModalObject& object) {
     if (object.modeCount() == 0)
         return "it has no modes";
-    if (object.modeCount() > mostObjectModes)
-        return "it has more than " + std::to_string(mostObjectModes) + " modes";
+    if (object.modeCount() > maximumObjectModes)
+        return "it has more than " + std::to_string(maximumObjectModes) + " modes";
     if (object.shapeVertexCount() == 0)
         return "no vertex carries mode shapes";
     if (object.vertices.size() % 3 != 0 || object.faces.size() % 3 != 0)
@@ -85,7 +85,7 @@ std::string decaysFault(const ModalObject& object) {
 std::string geometryFault(const ModalObject& object) {
     if (!allWithin(object.shapes, largestShape))
         return "a mode shape is not between -1e8 and 1e8 per √kg";
-    if (!allWithin(object.vertices, farthestMetres))
+    if (!allWithin(object.vertices, maximumMetres))
         return "a vertex does not lie within 1000 km";
     const auto vertexCount = static_cast<std::int64_t>(object.vertexCount());
     const auto isVertex = [&](std::int32_t index) { return index >= 0 && index < vertexCount; };
@@ -108,7 +108,7 @@ std::string radiationFault(const ModalObject& object) {
 }
 
 std::string scalarsFault(const ModalObject& object) {
-    if (!(object.thicknessMetres >= 0 && object.thicknessMetres <= farthestMetres) ||
+    if (!(object.thicknessMetres >= 0 && object.thicknessMetres <= maximumMetres) ||
         (object.body == BodyKind::shell && object.thicknessMetres == 0))
         return "the thickness is not a positive number of at most 1000 km";
     if (object.body == BodyKind::shell && object.thicknessMetres < 1e-9)
@@ -119,10 +119,10 @@ std::string scalarsFault(const ModalObject& object) {
     const double massKg = object.mass.massKg;
     if (!(massKg >= 1e-18 && massKg <= 1e23))
         return "the mass is not between 1e-18 and 1e23 kg";
-    if (!allWithin(object.mass.centreMetres, farthestMetres))
+    if (!allWithin(object.mass.centreMetres, maximumMetres))
         return "the centre does not lie within 1000 km";
-    constexpr double farthestApartSquared = 12 * farthestMetres * farthestMetres;
-    if (!allWithin(object.mass.inertiaKgM2, farthestApartSquared * massKg))
+    constexpr double maximumApartSquared = 12 * maximumMetres * maximumMetres;
+    if (!allWithin(object.mass.inertiaKgM2, maximumApartSquared * massKg))
         return "the inertia is larger than 1.2e13 m² times its mass";
     if (!std::isfinite(object.provenance.analysisSeconds))
         return "the analysis time is not a finite number";

@@ -11,7 +11,7 @@ namespace {
 
 /// 100 dB, more than the range of the parameter. Repeated changes of level and sound during reverb
 /// could exceed it.
-constexpr float farthestOwnLevel = 1e5f;
+constexpr float maximumOwnLevel = 1e5f;
 constexpr std::size_t cell = 64; ///< grid on which silence is detected
 
 float gainOf(const ParameterValues& values) {
@@ -68,7 +68,7 @@ float OutputStage::changeSound(const ParameterValues& values, double fadeSeconds
     const float before = ownLevel.getCurrentValue() * level.getCurrentValue();
     const float now = gainOf(values);
     ownLevelAtChange = now / level.getCurrentValue();
-    if (ownLevelAtChange > farthestOwnLevel)
+    if (ownLevelAtChange > maximumOwnLevel)
         room.reset();
     if (room.silent())
         forgetChanges();

@@ -24,7 +24,7 @@ namespace {
 constexpr double readShare = 0.03, previewShare = 0.12;
 
 /// Maximum shapes times modes that an object keeps: 4 MB in half precision in every project.
-constexpr std::size_t mostShapes = 700'000, fewestRows = 300;
+constexpr std::size_t maximumShapes = 700'000, fewestRows = 300;
 
 struct Choices {
     Material material;
@@ -225,7 +225,7 @@ Result<void> ObjectWorkshop::makeFromMesh(const Job& job, const Source& source) 
     auto object = idiophone::analyse(metres, settings, control(previewShare, 1, ""));
     if (!object)
         return refuse(object.error());
-    const auto rows = std::max(fewestRows, mostShapes / object->modeCount());
+    const auto rows = std::max(fewestRows, maximumShapes / object->modeCount());
     deliver(job, withFewerShapes(std::move(*object), rows), unit, Finish::whole);
     return {};
 }

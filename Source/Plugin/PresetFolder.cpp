@@ -50,7 +50,7 @@ struct FoundFile {
 
 /// Returns the folder's own files first, by depth, then files behind links, as a link may lead to a
 /// whole disk.
-std::vector<FoundFile> presetFilesBelow(const juce::File& root, int mostEntries) {
+std::vector<FoundFile> presetFilesBelow(const juce::File& root, int maximumEntries) {
     struct Place {
         juce::File folder;
         int depth = 0;
@@ -72,7 +72,7 @@ std::vector<FoundFile> presetFilesBelow(const juce::File& root, int mostEntries)
         for (const auto& entry : juce::RangedDirectoryIterator(place.folder, false, "*",
                                                                juce::File::findFilesAndDirectories |
                                                                    juce::File::ignoreHiddenFiles)) {
-            if (++entries > mostEntries)
+            if (++entries > maximumEntries)
                 return files;
             const auto file = entry.getFile();
             if (!entry.isDirectory()) {

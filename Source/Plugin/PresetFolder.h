@@ -23,10 +23,10 @@ public:
 
     static constexpr int deepestFolder = 4; ///< deeper folders are ignored
 
-    /// An empty file means that this machine has no preset folder. Visits at most `mostEntries`
+    /// An empty file means that this machine has no preset folder. Visits at most `maximumEntries`
     /// files and folders of any kind. Follows links last, and each target once.
-    explicit PresetFolder(juce::File folder, int mostEntries = 20'000)
-        : root(std::move(folder)), entryLimit(mostEntries) {}
+    explicit PresetFolder(juce::File folder, int maximumEntries = 20'000)
+        : root(std::move(folder)), entryLimit(maximumEntries) {}
 
     /// Returns the presets sorted by folder and name, ignoring case. Does not read unchanged files
     /// again.

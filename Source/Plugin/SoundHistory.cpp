@@ -10,7 +10,7 @@ namespace idiophone {
 namespace {
 
 // Limits of juce::UndoManager, in KiB. It always keeps the newest steps.
-constexpr int mostUnits = 512 * 1024, fewestSteps = 8;
+constexpr int maximumUnits = 512 * 1024, fewestSteps = 8;
 constexpr int unitsOfParameters = 64; // more than their size, so that at most 8192 steps are kept
 constexpr int unitsOfSound = 256;
 constexpr int unitsOfTunings = 1024; // two tunings of two files each
@@ -25,7 +25,7 @@ int unitsOfObjects(const Sound& sound) {
     for (const auto* object : objects)
         bytes += sizeof(float) * (object->shapes.size() + object->vertices.size() +
                                   object->radiation.weights.size());
-    return static_cast<int>(std::min<std::size_t>(bytes / 1024, mostUnits));
+    return static_cast<int>(std::min<std::size_t>(bytes / 1024, maximumUnits));
 }
 
 } // namespace
@@ -50,7 +50,7 @@ SoundHistory::SoundHistory(SoundHolder& soundHolder,
                            HostParameters& hostParameters,
                            HostLoads& loadsOfHost)
     : holder(soundHolder), parameters(hostParameters), hostLoads(loadsOfHost),
-      steps(mostUnits, fewestSteps) {}
+      steps(maximumUnits, fewestSteps) {}
 
 SoundHistory::~SoundHistory() = default;
 

@@ -18,17 +18,17 @@ namespace idiophone {
 
 /// The state at the end of a callback.
 struct MonitoredSound {
-    static constexpr std::size_t mostModes = 8192; ///< of an object; further modes are not shown
-    static constexpr std::size_t mostSlots = 128;
+    static constexpr std::size_t maximumModes = 8192; ///< of an object; further modes are not shown
+    static constexpr std::size_t maximumSlots = 128;
 
     std::uint64_t instrument = 0; ///< its serial number
     double sampleRateHz = 0;
     std::size_t slot = 0; ///< slot of `groups`
-    SoundingGroups groups{mostModes};
+    SoundingGroups groups{maximumModes};
     std::size_t slotCount = 0;
-    std::array<Synthesiser::SlotStatus, mostSlots> slots{};
+    std::array<Synthesiser::SlotStatus, maximumSlots> slots{};
     std::size_t bodyCount = 0; ///< number of a stage's slots, or 0
-    std::array<BodyPose, mostSlots> bodies{};
+    std::array<BodyPose, maximumSlots> bodies{};
     double qualitySlope = 1;
     double modeBudget = 0;
     float load = 0;               ///< of one processor core, 0 to 1

@@ -137,7 +137,7 @@ void SoundPicture::addModes(const MonitoredSound& sound) {
     for (std::size_t g = 0; g + 1 < groupStarts.size(); ++g) {
         const auto first = static_cast<std::size_t>(groupStarts[g]);
         const auto end = std::min(static_cast<std::size_t>(groupStarts[g + 1]), total);
-        if (end > MonitoredSound::mostModes)
+        if (end > MonitoredSound::maximumModes)
             break;
         const double sum = std::accumulate(weights.begin() + static_cast<std::ptrdiff_t>(first),
                                            weights.begin() + static_cast<std::ptrdiff_t>(end), 0.0);

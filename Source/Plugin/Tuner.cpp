@@ -11,7 +11,7 @@ namespace idiophone {
 namespace {
 
 constexpr char anyChannel = -1;
-constexpr double farthestSemitones = 128;
+constexpr double maximumSemitones = 128;
 
 /// A "scale/octave tuning" message, one byte a note, on all channels.
 constexpr std::array<juce::uint8, 21> equalTemperament{0xf0, 0x7e, 0x7f, 0x08, 0x08, 0x03, 0x7f,
@@ -124,7 +124,7 @@ void Tuner::readSession() noexcept {
         const auto key = static_cast<char>(note);
         const double semitones = MTS_RetuningInSemitones(client.get(), key, anyChannel);
         if (MTS_ShouldFilterNote(client.get(), key, anyChannel) ||
-            !(std::abs(semitones) <= farthestSemitones))
+            !(std::abs(semitones) <= maximumSemitones))
             session.unmapped.set(index);
         else
             session.semitonesFromEqual[index] = semitones;

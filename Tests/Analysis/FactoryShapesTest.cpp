@@ -60,14 +60,14 @@ void checkPairs(const ModalObject& object, std::size_t pairs) {
                    WithinRel(frequencyHz(object, 2 * pair), 2e-4));
 }
 
-void checkFile(const ModalObject& object, std::size_t mostBytes) {
+void checkFile(const ModalObject& object, std::size_t maximumBytes) {
     CHECK(validated(object));
     CHECK(object.provenance.zeroModes == 6);
     CHECK_FALSE(object.provenance.source.empty());
     CHECK(object.provenance.analysisSeconds > 0);
     CHECK((object.shapeVertexCount() >= 40 && object.shapeVertexCount() <= 240));
     CHECK_FALSE(object.radiation.empty());
-    CHECK(encodeModalObject(object, ShapePrecision::half).size() <= mostBytes);
+    CHECK(encodeModalObject(object, ShapePrecision::half).size() <= maximumBytes);
 }
 
 ModalObject made(const std::string& name) {

@@ -220,12 +220,12 @@ TEST_CASE("A link to a folder elsewhere is followed") {
 TEST_CASE("Presets are found beside objects and linked folders that exceed the scan limit") {
     const auto root = freshFolder();
     const auto large = juce::File(testFolder().string()).getChildFile("large");
-    constexpr int mostEntries = 100;
-    PresetFolder folder(root, mostEntries);
+    constexpr int maximumEntries = 100;
+    PresetFolder folder(root, maximumEntries);
     REQUIRE(folder.write(named("Own"), "a/b/c/d", false));
     const Ids own{"a/b/c/d/Own.json"};
     REQUIRE(PresetFolder(large).write(named("Far"), "in", false));
-    for (int i = 0; i < mostEntries; ++i)
+    for (int i = 0; i < maximumEntries; ++i)
         std::ofstream(pathOf(large) / (std::to_string(i) + ".txt"));
     const auto link = root.getChildFile("0");
     large.createSymbolicLink(link, true);
