@@ -4,5 +4,6 @@
 namespace idiophone {
 
 inline constexpr double speedOfSoundMetresPerSecond = 343, airDensityKgPerM3 = 1.204;
+inline constexpr double airImpedancePaSPerM = speedOfSoundMetresPerSecond * airDensityKgPerM3;
 
 } // namespace idiophone

@@ -9,6 +9,6 @@ namespace idiophone {
 inline constexpr double lowestAnalysedHz = 20, highestAnalysedHz = 44000;
 
 /// The limit of modes: more would make the analysis too slow and could not play in real time.
-inline constexpr int mostAnalysedModes = 5000;
+inline constexpr int maximumAnalysedModes = 5000;
 
 } // namespace idiophone

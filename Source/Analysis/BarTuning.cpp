@@ -56,10 +56,6 @@ bool haveSameShape(const ModalObject& object, std::size_t a, std::size_t b) {
     return true;
 }
 
-int targetCount(const PartialTargets& targets) {
-    return targets.thirdRatio > 0 ? 3 : targets.secondRatio > 0 ? 2 : 1;
-}
-
 double targetHz(const PartialTargets& targets, int partial) {
     const std::array ratios{1.0, targets.secondRatio, targets.thirdRatio};
     return targets.fundamentalHz * ratios[partial];
@@ -68,7 +64,7 @@ double targetHz(const PartialTargets& targets, int partial) {
 /// Returns the lowest bending partials, as many as there are targets.
 Result<std::vector<double>>
 lowestPartialsHz(const BarSpecification& bar, const SolidBar& solid, const WorkControl& control) {
-    const int count = targetCount(bar.targets);
+    const int count = bar.targets.count();
     const auto body = bodyOf(bar, solid);
     const auto modes = solveModes(body.model, {.highestHz = 1.3 * targetHz(bar.targets, count - 1)},
                                   control.quiet());
@@ -158,7 +154,7 @@ std::array<double, 3> fromCentre(const Eigen::Vector3d& point, const ModalObject
 
 Result<TunedBar>
 analysed(const BarSpecification& bar, const UndercutBar& shape, const WorkControl& control) {
-    const SolidBar solid = solidBar(shape, bar.grid);
+    const SolidBar solid = solidBar(shape);
     const auto top = solid.outline.surfaceVertices.begin();
     const Eigen::Vector3d mouth =
         bar.tube ? mouthMetres(shape, *bar.tube) : Eigen::Vector3d::Zero();
@@ -206,7 +202,7 @@ Result<TunedBar> tune(const BarSpecification& bar, const WorkControl& control) {
     if (const auto material = validated(bar.material); !material)
         return failure(material.error().message);
     if (!(bar.targets.fundamentalHz >= 20) ||
-        !(targetHz(bar.targets, targetCount(bar.targets) - 1) * 1.3 <= bar.maxFrequencyHz))
+        !(targetHz(bar.targets, bar.targets.count() - 1) * 1.3 <= bar.maxFrequencyHz))
         return failure("its partials must lie between 20 Hz and three quarters of its band");
     UndercutBar shape = bar.shape;
     if (shape.lengthMetres == 0)
@@ -218,7 +214,7 @@ Result<TunedBar> tune(const BarSpecification& bar, const WorkControl& control) {
         if (!arch)
             return failure(arch.error().message);
         shape = *arch;
-        const auto partials = lowestPartialsHz(bar, solidBar(shape, bar.grid), control);
+        const auto partials = lowestPartialsHz(bar, solidBar(shape), control);
         if (!partials)
             return failure(partials.error().message);
         if (!correct(bar.targets, *partials, asked))

@@ -22,7 +22,6 @@ struct BarSpecification {
     UndercutBar shape = {};
     PartialTargets targets = {}; ///< for the damped partials
     Material material = {};      ///< in wood, the grain runs along the bar and the rings face up
-    BarGrid grid = {};
     double maxFrequencyHz = 20000;
     /// Empty if the material's loss was measured on an instrument and includes the cords.
     std::optional<CordSupport> cords = {};

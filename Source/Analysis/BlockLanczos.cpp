@@ -71,11 +71,8 @@ Vectors BlockLanczos::start() const {
 /// Makes a block M-orthogonal to `found_` and to the basis.
 void BlockLanczos::projectOut(Vectors& block) const {
     const Vectors image = space_.times(block);
-    if (found_.cols() > 0) {
-        Vectors shares = Vectors::Zero(found_.cols(), block.cols());
-        addInnerProducts(shares, 1, found_, image);
-        addCombinations(block, -1, found_, shares);
-    }
+    if (found_.cols() > 0)
+        addCombinations(block, -1, found_, innerProducts(found_, image));
     basis_.projectOut(image, block);
 }
 
@@ -88,8 +85,7 @@ bool BlockLanczos::extend() {
         projected_.block(size - width_, size, width_, width_) = link_.transpose();
         addCombinations(image, -1, basis_.last(), link_.transpose());
     }
-    Vectors diagonal = Vectors::Zero(width_, width_);
-    addInnerProducts(diagonal, 1, nextImage_, image);
+    const Vectors diagonal = innerProducts(nextImage_, image);
     addCombinations(image, -1, next_, diagonal);
     projected_.block(size, size, width_, width_) = (diagonal + diagonal.transpose()) / 2;
     basis_.append(std::move(next_));

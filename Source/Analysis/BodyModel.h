@@ -44,7 +44,7 @@ struct SolveSettings {
     std::string source;
     double lowestFrequencyHz = lowestAnalysedHz;
     double maxFrequencyHz = highestAnalysedHz;
-    int maximumModes = mostAnalysedModes;
+    int maximumModes = maximumAnalysedModes;
     std::vector<int> shapeVertices = {}; ///< vertices of the surface, ascending; empty: all
     std::vector<Eigen::Vector3d> listeningDirections = stereoDirections(); ///< for the radiation
     RadiationMethod radiation = RadiationMethod::quick;

@@ -21,7 +21,6 @@ using Matrix = Eigen::Matrix<std::complex<float>, Eigen::Dynamic, Eigen::Dynamic
 /// The share of the velocity's energy below which a part of it is left out.
 constexpr double negligibleEnergy = 1e-10;
 constexpr Index rowsAtOnce = 32;
-constexpr double airImpedance = speedOfSoundMetresPerSecond * airDensityKgPerM3;
 
 /// The edge of equilateral triangles with the same number and area. With a much larger edge, the
 /// errors of N, which converge slowest, would dominate K at low frequencies.
@@ -82,7 +81,7 @@ std::vector<bool> BoundaryElements::silentOrbits(const Eigen::RowVectorXcd& char
 std::vector<BoundaryElements::CharacterSystem>
 BoundaryElements::systemsFor(const Eigen::MatrixXd& normalVelocities, double waveNumber) const {
     const Index order = symmetryOrder(), modes = normalVelocities.cols();
-    const Complex slopeOfVelocity(0, -waveNumber * airImpedance);
+    const Complex slopeOfVelocity(0, -waveNumber * airImpedancePaSPerM);
     const Eigen::RowVectorXd energies = normalVelocities.colwise().squaredNorm();
     std::vector<CharacterSystem> systems;
     for (Index row = 0; row < order; ++row) {
@@ -229,7 +228,7 @@ Eigen::MatrixXcd BoundaryElements::farField(double waveNumber,
                                             const Eigen::MatrixXd& normalVelocities,
                                             const Eigen::MatrixXcd& pressures) const {
     const Eigen::MatrixXcd waves = planeWaves(waveNumber, directions, originMetres);
-    return airImpedance * (waves * normalVelocities) +
+    return airImpedancePaSPerM * (waves * normalVelocities) +
            waves.cwiseProduct(cosines(directions)) * pressures;
 }
 
@@ -237,7 +236,7 @@ Eigen::MatrixXcd BoundaryElements::pressuresAt(double waveNumber,
                                                const Eigen::MatrixXd& pointsMetres,
                                                const Eigen::MatrixXd& normalVelocities,
                                                const Eigen::MatrixXcd& pressures) const {
-    const Complex slopeOfVelocity(0, -waveNumber * airImpedance);
+    const Complex slopeOfVelocity(0, -waveNumber * airImpedancePaSPerM);
     Eigen::MatrixXcd result(pointsMetres.rows(), pressures.cols());
     BoundaryRow row;
     for (Index point = 0; point < pointsMetres.rows(); ++point) {
@@ -257,16 +256,12 @@ Eigen::MatrixXcd BoundaryElements::pressuresAt(double waveNumber,
     return result;
 }
 
-double BoundaryElements::impedance() {
-    return airImpedance;
-}
-
 Eigen::MatrixXcd BoundaryElements::shortWaveField(double waveNumber,
                                                   const Eigen::MatrixXd& directions,
                                                   const Eigen::Vector3d& originMetres,
                                                   const Eigen::MatrixXd& normalVelocities) const {
     const Eigen::MatrixXd visible = (cosines(directions).array() > 0).cast<double>();
-    return 2 * airImpedance *
+    return 2 * airImpedancePaSPerM *
            (planeWaves(waveNumber, directions, originMetres).cwiseProduct(visible) *
             normalVelocities);
 }

@@ -67,9 +67,6 @@ public:
                                  const Eigen::MatrixXd& normalVelocities,
                                  const Eigen::MatrixXcd& pressures) const;
 
-    /// Returns ρc in Pa s/m.
-    static double impedance();
-
     /// Approximates `farField` without solving, for waves much shorter than the surface. Each face
     /// visible from a direction acts as part of an infinite wall; hidden faces are silent.
     Eigen::MatrixXcd shortWaveField(double waveNumber,

@@ -2,6 +2,7 @@
 
 #include "Geometry/MeshBuilder.h"
 #include "Geometry/Remesh.h"
+#include "Geometry/Subdivision.h"
 #include "Geometry/SurfaceQuery.h"
 
 #include <Eigen/Geometry>
@@ -87,11 +88,7 @@ std::vector<Edge> boundaryEdges(const Eigen::MatrixXi& faces) {
 Eigen::MatrixXd ClosedSurface::normalShapes(const Eigen::MatrixXd& shapes) const {
     Triplets triplets;
     for (Eigen::Index face = 0; face < mesh.faceCount(); ++face) {
-        const auto corner = [&](int k) {
-            return Eigen::RowVector3d(mesh.vertices.row(mesh.faces(face, k)));
-        };
-        const Eigen::RowVector3d normal =
-            (corner(1) - corner(0)).cross(corner(2) - corner(0)).normalized();
+        const Eigen::RowVector3d normal = doubleAreaVector(mesh, face).normalized();
         for (int k = 0; k < 3; ++k)
             for (int axis = 0; axis < 3; ++axis)
                 triplets.emplace_back(static_cast<int>(face), 3 * mesh.faces(face, k) + axis,
@@ -146,39 +143,13 @@ Result<ClosedSurface> closedSurface(const Mesh& mesh, double thicknessMetres) {
 }
 
 ClosedSurface withFacesSplit(const ClosedSurface& surface) {
-    const auto before = static_cast<int>(surface.mesh.vertexCount());
-    Triplets triplets;
-    for (int vertex = 0; vertex < before; ++vertex)
-        triplets.emplace_back(vertex, vertex, 1.0);
-    std::map<Edge, int> middles;
-    const auto middle = [&](int a, int b) {
-        const auto [at, isNew] =
-            middles.try_emplace(std::minmax(a, b), before + static_cast<int>(middles.size()));
-        if (isNew)
-            for (const int end : {a, b})
-                triplets.emplace_back(at->second, end, 0.5);
-        return at->second;
-    };
-    ClosedSurface finer{{{}, Eigen::MatrixXi(4 * surface.mesh.faceCount(), 3)}, {}};
-    for (Eigen::Index face = 0; face < surface.mesh.faceCount(); ++face) {
-        const Eigen::RowVector3i corners = surface.mesh.faces.row(face);
-        Eigen::RowVector3i between;
-        for (int k = 0; k < 3; ++k)
-            between(k) = middle(corners(k), corners((k + 1) % 3));
-        for (int k = 0; k < 3; ++k)
-            finer.mesh.faces.row(4 * face + k) << corners(k), between(k), between((k + 2) % 3);
-        finer.mesh.faces.row(4 * face + 3) = between;
-    }
-    Eigen::SparseMatrix<double> split(before + static_cast<int>(middles.size()), before);
-    split.setFromTriplets(triplets.begin(), triplets.end());
-    finer.mesh.vertices = split * surface.mesh.vertices;
-    finer.motion = split * surface.motion;
-    return finer;
+    const FaceSplit split = splitInFour(surface.mesh);
+    return {{split.vertices * surface.mesh.vertices, split.faces}, split.vertices * surface.motion};
 }
 
 Result<ClosedSurface>
 remeshed(const ClosedSurface& surface, double edgeLengthMetres, const WorkControl& control) {
-    auto mesh = remesh(surface.mesh, {.edgeLengthMetres = edgeLengthMetres}, control);
+    auto mesh = remesh(surface.mesh, edgeLengthMetres, control);
     if (!mesh)
         return tl::unexpected(mesh.error());
     const SurfaceQuery query(surface.mesh);

@@ -128,14 +128,14 @@ private:
 /// Returns a pole after a step, limited to the allowed distance from its origin.
 DecayPole
 moved(const DecayPole& pole, const DecayPole& origin, double binHz, double upHz, double faster) {
-    constexpr double farthestDecay = 4, farthestWidths = 3, farthestBins = 3, lowestHz = 10;
-    const double reach = farthestWidths * origin.widthHz() + farthestBins * binHz;
+    constexpr double maximumDecay = 4, maximumWidths = 3, maximumBins = 3, lowestHz = 10;
+    const double reach = maximumWidths * origin.widthHz() + maximumBins * binHz;
     const double lowest = std::max(origin.frequencyHz - reach, lowestHz);
     return {.frequencyHz = std::clamp(pole.frequencyHz + upHz, lowest,
                                       std::max(lowest, origin.frequencyHz + reach)),
             .decayPerSecond = std::clamp(pole.decayPerSecond * std::exp(faster),
-                                         origin.decayPerSecond / farthestDecay,
-                                         origin.decayPerSecond * farthestDecay)};
+                                         origin.decayPerSecond / maximumDecay,
+                                         origin.decayPerSecond * maximumDecay)};
 }
 
 } // namespace

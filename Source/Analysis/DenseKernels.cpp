@@ -5,26 +5,16 @@
 namespace idiophone {
 
 #ifdef IDIOPHONE_AVX2_KERNELS
-extern const DenseKernels denseKernelsAvx2;
+void addProductAvx2(const DenseProduct& product);
 #endif
 
-namespace {
-
-constexpr DenseKernels baseline{.addProduct = kernels::addProduct};
-
-const DenseKernels& choose() {
+void addProduct(const DenseProduct& product) {
 #ifdef IDIOPHONE_AVX2_KERNELS
-    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
-        return denseKernelsAvx2;
+    static const bool hasAvx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+    if (hasAvx2)
+        return addProductAvx2(product);
 #endif
-    return baseline;
-}
-
-} // namespace
-
-const DenseKernels& denseKernels() {
-    static const DenseKernels& chosen = choose();
-    return chosen;
+    kernels::addProduct(product);
 }
 
 } // namespace idiophone

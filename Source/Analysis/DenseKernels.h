@@ -6,26 +6,22 @@
 
 namespace idiophone {
 
-/// One set for each instruction set in the program. B and C are stored by rows.
-struct DenseKernels {
+/// C[rows×columns] += factor · A[rows×inner] · B[inner×columns]. B and C are stored by rows. The
+/// strides are the distances from row to row, and for A also from column to column, in doubles.
+struct DenseProduct {
     using Index = std::ptrdiff_t;
 
-    /// C[rows×columns] += factor · A[rows×inner] · B[inner×columns]. The strides are the distances
-    /// from row to row, and for A also from column to column, in doubles.
-    void (*addProduct)(Index rows,
-                       Index columns,
-                       Index inner,
-                       double factor,
-                       const double* a,
-                       Index aRow,
-                       Index aColumn,
-                       const double* b,
-                       Index bRow,
-                       double* c,
-                       Index cRow);
+    Index rows, columns, inner;
+    double factor;
+    const double* a;
+    Index aRow, aColumn;
+    const double* b;
+    Index bRow;
+    double* c;
+    Index cRow;
 };
 
-/// Returns the best set for this processor, always the same one.
-const DenseKernels& denseKernels();
+/// Adds the product with the best code for this processor, always the same.
+void addProduct(const DenseProduct& product);
 
 } // namespace idiophone

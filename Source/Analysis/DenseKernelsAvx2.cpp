@@ -5,7 +5,8 @@
 
 namespace idiophone {
 
-extern const DenseKernels denseKernelsAvx2;
-const DenseKernels denseKernelsAvx2{.addProduct = kernels::addProduct};
+void addProductAvx2(const DenseProduct& product) {
+    kernels::addProduct(product);
+}
 
 } // namespace idiophone

@@ -9,24 +9,13 @@
 
 namespace idiophone::kernels {
 
-using Index = DenseKernels::Index;
+using Index = DenseProduct::Index;
 using Packet = Eigen::internal::find_best_packet<double, 4>::type;
 constexpr int packetSize = Eigen::internal::unpacket_traits<Packet>::size;
 constexpr int tileSums = 8; ///< packets: many hide the latency of sums, few fit the registers
 
-struct Operands {
-    Index inner;
-    double factor;
-    const double* a;
-    Index aRow, aColumn;
-    const double* b;
-    Index bRow;
-    double* c;
-    Index cRow;
-};
-
 template <int rows, int packets>
-EIGEN_ALWAYS_INLINE void tile(const Operands& o, const double* a, const double* b, double* c) {
+EIGEN_ALWAYS_INLINE void tile(const DenseProduct& o, const double* a, const double* b, double* c) {
     using namespace Eigen::internal;
     Packet sum[rows][packets];
     for (auto& row : sum)
@@ -51,21 +40,21 @@ EIGEN_ALWAYS_INLINE void tile(const Operands& o, const double* a, const double* 
 }
 
 template <int packets>
-EIGEN_DONT_INLINE void columnTile(const Operands& o, Index rows, Index column) {
+EIGEN_DONT_INLINE void columnTile(const DenseProduct& o, Index column) {
     constexpr int tileRows = tileSums / packets;
     const double* b = o.b + column;
     Index row = 0;
-    for (; row + tileRows <= rows; row += tileRows)
+    for (; row + tileRows <= o.rows; row += tileRows)
         tile<tileRows, packets>(o, o.a + row * o.aRow, b, o.c + row * o.cRow + column);
     if constexpr (tileRows > 4)
-        for (; row + 4 <= rows; row += 4)
+        for (; row + 4 <= o.rows; row += 4)
             tile<4, packets>(o, o.a + row * o.aRow, b, o.c + row * o.cRow + column);
-    for (; row < rows; ++row)
+    for (; row < o.rows; ++row)
         tile<1, packets>(o, o.a + row * o.aRow, b, o.c + row * o.cRow + column);
 }
 
-inline void singleColumn(const Operands& o, Index rows, Index column) {
-    for (Index row = 0; row < rows; ++row) {
+inline void singleColumn(const DenseProduct& o, Index column) {
+    for (Index row = 0; row < o.rows; ++row) {
         double sum = 0;
         for (Index k = 0; k < o.inner; ++k)
             sum += o.a[row * o.aRow + k * o.aColumn] * o.b[k * o.bRow + column];
@@ -73,25 +62,14 @@ inline void singleColumn(const Operands& o, Index rows, Index column) {
     }
 }
 
-inline void addProduct(Index rows,
-                       Index columns,
-                       Index inner,
-                       double factor,
-                       const double* a,
-                       Index aRow,
-                       Index aColumn,
-                       const double* b,
-                       Index bRow,
-                       double* c,
-                       Index cRow) {
-    const Operands o{inner, factor, a, aRow, aColumn, b, bRow, c, cRow};
+inline void addProduct(const DenseProduct& o) {
     Index column = 0;
-    for (; column + 8 <= columns; column += 8)
-        columnTile<8 / packetSize>(o, rows, column);
-    for (; column + 4 <= columns; column += 4)
-        columnTile<4 / packetSize>(o, rows, column);
-    for (; column < columns; ++column)
-        singleColumn(o, rows, column);
+    for (; column + 8 <= o.columns; column += 8)
+        columnTile<8 / packetSize>(o, column);
+    for (; column + 4 <= o.columns; column += 4)
+        columnTile<4 / packetSize>(o, column);
+    for (; column < o.columns; ++column)
+        singleColumn(o, column);
 }
 
 } // namespace idiophone::kernels

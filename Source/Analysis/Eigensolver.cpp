@@ -95,7 +95,7 @@ private:
 };
 
 Index BandSolver::factoriseAndCount(double lambda) {
-    if (factor_.factorise(lambda) != ShiftedFactor::Outcome::done) {
+    if (!factor_.factorise(lambda)) {
         checkCancelled();
         throw Fault{"The stiffness matrix cannot be factorised; the mesh is too badly shaped."};
     }
@@ -194,9 +194,7 @@ BandSolver::solveSlice(const Slice& slice, const Vectors& deflated, const Vector
     if (pass <= 1)
         return {vectors.cwiseProduct(image).colwise().sum(), std::move(vectors)};
     // Close modes from different passes are slightly mixed: separate them in their common space.
-    Vectors products = Vectors::Zero(slice.count, slice.count);
-    addInnerProducts(products, 1, vectors, image);
-    const Eigen::SelfAdjointEigenSolver<MatrixXd> small(products);
+    const Eigen::SelfAdjointEigenSolver<MatrixXd> small(innerProducts(vectors, image));
     Vectors mixed = Vectors::Zero(space_.rows(), slice.count);
     addCombinations(mixed, 1, vectors, small.eigenvectors());
     return {small.eigenvalues(), std::move(mixed)};

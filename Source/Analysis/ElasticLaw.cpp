@@ -45,19 +45,17 @@ Matrix6d stressRotation(const Eigen::Matrix3d& axes) {
     return rotation;
 }
 
-std::optional<Eigen::Matrix3d> orthonormal(const GrainAxes& axes) {
-    if (!axes.grain.allFinite() || !(axes.grain.norm() > 0))
-        return std::nullopt;
+/// Returns L, R and T as columns.
+Eigen::Matrix3d orthonormal(const GrainAxes& axes) {
     const Eigen::Vector3d grain = axes.grain.normalized();
-    const Eigen::Vector3d wanted = axes.radial.value_or(
-        std::abs(grain.z()) > 0.99 ? Eigen::Vector3d::UnitY() : Eigen::Vector3d::UnitZ());
-    if (!wanted.allFinite() || !(wanted.norm() > 0))
-        return std::nullopt;
-    const Eigen::Vector3d across = wanted.normalized() - wanted.normalized().dot(grain) * grain;
-    if (across.norm() < 1e-6)
-        return std::nullopt;
+    const Eigen::Vector3d wanted =
+        axes.radial
+            .value_or(std::abs(grain.z()) > 0.99 ? Eigen::Vector3d::UnitY()
+                                                 : Eigen::Vector3d::UnitZ())
+            .normalized();
+    const Eigen::Vector3d across = (wanted - wanted.dot(grain) * grain).normalized();
     Eigen::Matrix3d result;
-    result << grain, across.normalized(), grain.cross(across.normalized());
+    result << grain, across, grain.cross(across);
     return result;
 }
 
@@ -83,20 +81,13 @@ Eigen::Matrix<double, 6, 3> strainAlong(const Eigen::Vector3d& n) {
     return b;
 }
 
-Result<ElasticLaw> elasticLaw(const OrthotropicElasticity& elasticity, const GrainAxes& axes) {
-    if (const auto sound = validated(elasticity); !sound)
-        return failure(sound.error().message);
-    const auto directions = orthonormal(axes);
-    if (!directions)
-        return failure("The grain and the radial direction must be two directions that are "
-                       "neither zero nor parallel.");
-    return ElasticLaw{alongAxes(elasticity, *directions)};
+ElasticLaw elasticLaw(const OrthotropicElasticity& elasticity, const GrainAxes& axes) {
+    return {alongAxes(elasticity, orthonormal(axes))};
 }
 
 ElasticLaw elasticLaw(const Material& material, const GrainAxes& axes) {
     if (material.grain)
-        return elasticLaw(orthotropicElasticity(material.youngsModulusPa, *material.grain), axes)
-            .value();
+        return elasticLaw(orthotropicElasticity(material.youngsModulusPa, *material.grain), axes);
     return {alongAxes(isotropicElasticity(material.youngsModulusPa, material.poissonRatio),
                       Eigen::Matrix3d::Identity())};
 }
@@ -114,7 +105,7 @@ double slowestShearSpeedMetresPerSecond(const ElasticLaw& law, double densityKgP
     return std::sqrt(least / densityKgPerM3);
 }
 
-double leastYoungsModulusPa(const ElasticLaw& law) {
+double minimumYoungsModulusPa(const ElasticLaw& law) {
     const Matrix6d compliance = law.stiffnessPa.llt().solve(Matrix6d::Identity());
     double greatest = 0;
     const Eigen::MatrixXd directions = allDirections();

@@ -21,20 +21,19 @@ struct ElasticLaw {
 /// gradient n is B u.
 Eigen::Matrix<double, 6, 3> strainAlong(const Eigen::Vector3d& n);
 
-/// The directions of the grain in a wooden body.
+/// The directions of the grain in a wooden body, neither zero nor parallel.
 struct GrainAxes {
-    Eigen::Vector3d grain = Eigen::Vector3d::UnitX(); ///< L, of any length but 0
+    Eigen::Vector3d grain = Eigen::Vector3d::UnitX(); ///< L
     /// The normal of the growth rings; it is made perpendicular to the grain. If empty, R is as
     /// near to z as possible (to y if the grain runs along z).
     std::optional<Eigen::Vector3d> radial = {};
 };
 
-/// Returns the law of constants that pass `validated`, along the axes L, R and T = L × R. Errors:
-/// constants that no solid has, or directions that are zero or parallel.
-Result<ElasticLaw> elasticLaw(const OrthotropicElasticity& elasticity, const GrainAxes& axes = {});
+/// Returns the law of constants that pass `validated`, along the axes L, R and T = L × R.
+ElasticLaw elasticLaw(const OrthotropicElasticity& elasticity, const GrainAxes& axes = {});
 
-/// Returns the law of a material that passes `validated`. Wood follows the axes, which are neither
-/// zero nor parallel; other materials are isotropic.
+/// Returns the law of a material that passes `validated`. Wood follows the axes, other materials
+/// are isotropic.
 ElasticLaw elasticLaw(const Material& material, const GrainAxes& axes = {});
 
 /// Returns √(C/ρ) of the slowest plane wave over all directions and polarisations, √(G/ρ) if
@@ -42,6 +41,6 @@ ElasticLaw elasticLaw(const Material& material, const GrainAxes& axes = {});
 double slowestShearSpeedMetresPerSecond(const ElasticLaw& law, double densityKgPerM3);
 
 /// Returns the minimum Young's modulus over the same directions.
-double leastYoungsModulusPa(const ElasticLaw& law);
+double minimumYoungsModulusPa(const ElasticLaw& law);
 
 } // namespace idiophone

@@ -12,7 +12,7 @@ double shortestWavelengthMetres(const ElasticLaw& law,
                                 double wallThicknessMetres) {
     const double omega = 2 * std::numbers::pi * frequencyHz;
     const double shearSpeed = slowestShearSpeedMetresPerSecond(law, densityKgPerM3);
-    const double rod = densityKgPerM3 / leastYoungsModulusPa(law); // 1/c² of a rod's long waves
+    const double rod = densityKgPerM3 / minimumYoungsModulusPa(law); // 1/c² of a rod's long waves
     const double shear = 6.0 / 5 / (shearSpeed * shearSpeed);
     const double bending = 4 * 12 * rod / std::pow(omega * wallThicknessMetres, 2);
     const double waveNumber2 =

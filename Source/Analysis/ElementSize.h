@@ -48,6 +48,6 @@ inline constexpr double finestEdgeShare = 0.4, coarsestEdgeShare = 1.6;
 
 /// Maximum number of triangles that remeshing may add for long needles. More would take minutes and
 /// gigabytes.
-inline constexpr double mostNewTriangles = 100000;
+inline constexpr double maximumNewTriangles = 100000;
 
 } // namespace idiophone

@@ -1,4 +1,6 @@
-// The modal objects that ship with the instrument, made from generated meshes. `idiophone factory`
+// The modal objects that ship with the instrument, made from generated meshes: the bars of
+// FactoryBars, plates, rings, bowls, bells, tubes, and the bodies and floors of the scenes.
+// docs/instruments.md and docs/scenes.md list their dimensions and the sources. `idiophone factory`
 // writes them to Resources/Objects.
 #pragma once
 
@@ -10,7 +12,7 @@
 
 namespace idiophone {
 
-/// Returns the names of all objects of FactoryBars and FactoryShapes.
+/// Returns the names: "plate" and so on. A keyboard has one per note, "tubular-bell-60".
 std::vector<std::string> factoryObjectNames();
 
 /// Analyses one of them, in seconds. Errors: an unknown name, or `cancelledMessage`.

@@ -85,14 +85,14 @@ public:
     /// quiet low sounds, steps make flat tops too.
     bool clipped() const {
         const double highest = peakLevel() * (1 - 1e-6);
-        const double leastFall = std::max(0.01 * peakLevel(), 4.0 / 32768);
+        const double minimumFall = std::max(0.01 * peakLevel(), 4.0 / 32768);
         const auto isHighest = [&](std::size_t i) { return std::abs(at(i)) >= highest; };
         for (std::size_t begin = 0, end = 0; begin < samples.size(); begin = end + 1) {
             for (end = begin; end < samples.size() && isHighest(end);)
                 ++end;
             const bool isFlat = end - begin >= 3;
             const double beside = std::min(std::abs(at(begin - 1)), std::abs(at(end)));
-            if (isFlat && (highest >= nearFullScale || highest - beside >= leastFall))
+            if (isFlat && (highest >= nearFullScale || highest - beside >= minimumFall))
                 return true;
         }
         return false;

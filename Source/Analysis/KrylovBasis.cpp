@@ -31,8 +31,8 @@ void KrylovBasis::projectOut(const Vectors& image, Vectors& block) const {
         double* share = shares.data();
         for (const auto& own : blocks_) {
             const Index m = own.cols();
-            denseKernels().addProduct(m, w, rows, 1, own.data() + row * m, 1, m,
-                                      image.data() + row * w, w, share, w);
+            addProduct(
+                {m, w, rows, 1, own.data() + row * m, 1, m, image.data() + row * w, w, share, w});
             share += m * w;
         }
     });
@@ -51,8 +51,8 @@ void KrylovBasis::addTo(Vectors& sums, double factor, const Vectors& coefficient
         const double* coefficient = coefficients.data();
         for (const auto& own : blocks_) {
             const Index m = own.cols();
-            denseKernels().addProduct(rows, w, m, factor, own.data() + row * m, m, 1, coefficient,
-                                      w, sums.data() + row * w, w);
+            addProduct({rows, w, m, factor, own.data() + row * m, m, 1, coefficient, w,
+                        sums.data() + row * w, w});
             coefficient += m * w;
         }
     });

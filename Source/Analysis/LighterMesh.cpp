@@ -1,32 +1,20 @@
 #include "Analysis/LighterMesh.h"
 
+#include "Geometry/ObjectMesh.h"
+
 #include <algorithm>
 #include <utility>
 #include <vector>
 
 namespace idiophone {
-namespace {
-
-using Places = Eigen::Matrix<float, Eigen::Dynamic, 3, Eigen::RowMajor>;
-
-/// Returns the object's nearest vertex for each vertex of the lighter mesh.
-std::vector<std::int32_t> nearestVertices(const Places& places, const Mesh& lighter) {
-    std::vector<std::int32_t> nearest;
-    for (const auto& vertex : lighter.vertices.rowwise()) {
-        Eigen::Index found = 0;
-        (places.rowwise() - vertex.cast<float>()).rowwise().squaredNorm().minCoeff(&found);
-        nearest.push_back(static_cast<std::int32_t>(found));
-    }
-    return nearest;
-}
-
-} // namespace
 
 Result<ModalObject> withLighterMesh(const ModalObject& object,
                                     const Mesh& lighter,
                                     const std::vector<int>& shapeVertices) {
-    const Places places = Eigen::Map<const Places>(object.vertices.data(), object.vertexCount(), 3);
-    const auto origin = nearestVertices(places, lighter);
+    const Mesh mesh = objectMesh(object);
+    std::vector<int> origin; // the object's nearest vertex for each vertex of the lighter mesh
+    for (const auto& vertex : lighter.vertices.rowwise())
+        origin.push_back(nearestVertex(mesh, vertex));
     auto distinct = origin;
     std::ranges::sort(distinct);
     if (std::ranges::adjacent_find(distinct) != distinct.end())
@@ -34,13 +22,7 @@ Result<ModalObject> withLighterMesh(const ModalObject& object,
                        "\" go to one place.");
 
     ModalObject result = object;
-    result.vertices.clear();
-    for (const auto vertex : origin)
-        result.vertices.insert(result.vertices.end(), places.row(vertex).begin(),
-                               places.row(vertex).end());
-    result.faces.clear();
-    for (const auto& face : lighter.faces.rowwise())
-        result.faces.insert(result.faces.end(), face.begin(), face.end());
+    setMesh(result, {mesh.vertices(origin, Eigen::all), lighter.faces});
     result.shapes.clear();
     for (const int vertex : shapeVertices) {
         const auto wanted = origin[vertex];

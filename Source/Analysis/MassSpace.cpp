@@ -31,18 +31,20 @@ void addSymmetric(const Eigen::SparseMatrix<double>& lower, const Vectors& x, Ve
 
 } // namespace
 
-void addInnerProducts(Vectors& c, double factor, const Vectors& a, const Vectors& b) {
+Vectors innerProducts(const Vectors& a, const Vectors& b) {
+    Vectors c = Vectors::Zero(a.cols(), b.cols());
     for (Index row = 0; row < a.rows(); row += stripRows)
-        denseKernels().addProduct(a.cols(), b.cols(), std::min(stripRows, a.rows() - row), factor,
-                                  a.data() + row * a.cols(), 1, a.cols(), b.data() + row * b.cols(),
-                                  b.cols(), c.data(), c.cols());
+        addProduct({a.cols(), b.cols(), std::min(stripRows, a.rows() - row), 1,
+                    a.data() + row * a.cols(), 1, a.cols(), b.data() + row * b.cols(), b.cols(),
+                    c.data(), c.cols()});
+    return c;
 }
 
 void addCombinations(Vectors& c, double factor, const Vectors& a, const Vectors& b) {
     for (Index row = 0; row < a.rows(); row += stripRows)
-        denseKernels().addProduct(std::min(stripRows, a.rows() - row), b.cols(), a.cols(), factor,
-                                  a.data() + row * a.cols(), a.cols(), 1, b.data(), b.cols(),
-                                  c.data() + row * c.cols(), c.cols());
+        addProduct({std::min(stripRows, a.rows() - row), b.cols(), a.cols(), factor,
+                    a.data() + row * a.cols(), a.cols(), 1, b.data(), b.cols(),
+                    c.data() + row * c.cols(), c.cols()});
 }
 
 Vectors symmetricTimes(const Eigen::SparseMatrix<double>& lower, const Vectors& x) {
@@ -64,11 +66,8 @@ Vectors symmetricTimes(const Eigen::SparseMatrix<double>& lower, const Vectors& 
 }
 
 void MassSpace::projectOut(const Vectors& basis, Vectors& block) const {
-    if (basis.cols() == 0)
-        return;
-    Vectors shares = Vectors::Zero(basis.cols(), block.cols());
-    addInnerProducts(shares, 1, basis, times(block));
-    addCombinations(block, -1, basis, shares);
+    if (basis.cols() > 0)
+        addCombinations(block, -1, basis, innerProducts(basis, times(block)));
 }
 
 MatrixXd MassSpace::orthonormalise(Vectors& block, Vectors& image) const {
@@ -77,8 +76,7 @@ MatrixXd MassSpace::orthonormalise(Vectors& block, Vectors& image) const {
     MatrixXd back = MatrixXd::Identity(block.cols(), block.cols());
     for (int pass = 0; pass < 2; ++pass) {
         image = times(block);
-        Vectors products = Vectors::Zero(block.cols(), block.cols());
-        addInnerProducts(products, 1, block, image);
+        const Vectors products = innerProducts(block, image);
         if (!products.allFinite() || !(products.diagonal().minCoeff() > 0))
             return {};
         const Eigen::VectorXd lengths = products.diagonal().cwiseSqrt();

@@ -10,8 +10,8 @@ namespace idiophone {
 /// Vectors in columns [n×m], stored by rows, because operations apply to all of them.
 using Vectors = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// C += factor · AᵀB for A [n×m] and B [n×w].
-void addInnerProducts(Vectors& c, double factor, const Vectors& a, const Vectors& b);
+/// Returns AᵀB for A [n×m] and B [n×w].
+Vectors innerProducts(const Vectors& a, const Vectors& b);
 
 /// C += factor · A B for A [n×m] and the small B [m×w].
 void addCombinations(Vectors& c, double factor, const Vectors& a, const Vectors& b);

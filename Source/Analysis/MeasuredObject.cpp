@@ -117,12 +117,6 @@ massOf(const Mesh& mesh, const Material& material, const MeasuredObjectSettings&
     return mass;
 }
 
-void setGeometry(const Mesh& mesh, ModalObject& object) {
-    setMesh(object, mesh);
-    const auto all = allVertices(mesh);
-    object.shapeVertices.assign(all.begin(), all.end());
-}
-
 /// The shapes point along the normals, as strikes do.
 void setShapes(const CarriedModes& carried, double massKg, ModalObject& object) {
     const double strongest = carried.amplitudes.colwise().mean().maxCoeff();
@@ -186,7 +180,9 @@ Result<ModalObject> measuredObject(const RecordingFit& fit,
         object.decaysPerSecond.push_back(fit.modes[i].decayPerSecond);
     }
     object.bandHz = std::sqrt(object.eigenvalues.back()) / (2 * std::numbers::pi);
-    setGeometry(mesh, object);
+    setMesh(object, mesh);
+    const auto all = allVertices(mesh);
+    object.shapeVertices.assign(all.begin(), all.end());
     setShapes({carried->carrier, carried->amplitudes(Eigen::all, order)}, object.mass.massKg,
               object);
     object.provenance = {.source = settings.source,

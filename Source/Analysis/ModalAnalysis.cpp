@@ -1,4 +1,4 @@
-#include "Analysis/PreviewAnalysis.h"
+#include "Analysis/ModalAnalysis.h"
 
 #include "Analysis/BodyModel.h"
 #include "Analysis/MethodChoice.h"
@@ -160,14 +160,8 @@ Result<BodyModel> bodyFor(MethodChoice& choice, const Mesh& mesh, const Task& ta
 std::vector<int>
 nearestVertices(const Mesh& surface, const Mesh& repaired, const std::vector<int>& vertices) {
     std::vector<int> nearest;
-    for (const int vertex : vertices) {
-        Eigen::Index found = 0;
-        (surface.vertices.rowwise() - repaired.vertices.row(vertex))
-            .rowwise()
-            .squaredNorm()
-            .minCoeff(&found);
-        nearest.push_back(found);
-    }
+    for (const int vertex : vertices)
+        nearest.push_back(nearestVertex(surface, repaired.vertices.row(vertex)));
     makeSortedSet(nearest);
     return nearest;
 }
@@ -204,8 +198,7 @@ Result<ModalObject> analysed(const Mesh& mesh, const Task& task) {
     if (const auto usable = validate(settings); !usable)
         return tl::unexpected(usable.error());
     control.report(0, "Repairing the mesh");
-    auto repaired = repairMesh(mesh, {.weldTolerance = settings.weldTolerance,
-                                      .largestComponentOnly = settings.largestComponentOnly,
+    auto repaired = repairMesh(mesh, {.largestComponentOnly = settings.largestComponentOnly,
                                       .cancelled = control.cancelled});
     if (!repaired)
         return tl::unexpected(repaired.error());

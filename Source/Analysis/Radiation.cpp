@@ -36,7 +36,7 @@ constexpr Effort exactEffort{1800, 1.5e8, 0.002, 2.5}, quickEffort{700, 1.5e7, 0
 
 /// A surface is refined only if it resolves less than this share of the band.
 constexpr double enoughOfBand = 0.6;
-constexpr double mostMatrixBytes = 1e9;
+constexpr double maximumMatrixBytes = 1e9;
 
 double waveNumberOf(double frequencyHz) {
     return 2 * std::numbers::pi * frequencyHz / speedOfSoundMetresPerSecond;
@@ -61,7 +61,7 @@ Index unknownsOf(const Effort& effort, Index symmetryOrder) {
 double kernelsOf(const Effort& effort, double faces, Index symmetryOrder) {
     return faces *
            std::min(faces / static_cast<double>(symmetryOrder),
-                    static_cast<double>(mostCollocations * unknownsOf(effort, symmetryOrder)));
+                    static_cast<double>(maximumCollocations * unknownsOf(effort, symmetryOrder)));
 }
 
 /// Returns a surface as fine as the band needs, within the limits of the effort.
@@ -76,7 +76,7 @@ Result<ClosedSurface> surfaceFor(const RadiatingBody& body,
     const Index order = surfaceSymmetry(surface->mesh).order();
     if (kernelsOf(effort, faces(), order) > effort.maximumKernels) {
         const double affordable =
-            effort.maximumKernels / static_cast<double>(mostCollocations * effort.unknowns);
+            effort.maximumKernels / static_cast<double>(maximumCollocations * effort.unknowns);
         return remeshed(*surface, edgeMetresOf(surface->mesh, 0.7 * affordable), control);
     }
     while (faces() / static_cast<double>(order) < static_cast<double>(unknownsOf(effort, order)) &&
@@ -101,7 +101,7 @@ struct Hearing {
 bool isSound(const Eigen::MatrixXcd& pressures, const Eigen::MatrixXd& velocities) {
     constexpr double most = 1e4; // of ρc v, far above the pressure in any cavity
     return pressures.allFinite() &&
-           pressures.norm() <= most * BoundaryElements::impedance() * velocities.norm();
+           pressures.norm() <= most * airImpedancePaSPerM * velocities.norm();
 }
 
 /// Solves one task. If cancelled, the task has no weights.
@@ -109,7 +109,7 @@ void solve(RadiationTask& task, const Hearing& hearing, const WorkControl& contr
     const double waveNumber = waveNumberOf(task.frequencyHz);
     const Eigen::MatrixXd velocities = hearing.normalShapes(Eigen::all, task.modes);
     const BoundaryElements& elements = hearing.elements;
-    Eigen::MatrixXcd pressures = BoundaryElements::impedance() * velocities.cast<Complex>();
+    Eigen::MatrixXcd pressures = airImpedancePaSPerM * velocities.cast<Complex>();
     bool isSolved = false;
     if (task.frequencyHz <= hearing.solvedHz) {
         auto solved = elements.surfacePressures(waveNumber, velocities, control.quiet());
@@ -159,21 +159,10 @@ Eigen::MatrixXd rowsOf(const std::vector<Eigen::Vector3d>& points) {
     return rows;
 }
 
-std::string faultOf(const RadiatingBody& body, const RadiationSettings& settings) {
-    if (body.shapes.rows() != 3 * body.mesh.vertexCount() ||
-        body.shapes.cols() != body.eigenvalues.size() || body.shapes.cols() == 0)
-        return "The mode shapes to be heard do not belong to the mesh.";
-    if (settings.directions.empty() || settings.frequencyRatios.empty())
-        return "Radiation needs a direction and a frequency ratio.";
-    if (!(faceAreas(body.mesh).sum() > 0))
-        return "The surface has no area to radiate from.";
-    return {};
-}
-
 unsigned threadsFor(const BoundaryElements& elements, unsigned threads) {
     const auto unknowns = static_cast<double>(elements.unknownCount());
     const double bytes = 8 * unknowns * unknowns * static_cast<double>(elements.symmetryOrder());
-    const auto most = static_cast<unsigned>(std::clamp(mostMatrixBytes / bytes, 1.0, 1024.0));
+    const auto most = static_cast<unsigned>(std::clamp(maximumMatrixBytes / bytes, 1.0, 1024.0));
     return std::clamp(threads == 0 ? std::thread::hardware_concurrency() : threads, 1U, most);
 }
 
@@ -207,8 +196,6 @@ std::vector<double> halfOctaveRatios() {
 Result<Radiation> radiationOf(const RadiatingBody& body,
                               const RadiationSettings& settings,
                               const WorkControl& control) {
-    if (const auto fault = faultOf(body, settings); !fault.empty())
-        return failure(fault);
     const bool isExact = settings.method == RadiationMethod::exact;
     const Effort& effort = isExact ? exactEffort : quickEffort;
     const Eigen::VectorXd frequenciesHz = body.eigenvalues.cwiseSqrt() / (2 * std::numbers::pi);

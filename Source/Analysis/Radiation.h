@@ -13,7 +13,7 @@
 
 namespace idiophone {
 
-/// A body with N vertices and M modes. It holds references to the caller's data.
+/// A body with N vertices, M ≥ 1 modes and an area. It holds references to the caller's data.
 struct RadiatingBody {
     const Mesh& mesh; ///< as repairMesh leaves it; for an open shell, the middle surface
     const Eigen::MatrixXd& shapes;      ///< [3N×M] rows 3v … 3v+2 are vertex v's, in 1/√kg
@@ -39,8 +39,8 @@ std::vector<double> halfOctaveRatios();
 enum class RadiationMethod { quick, exact };
 
 struct RadiationSettings {
-    std::vector<Eigen::Vector3d> directions = stereoDirections(); ///< [D] of any length but 0
-    std::vector<double> frequencyRatios = halfOctaveRatios();     ///< [K] > 0, ascending
+    std::vector<Eigen::Vector3d> directions = stereoDirections(); ///< [D ≥ 1] of any length but 0
+    std::vector<double> frequencyRatios = halfOctaveRatios();     ///< [K ≥ 1] > 0, ascending
     RadiationMethod method = RadiationMethod::quick;
     /// [P] points outside the body, in the mesh's coordinates, for pressures.
     std::vector<Eigen::Vector3d> nearPointsMetres = {};
@@ -72,8 +72,7 @@ struct Radiation {
 /// solution. The sum over equal poles of w times the shape depends neither on the signs of the
 /// shapes nor on their basis.
 ///
-/// Errors: sizes that disagree, a surface without area, an open one without thickness, those of
-/// remesh, `cancelledMessage`.
+/// Errors: an open surface without thickness, those of remesh, `cancelledMessage`.
 Result<Radiation> radiationOf(const RadiatingBody& body,
                               const RadiationSettings& settings = {},
                               const WorkControl& control = {});

@@ -60,7 +60,7 @@ std::vector<Collocation> collocationsOf(const std::vector<BoundaryPanel>& panels
     for (std::size_t cluster = 0; cluster < free.size(); ++cluster) {
         const auto& members = free[cluster].empty() ? fixed[cluster] : free[cluster];
         const std::size_t first = result.size(),
-                          count = std::min<std::size_t>(members.size(), mostCollocations);
+                          count = std::min<std::size_t>(members.size(), maximumCollocations);
         double area = 0;
         for (std::size_t k = 0; k < count; ++k) {
             const int orbit = members[(2 * k + 1) * members.size() / (2 * count)];

@@ -12,7 +12,7 @@ namespace idiophone {
 
 /// Maximum number of equations per unknown. With one, weak modes of plates are off by up to 24 dB,
 /// with three by 4 dB.
-inline constexpr Eigen::Index mostCollocations = 3;
+inline constexpr Eigen::Index maximumCollocations = 3;
 
 /// An orbit whose first face has an equation, and its weight in the mean for its unknown.
 struct Collocation {

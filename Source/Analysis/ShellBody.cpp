@@ -21,14 +21,8 @@ constexpr double areaPerVertex = 0.866;
 bool isTooThick(const Mesh& mesh, double thicknessMetres) {
     const Mesh inner{mesh.vertices - layerOffsetMetres(thicknessMetres) * vertexNormals(mesh),
                      mesh.faces};
-    const auto normal = [](const Mesh& m, Eigen::Index face) {
-        const auto corner = [&](int k) {
-            return Eigen::Vector3d(m.vertices.row(m.faces(face, k)).transpose());
-        };
-        return Eigen::Vector3d((corner(1) - corner(0)).cross(corner(2) - corner(0)));
-    };
     for (Eigen::Index face = 0; face < mesh.faceCount(); ++face)
-        if (normal(mesh, face).dot(normal(inner, face)) <= 0)
+        if (doubleAreaVector(mesh, face).dot(doubleAreaVector(inner, face)) <= 0)
             return true;
     return false;
 }
@@ -65,11 +59,11 @@ Result<double> fitMesh(Mesh& mesh,
     if (given < finestEdgeShare * edge || given > coarsestEdgeShare * edge ||
         mesh.vertexCount() > 2 * settings.vertexBudget) {
         if (remeshedTriangles(mesh, edge) >
-            mostNewTriangles + static_cast<double>(mesh.faceCount()))
+            maximumNewTriangles + static_cast<double>(mesh.faceCount()))
             return failure("The mesh of " + std::to_string(mesh.vertexCount()) +
                            " vertices needs too many triangles to be covered with those of a "
                            "shell; simplify the mesh, or check its proportions and its unit.");
-        auto remeshed = remesh(mesh, {.edgeLengthMetres = edge}, control.part(0, 0.1));
+        auto remeshed = remesh(mesh, edge, control.part(0, 0.1));
         if (!remeshed)
             return tl::unexpected(remeshed.error());
         mesh = std::move(*remeshed);

@@ -23,9 +23,9 @@ ShiftedFactor::ShiftedFactor(const VibrationModel& model, const WorkControl& con
       factor_(model.stiffness.cwiseAbs() + model.mass.cwiseAbs(), model.rowsPerVertex),
       norm_(oneNorm(model.stiffness) / model.mass.diagonal().minCoeff()) {}
 
-ShiftedFactor::Outcome ShiftedFactor::factorise(double shift) {
+bool ShiftedFactor::factorise(double shift) {
     if (isDone_ && shift == asked_)
-        return Outcome::done;
+        return true;
     isDone_ = false;
     asked_ = shift;
     double nudge = 0;
@@ -34,14 +34,14 @@ ShiftedFactor::Outcome ShiftedFactor::factorise(double shift) {
         const Eigen::SparseMatrix<double> shifted = model_.stiffness - shift_ * model_.mass;
         const auto pivots = factor_.factorise(shifted, [&] { return control_.isCancelled(); });
         if (pivots == LdltOutcome::stopped)
-            return Outcome::cancelled;
+            return false;
         if (pivots == LdltOutcome::done && isAccurate(shifted)) {
             isDone_ = true;
-            return Outcome::done;
+            return true;
         }
         nudge = nudge == 0 ? 1e-4 : 2 * nudge;
     }
-    return Outcome::failed;
+    return false;
 }
 
 Eigen::Index ShiftedFactor::eigenvaluesBelow() const {

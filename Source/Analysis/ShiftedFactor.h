@@ -16,11 +16,10 @@ public:
     /// Keeps references to the model and to the control. Orders the matrices once for all shifts.
     ShiftedFactor(const VibrationModel& model, const WorkControl& control);
 
-    enum class Outcome { done, failed, cancelled };
-
     /// Factorises at σ. If the pivots there are too small for accuracy, moves the shift away from
-    /// zero, by at most about 1 %. Does nothing if σ is unchanged. Not thread-safe.
-    Outcome factorise(double shift);
+    /// zero, by at most about 1 %. Does nothing if σ is unchanged. Returns false if that fails or
+    /// if cancelled. Not thread-safe.
+    bool factorise(double shift);
 
     double shift() const { return shift_; }
     /// An upper bound on the order of magnitude of the stiffest eigenvalue: ‖K‖₁ over the minimum

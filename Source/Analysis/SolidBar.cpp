@@ -1,5 +1,7 @@
 #include "Analysis/SolidBar.h"
 
+#include "Geometry/MeshBuilder.h"
+
 #include <Eigen/LU>
 #include <algorithm>
 #include <array>
@@ -105,8 +107,7 @@ constexpr std::array<std::array<int, 6>, 4> faceNodes{
     {{0, 2, 1, 6, 5, 4}, {0, 1, 3, 4, 8, 7}, {1, 2, 3, 5, 9, 8}, {2, 0, 3, 6, 7, 9}}};
 
 /// Returns four triangles for each face that belongs to one tetrahedron only.
-std::vector<std::array<int, 3>>
-boundaryTriangles(const std::vector<std::array<int, 10>>& tetrahedra) {
+Eigen::MatrixXi boundaryTriangles(const std::vector<std::array<int, 10>>& tetrahedra) {
     std::map<std::array<int, 3>, std::pair<int, std::array<int, 6>>> faces;
     for (const auto& tetrahedron : tetrahedra)
         for (const auto& face : faceNodes) {
@@ -119,17 +120,17 @@ boundaryTriangles(const std::vector<std::array<int, 10>>& tetrahedra) {
             ++entry.first;
             entry.second = nodes;
         }
-    std::vector<std::array<int, 3>> triangles;
+    MeshBuilder triangles;
     for (const auto& [key, entry] : faces) {
         if (entry.first > 1)
             continue;
         const auto& n = entry.second; // n[3] is between 0 and 1, n[4] 1 and 2, n[5] 2 and 0
-        triangles.push_back({n[0], n[3], n[5]});
-        triangles.push_back({n[1], n[4], n[3]});
-        triangles.push_back({n[2], n[5], n[4]});
-        triangles.push_back({n[3], n[4], n[5]});
+        triangles.face(n[0], n[3], n[5]);
+        triangles.face(n[1], n[4], n[3]);
+        triangles.face(n[2], n[5], n[4]);
+        triangles.face(n[3], n[4], n[5]);
     }
-    return triangles;
+    return triangles.mesh().faces;
 }
 
 /// Takes every second line across, with three points on top and two below.
@@ -147,10 +148,10 @@ BarOutline outlineOf(const BarGrid& grid, const Lattice& lattice, const std::vec
         for (const int j : {0, grid.across})
             add(line, j, 0);
 
-    std::vector<std::array<int, 3>> faces;
+    MeshBuilder faces;
     const auto quad = [&](int a, int b, int c, int d) {
-        faces.push_back({a, b, c});
-        faces.push_back({a, c, d});
+        faces.face(a, b, c);
+        faces.face(a, c, d);
     };
     const auto top = [&](int line, int j) { return j * lines + line; };
     const auto bottom = [&](int line, int side) { return outline.topCount + 2 * line + side; };
@@ -164,13 +165,10 @@ BarOutline outlineOf(const BarGrid& grid, const Lattice& lattice, const std::vec
     }
     const int last = lines - 1;
     quad(bottom(0, 0), top(0, 0), top(0, 1), bottom(0, 1));
-    faces.push_back({top(0, 1), top(0, 2), bottom(0, 1)});
+    faces.face(top(0, 1), top(0, 2), bottom(0, 1));
     quad(bottom(last, 1), top(last, 2), top(last, 1), bottom(last, 0));
-    faces.push_back({top(last, 1), top(last, 0), bottom(last, 0)});
-    outline.mesh.faces.resize(faces.size(), 3);
-    for (std::size_t f = 0; f < faces.size(); ++f)
-        for (std::size_t k = 0; k < 3; ++k)
-            outline.mesh.faces(f, k) = faces[f][k];
+    faces.face(top(last, 1), top(last, 0), bottom(last, 0));
+    outline.mesh.faces = faces.mesh().faces;
     return outline;
 }
 
@@ -189,9 +187,8 @@ SolidBar solidBar(const UndercutBar& bar, const BarGrid& grid) {
 
     // Surface nodes come first, in the lattice's order.
     std::vector<char> onSurface(lattice.count(), 0);
-    for (const auto& triangle : triangles)
-        for (const int node : triangle)
-            onSurface[node] = 1;
+    for (const int node : triangles.reshaped())
+        onSurface[node] = 1;
     std::vector<int> order(onSurface.size());
     std::iota(order.begin(), order.end(), 0);
     const auto inside =
@@ -209,10 +206,7 @@ SolidBar solidBar(const UndercutBar& bar, const BarGrid& grid) {
         for (std::size_t k = 0; k < 10; ++k)
             result.elements.tetrahedra(t, k) = number[tetrahedra[t][k]];
     result.surface.vertices = result.elements.nodes.topRows(surfaceCount);
-    result.surface.faces.resize(triangles.size(), 3);
-    for (std::size_t t = 0; t < triangles.size(); ++t)
-        for (std::size_t k = 0; k < 3; ++k)
-            result.surface.faces(t, k) = number[triangles[t][k]];
+    result.surface.faces = triangles.unaryExpr([&](int node) { return number[node]; });
     result.outline = outlineOf(grid, lattice, number);
     result.outline.mesh.vertices =
         result.surface.vertices(result.outline.surfaceVertices, Eigen::all);

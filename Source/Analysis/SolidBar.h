@@ -34,6 +34,6 @@ struct SolidBar {
 };
 
 /// Returns elements mirror-symmetric in x and y, with lines across at the arch's edges.
-SolidBar solidBar(const UndercutBar& bar, const BarGrid& grid);
+SolidBar solidBar(const UndercutBar& bar, const BarGrid& grid = {});
 
 } // namespace idiophone

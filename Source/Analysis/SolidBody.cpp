@@ -31,6 +31,12 @@ double budgetEdgeMetres(const MeshCheck& check, int elementBudget) {
                     std::sqrt(check.areaM2 / 2 * 3 / 0.433 / static_cast<double>(elementBudget)));
 }
 
+/// Returns whether another surface of a body is solid and encloses the same volume.
+bool keepsBody(const Mesh& surface, const MeshCheck& check, const WorkControl& control) {
+    const MeshCheck after = checkMesh(surface, control.cancelled);
+    return after.isSolid() && std::abs(after.volumeM3 / check.volumeM3 - 1) < 0.02;
+}
+
 struct CoveredSurface {
     std::optional<Mesh> mesh; ///< empty if no edge length preserved the body
     double edgeMetres = 0;
@@ -46,7 +52,7 @@ Result<CoveredSurface> coveredAnew(const Mesh& surface,
     for (const double share : {1.0, 0.63, finestEdgeShare}) {
         const double edge = share * longest;
         if (remeshedTriangles(surface, edge) >
-            mostNewTriangles + static_cast<double>(surface.faceCount())) {
+            maximumNewTriangles + static_cast<double>(surface.faceCount())) {
             if (share < 1)
                 break;
             return failure("The mesh is too long and thin to be covered with triangles of " +
@@ -54,11 +60,10 @@ Result<CoveredSurface> coveredAnew(const Mesh& surface,
                            ", as a solid needs them; check its proportions and its unit.");
         }
         control.report(0, "Remeshing");
-        auto remeshed = remesh(surface, {.edgeLengthMetres = edge}, control.quiet());
+        auto remeshed = remesh(surface, edge, control.quiet());
         if (!remeshed)
             return tl::unexpected(remeshed.error());
-        const MeshCheck after = checkMesh(*remeshed, control.cancelled);
-        if (after.isSolid() && std::abs(after.volumeM3 / check.volumeM3 - 1) < 0.02)
+        if (keepsBody(*remeshed, check, control))
             return CoveredSurface{std::move(*remeshed), edge};
     }
     return CoveredSurface{};
@@ -75,10 +80,7 @@ Mesh lightened(const Mesh& surface,
         if (!(wanted < static_cast<double>(surface.vertexCount())))
             break;
         auto lighter = decimate(surface, std::max(4, static_cast<int>(wanted)), control.quiet());
-        if (!lighter)
-            continue;
-        const MeshCheck after = checkMesh(*lighter, control.cancelled);
-        if (after.isSolid() && std::abs(after.volumeM3 / check.volumeM3 - 1) < 0.02)
+        if (lighter && keepsBody(*lighter, check, control))
             return std::move(*lighter);
     }
     return surface;

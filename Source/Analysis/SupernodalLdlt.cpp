@@ -31,28 +31,14 @@ Eigen::SparseMatrix<double> blockPlaces(const Eigen::SparseMatrix<double>& lower
     return places;
 }
 
-/// C += factor · A B, for B and C of w columns without gaps.
-void addProduct(Index w,
-                Index rows,
-                Index inner,
-                double factor,
-                const double* a,
-                Index aRow,
-                Index aColumn,
-                const double* b,
-                double* c) {
-    denseKernels().addProduct(rows, w, inner, factor, a, aRow, aColumn, b, w, c, w);
-}
-
 /// C −= A Bᵀ in the lower triangle of C and a little above it.
 void subtractProduct(Eigen::Ref<MatrixXd> c,
                      const Eigen::Ref<const MatrixXd>& a,
                      const Eigen::Ref<const MatrixXd>& b) {
     constexpr Index strip = 16;
     for (Index j = 0; j < c.cols(); j += strip)
-        denseKernels().addProduct(std::min(strip, c.cols() - j), c.rows() - j, a.cols(), -1,
-                                  b.data() + j, 1, b.outerStride(), a.data() + j, a.outerStride(),
-                                  &c(j, j), c.outerStride());
+        addProduct({std::min(strip, c.cols() - j), c.rows() - j, a.cols(), -1, b.data() + j, 1,
+                    b.outerStride(), a.data() + j, a.outerStride(), &c(j, j), c.outerStride()});
 }
 
 } // namespace
@@ -211,12 +197,12 @@ void SupernodalLdlt::eliminateFrom(Vectors& x, Vectors& below, std::size_t s) co
     double* own = x.data() + node.first * b * w;
     for (Index row = 0; row < wide; row += b) {
         turn(own + row * w, w, node.first * b + row, true);
-        addProduct(w, b, row, -1, &l(row, 0), 1, l.rows(), own, own + row * w);
+        addProduct({b, w, row, -1, &l(row, 0), 1, l.rows(), own, w, own + row * w, w});
     }
     below.topRows(under).setZero();
     for (Index column = 0; column < wide; column += streamsTogether)
-        addProduct(w, under, std::min(streamsTogether, wide - column), 1, &l(0, column) + wide, 1,
-                   l.rows(), own + column * w, below.data());
+        addProduct({under, w, std::min(streamsTogether, wide - column), 1, &l(0, column) + wide, 1,
+                    l.rows(), own + column * w, w, below.data(), w});
     for (std::size_t i = 0; i < node.below.size(); ++i)
         x.middleRows(node.below[i] * b, b) -= below.middleRows(static_cast<Index>(i) * b, b);
 }
@@ -229,11 +215,11 @@ void SupernodalLdlt::substituteInto(Vectors& x, Vectors& below, std::size_t s) c
     double* own = x.data() + node.first * b * w;
     for (std::size_t i = 0; i < node.below.size(); ++i)
         below.middleRows(static_cast<Index>(i) * b, b) = x.middleRows(node.below[i] * b, b);
-    addProduct(w, wide, under, -1, l.data() + wide, l.rows(), 1, below.data(), own);
+    addProduct({wide, w, under, -1, l.data() + wide, l.rows(), 1, below.data(), w, own, w});
     for (Index row = wide - b; row >= 0; row -= b) {
         const Index later = wide - row - b;
-        addProduct(w, b, later, -1, &l(0, row) + row + b, l.rows(), 1, own + (row + b) * w,
-                   own + row * w);
+        addProduct({b, w, later, -1, &l(0, row) + row + b, l.rows(), 1, own + (row + b) * w, w,
+                    own + row * w, w});
     }
     for (Index row = 0; row < wide; row += b)
         turn(own + row * w, w, node.first * b + row, false);
@@ -244,8 +230,7 @@ void SupernodalLdlt::turn(double* rows, Index w, Index first, bool into) const {
     const Index b = blockSize_;
     std::array<double, 6 * solvedTogether> turned{};
     const double* axes = axes_.data() + first * b;
-    denseKernels().addProduct(b, w, b, 1, axes, into ? b : 1, into ? 1 : b, rows, w, turned.data(),
-                              w);
+    addProduct({b, w, b, 1, axes, into ? b : 1, into ? 1 : b, rows, w, turned.data(), w});
     std::copy_n(turned.data(), b * w, rows);
 }
 

@@ -15,7 +15,7 @@ namespace {
 using Permutation = std::vector<int>;
 
 constexpr double positionTolerance = 1e-6; // of the bounding diagonal
-constexpr int mostTurns = 360;
+constexpr int maximumTurns = 360;
 
 /// Meshes are not aligned with this direction, so that few points share a place along it.
 Eigen::Vector3d obliqueDirection() {
@@ -181,7 +181,7 @@ SurfaceSymmetry surfaceSymmetry(const Mesh& mesh) {
         return {};
     };
     const auto turn = [&](int axis) -> std::optional<Generator> {
-        for (int order = mostTurns; order > 1; --order) {
+        for (int order = maximumTurns; order > 1; --order) {
             const Eigen::AngleAxisd rotation(2 * std::numbers::pi / order,
                                              Eigen::Vector3d::Unit(axis));
             if (auto images = finder.imagesUnder(rotation.toRotationMatrix(), centre))

@@ -149,7 +149,7 @@ std::string sentence(TetGenStop stop) {
 }
 
 /// Ten times the number for a body of 200,000 elements; about half a minute.
-constexpr std::int64_t mostChecks = 30'000'000;
+constexpr std::int64_t maximumChecks = 30'000'000;
 
 } // namespace
 
@@ -166,7 +166,7 @@ Result<LinearTetrahedra> runTetGen(const Mesh& surface, const TetGenSettings& se
             return failure(sentence(TetGenStop::cancelled));
         std::this_thread::sleep_for(std::chrono::milliseconds(10));
     }
-    TetGenWatch::current() = {.cancelled = settings.cancelled, .checksLeft = mostChecks};
+    TetGenWatch::current() = {.cancelled = settings.cancelled, .checksLeft = maximumChecks};
     try {
         tetgenio input, output;
         tetgenbehavior behavior;

@@ -29,14 +29,6 @@ constexpr double volumeShare = 1.4;
 std::string faultOf(const Mesh& surface, const TetMeshSettings& settings) {
     if (!(settings.targetEdgeMetres > 0) || !std::isfinite(settings.targetEdgeMetres))
         return "The edge length of tetrahedra must be a positive number of metres.";
-    if (settings.maximumNodes < 10)
-        return "The limit on the nodes of tetrahedra must be at least 10.";
-    if (surface.faceCount() < 4)
-        return "A closed surface has at least four faces.";
-    if (!surface.vertices.allFinite())
-        return "The surface has a vertex that is not a number.";
-    if (surface.faces.minCoeff() < 0 || surface.faces.maxCoeff() >= surface.vertexCount())
-        return "A face of the surface names a vertex that does not exist.";
     if (surface.vertexCount() > settings.maximumNodes)
         return "The surface alone has " + std::to_string(surface.vertexCount()) +
                " vertices, and finite elements take at most " +
@@ -57,6 +49,14 @@ double radiusEdgeRatio(const Mesh& surface, const TetMeshSettings& settings) {
     return std::max(chunkyRatio, 1.5 * std::sqrt(edge * edge / 3 + 0.25));
 }
 
+double sixVolumes(const Eigen::MatrixXd& points, const Eigen::RowVectorXi& corners) {
+    const Eigen::Vector3d a = points.row(corners(0));
+    const Eigen::Vector3d u = points.row(corners(1)).transpose() - a,
+                          v = points.row(corners(2)).transpose() - a,
+                          w = points.row(corners(3)).transpose() - a;
+    return u.cross(v).dot(w);
+}
+
 /// Returns true for regions that an odd number of the surface's sheets encloses.
 std::vector<bool> solidRegions(const Mesh& surface, const LinearTetrahedra& filled) {
     std::vector<bool> solid(static_cast<std::size_t>(filled.regions.maxCoeff()) + 1, true);
@@ -64,11 +64,7 @@ std::vector<bool> solidRegions(const Mesh& surface, const LinearTetrahedra& fill
         return solid;
     std::map<int, std::pair<double, Eigen::Index>> largest; // volume and element of each region
     for (Eigen::Index t = 0; t < filled.tetrahedra.rows(); ++t) {
-        const auto corner = [&](int k) {
-            return Eigen::Vector3d(filled.points.row(filled.tetrahedra(t, k)).transpose());
-        };
-        const double volume = std::abs(
-            (corner(1) - corner(0)).cross(corner(2) - corner(0)).dot(corner(3) - corner(0)));
+        const double volume = std::abs(sixVolumes(filled.points, filled.tetrahedra.row(t)));
         auto& best = largest[filled.regions(t)];
         if (volume > best.first)
             best = {volume, t};
@@ -115,14 +111,6 @@ Result<LinearTetrahedra> withoutCavities(const Mesh& surface, LinearTetrahedra f
     return kept;
 }
 
-double sixVolumes(const Eigen::MatrixXd& points, const Eigen::RowVectorXi& corners) {
-    const Eigen::Vector3d a = points.row(corners(0));
-    const Eigen::Vector3d u = points.row(corners(1)).transpose() - a,
-                          v = points.row(corners(2)).transpose() - a,
-                          w = points.row(corners(3)).transpose() - a;
-    return u.cross(v).dot(w);
-}
-
 } // namespace
 
 TetMesh withMidEdgeNodes(const Eigen::MatrixXd& points,
@@ -167,12 +155,12 @@ Result<TetMesh> tetrahedralise(const Mesh& closedSurface, const TetMeshSettings&
                        " nodes; lower the highest frequency or simplify the mesh.");
     };
     const double regular = std::pow(settings.targetEdgeMetres, 3) / (6 * std::sqrt(2.0));
-    const int mostAdded = settings.maximumNodes - static_cast<int>(closedSurface.vertexCount());
+    const int maximumAdded = settings.maximumNodes - static_cast<int>(closedSurface.vertexCount());
     auto filled =
         runTetGen(closedSurface, {.keepSurface = settings.keepSurface,
                                   .radiusEdgeRatio = radiusEdgeRatio(closedSurface, settings),
                                   .maximumVolumeM3 = volumeShare * regular,
-                                  .maximumAddedPoints = mostAdded,
+                                  .maximumAddedPoints = maximumAdded,
                                   .cancelled = settings.cancelled});
     if (!filled)
         return failure(filled.error().message);

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double slowestDecayPerSecond = 0.0115; // ln(1000) in ten minutes
 // In α_ij. Beyond this distance, two modes contribute less than −30 dB to each other.
-constexpr double farthestApart = 32;
+constexpr double maximumApart = 32;
 
 struct Tone {
     std::size_t mode = 0;
@@ -43,10 +43,10 @@ void forEachCoupling(const std::vector<Tone>& tones, const Use& use) {
         for (std::size_t j = i; j < tones.size(); ++j) {
             const double apart =
                 2 * std::numbers::pi * (tones[j].frequencyHz - tones[i].frequencyHz);
-            if (apart > farthestApart * (tones[i].decayPerSecond + fastest))
+            if (apart > maximumApart * (tones[i].decayPerSecond + fastest))
                 break;
             const double decay = tones[i].decayPerSecond + tones[j].decayPerSecond;
-            if (apart <= farthestApart * decay)
+            if (apart <= maximumApart * decay)
                 use(i, j, decay / (decay * decay + apart * apart) / 2);
         }
 }

@@ -18,7 +18,7 @@ using Complex = std::complex<double>;
 constexpr double pi = std::numbers::pi;
 /// A resonance farther from a mode than this does not share it.
 constexpr double wholeTone = 1.122;
-constexpr double leastSharedGain = 1e-3;
+constexpr double minimumSharedGain = 1e-3;
 
 double waveNumber(double omega) {
     return omega / speedOfSoundMetresPerSecond;
@@ -49,8 +49,8 @@ struct Mode {
 Mode drivingMode(const ModalObject& bar, std::size_t mode, const Tube& tube, double mouthKgPerM2) {
     const double omega = std::sqrt(bar.eigenvalues[mode]);
     const Complex pressure(0, omega * mouthKgPerM2); // per unit modal velocity
-    const Complex impedance = airDensityKgPerM3 * speedOfSoundMetresPerSecond / tube.mouthM2() *
-                              tube.relativeImpedance(omega / (2 * pi));
+    const Complex impedance =
+        airImpedancePaSPerM / tube.mouthM2() * tube.relativeImpedance(omega / (2 * pi));
     const double extra = bar.damping(mode).extraPerSecond;
     return {.source = mode,
             .eigenvalue = bar.eigenvalues[mode],
@@ -116,7 +116,7 @@ modesOver(const ModalObject& bar, const Tube& tube, std::span<const double> mout
         if (!mode || isShared[*mode])
             continue;
         const auto pair = sharingModes(bar, *mode, resonance, mouthKgPerM2[*mode]);
-        if (std::min(std::abs(pair[0].gain), std::abs(pair[1].gain)) < leastSharedGain)
+        if (std::min(std::abs(pair[0].gain), std::abs(pair[1].gain)) < minimumSharedGain)
             continue;
         isShared[*mode] = true;
         modes.insert(modes.end(), pair.begin(), pair.end());
@@ -148,8 +148,7 @@ std::complex<double> Tube::relativeImpedance(double soundHz) const {
 TubeResonance Tube::resonance(int n) const {
     const double hz = (2 * n + 1) * frequencyHz;
     const double inertance = airDensityKgPerM3 * acousticLengthMetres() / (2 * mouthM2());
-    const double resistance =
-        airDensityKgPerM3 * speedOfSoundMetresPerSecond / mouthM2() * relativeImpedance(hz).real();
+    const double resistance = airImpedancePaSPerM / mouthM2() * relativeImpedance(hz).real();
     return {.omega = 2 * pi * hz,
             .decayPerSecond = resistance / (2 * inertance),
             .inertanceKgPerM4 = inertance};

@@ -1,6 +1,7 @@
 #include "Analysis/TwoLayerShell.h"
 
 #include "Analysis/SpringAssembly.h"
+#include "Analysis/TimoshenkoBeam.h"
 
 #include <Eigen/Geometry>
 #include <array>
@@ -14,8 +15,7 @@ namespace {
 /// lock.
 double shearStiffness(const Material& material, double thicknessMetres, double lengthMetres) {
     const double nu = material.poissonRatio, y = material.youngsModulusPa;
-    const double kappa = 10 * (1 + nu) / (12 + 11 * nu); // Cowper 1966, rectangular section
-    const double pure = kappa * y / (2 * (1 + nu)) * thicknessMetres;
+    const double pure = rectangularShearCoefficient(nu) * y / (2 * (1 + nu)) * thicknessMetres;
     const double bending = y * std::pow(thicknessMetres, 3) / 12;
     return 1 / (1 / pure + lengthMetres * lengthMetres / (12 * bending));
 }

@@ -96,7 +96,7 @@ tunedArch(const UndercutBar& start, const BeamMaterial& material, const PartialT
     if (!isPossible(start) || !(targets.fundamentalHz > 0) || targets.secondRatio < 0 ||
         targets.thirdRatio < 0 || (targets.thirdRatio > 0 && targets.secondRatio == 0))
         return failure("A bar to be tuned needs positive measures, an arch within it and a pitch.");
-    const Eigen::Index count = targets.thirdRatio > 0 ? 3 : targets.secondRatio > 0 ? 2 : 1;
+    const Eigen::Index count = targets.count();
     const auto missAt = [&](const Eigen::VectorXd& unknowns) {
         return missOf(withUnknowns(start, unknowns), material, targets, count);
     };

@@ -47,6 +47,9 @@ struct PartialTargets {
     double fundamentalHz = 440;
     double secondRatio = 0; ///< 3 for a xylophone, 4 for marimba and vibraphone
     double thirdRatio = 0;  ///< 6 and 10; needs a second ratio
+
+    /// Returns the number of tuned partials, 1 to 3.
+    int count() const { return thirdRatio > 0 ? 3 : secondRatio > 0 ? 2 : 1; }
 };
 
 /// Changes the length, the centre height and the arch's exponent, as far as the targets need. By

@@ -23,7 +23,7 @@ struct MeshOptions {
 };
 
 constexpr double pi = std::numbers::pi;
-constexpr int mostVertices = 1000000; // requested maximum; proportions may double it
+constexpr int maximumVertices = 1000000; // requested maximum; proportions may double it
 
 /// Returns the edge of near-equilateral triangles if `vertexCount` vertices cover an area.
 double edgeFor(double areaM2, int vertexCount) {
@@ -87,7 +87,7 @@ Result<void> makeMesh(const MeshOptions& options) {
     if (options.sectionRadiusMetres >= options.radiusMetres && options.kind == "ring")
         return failure("--section-radius: it must be smaller than the ring's radius");
     const auto mesh = kind->make(options);
-    if (mesh.vertexCount() > 2 * mostVertices)
+    if (mesh.vertexCount() > 2 * maximumVertices)
         return failure("mesh " + options.kind + ": with these proportions it would have " +
                        std::to_string(mesh.vertexCount()) + " vertices");
     if (auto done = writeMesh(mesh, options.output); !done)
@@ -122,7 +122,7 @@ void addMesh(CLI::App& program, Action& chosen) {
     size("--radius", options->radiusMetres, "Radius of a disc, icosphere, ring or hoop");
     size("--section-radius", options->sectionRadiusMetres, "Radius of a ring's cross-section");
     command->add_option("--vertices", options->vertexCount, "Approximate number of vertices")
-        ->check(numberBetween(12, mostVertices))
+        ->check(numberBetween(12, maximumVertices))
         ->capture_default_str();
 }
 

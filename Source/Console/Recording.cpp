@@ -119,8 +119,8 @@ Result<void> Recording::write(int samples) {
     return {};
 }
 
-Result<void> Recording::finish(std::int64_t leastSamples) {
-    if (auto done = writeSilence(std::clamp<std::int64_t>(leastSamples - written, 0, heldBack));
+Result<void> Recording::finish(std::int64_t minimumSamples) {
+    if (auto done = writeSilence(std::clamp<std::int64_t>(minimumSamples - written, 0, heldBack));
         !done)
         return done;
     if (auto done = writer->finish(); !done)

@@ -43,9 +43,9 @@ public:
     /// Appends any number of samples, block by block.
     Result<void> addAll(std::span<const float> left, std::span<const float> right);
 
-    /// Ends the file at its last sound, but not before `leastSamples`. The silence after the last
+    /// Ends the file at its last sound, but not before `minimumSamples`. The silence after the last
     /// sound is dropped, because its length depends on the block size.
-    Result<void> finish(std::int64_t leastSamples);
+    Result<void> finish(std::int64_t minimumSamples);
 
     /// See OutputStage.
     void hush(std::size_t unanswered) { output.hush(unanswered); }

@@ -11,7 +11,7 @@
 namespace idiophone {
 namespace {
 
-constexpr double mostGainDb = 40;
+constexpr double maximumGainDb = 40;
 
 constexpr std::size_t noteSamples = measuredRateHz;
 constexpr std::array velocities{40, 100};
@@ -61,7 +61,8 @@ Result<std::vector<double>> evenVoicingDb(Preset preset) {
     const double mean = meanLufs(loudness);
     std::vector<double> gains;
     for (const double key : loudness)
-        gains.push_back(std::isfinite(key) ? std::clamp(mean - key, -mostGainDb, mostGainDb) : 0);
+        gains.push_back(std::isfinite(key) ? std::clamp(mean - key, -maximumGainDb, maximumGainDb)
+                                           : 0);
     return gains;
 }
 

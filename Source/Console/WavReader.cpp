@@ -13,7 +13,7 @@ namespace {
 
 constexpr double longestSeconds = 600;
 constexpr std::uintmax_t largestFileBytes = std::uintmax_t{1} << 30;
-constexpr unsigned mostChannels = 64;
+constexpr unsigned maximumChannels = 64;
 constexpr double lowestRateHz = 1000, highestRateHz = 1e6;
 
 /// Hides all chunks from JUCE except the format and the samples. JUCE trusts the lengths of other
@@ -58,7 +58,7 @@ bool isWav(std::string_view bytes) {
 
 /// Returns what is wrong with the header, or an empty text.
 std::string faultOf(const juce::AudioFormatReader& reader, std::uintmax_t fileBytes) {
-    if (reader.numChannels < 1 || reader.numChannels > mostChannels)
+    if (reader.numChannels < 1 || reader.numChannels > maximumChannels)
         return "it has " + std::to_string(reader.numChannels) + " channels";
     if (!(reader.sampleRate >= lowestRateHz && reader.sampleRate <= highestRateHz))
         return "its sample rate is not 1 kHz to 1 MHz";

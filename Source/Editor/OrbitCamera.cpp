@@ -10,9 +10,9 @@ namespace idiophone {
 namespace {
 
 constexpr float halfFieldRadians = 14 * std::numbers::pi_v<float> / 180; // half, vertical
-constexpr float farthestZoom = 0.2f, nearestZoom = 20;
+constexpr float minimumZoom = 0.2f, maximumZoom = 20;
 constexpr float margin = 1.06f;
-constexpr float farthestMove = 1;
+constexpr float maximumMove = 1;
 constexpr float thinnest = 1e-4f; // metres; keeps a distance from a scene without depth
 constexpr float lowestElevation = 0.03f, highestElevation = 1.5f;
 
@@ -35,12 +35,12 @@ void OrbitCamera::turnBy(float aroundRadians, float upRadians) {
 }
 
 void OrbitCamera::zoomBy(float factor) {
-    zoom = std::clamp(zoom * factor, farthestZoom, nearestZoom);
+    zoom = std::clamp(zoom * factor, minimumZoom, maximumZoom);
 }
 
 void OrbitCamera::moveBy(float right, float up) {
-    movedRight = std::clamp(movedRight + right / zoom, -farthestMove, farthestMove);
-    movedUp = std::clamp(movedUp + up / zoom, -farthestMove, farthestMove);
+    movedRight = std::clamp(movedRight + right / zoom, -maximumMove, maximumMove);
+    movedUp = std::clamp(movedUp + up / zoom, -maximumMove, maximumMove);
 }
 
 void OrbitCamera::reset() {

@@ -76,30 +76,10 @@ struct Circle {
     int count = 1;
     double turn = 0; ///< angle of vertex 0 in radians
 
-    double angle(int k) const { return turn + 2 * pi * k / count; }
+    int steps() const { return count > 1 ? count : 0; }
+    double place(int k) const { return turn + 2 * pi * k / count; } ///< angle in radians
     int vertex(int k) const { return firstVertex + k % count; }
 };
-
-/// Fills the band between two circles. Walks both circles and advances on the one whose next
-/// segment lies further back.
-void stitch(const Circle& lower, const Circle& upper, MeshBuilder& mesh) {
-    const int lowerSteps = lower.count > 1 ? lower.count : 0;
-    const int upperSteps = upper.count > 1 ? upper.count : 0;
-    constexpr double tie = 1e-9; // without it, rounding would decide and sectors would differ
-    int i = 0, j = 0;
-    while (i < lowerSteps || j < upperSteps) {
-        const bool advanceLower =
-            j == upperSteps || (i < lowerSteps && lower.angle(i) + lower.angle(i + 1) <
-                                                      upper.angle(j) + upper.angle(j + 1) + tie);
-        if (advanceLower) {
-            mesh.face(lower.vertex(i), lower.vertex(i + 1), upper.vertex(j));
-            ++i;
-        } else {
-            mesh.face(lower.vertex(i), upper.vertex(j + 1), upper.vertex(j));
-            ++j;
-        }
-    }
-}
 
 } // namespace
 
@@ -114,11 +94,11 @@ LatheMesh latheMesh(const std::vector<LathePoint>& section, double edgeMetres) {
         if (!circles.empty() && circles.back().count == circle.count && circles.back().turn == 0)
             circle.turn = pi / circle.count;
         for (int k = 0; k < circle.count; ++k)
-            mesh.add(row.radiusMetres * std::cos(circle.angle(k)),
-                     row.radiusMetres * std::sin(circle.angle(k)), row.heightMetres);
+            mesh.add(row.radiusMetres * std::cos(circle.place(k)),
+                     row.radiusMetres * std::sin(circle.place(k)), row.heightMetres);
         thicknesses.resize(mesh.vertices.size(), row.thicknessMetres);
         if (!circles.empty())
-            stitch(circles.back(), circle, mesh);
+            mesh.stitch(circles.back(), circle);
         circles.push_back(circle);
     }
     return {mesh.mesh(), Eigen::Map<const Eigen::VectorXd>(thicknesses.data(), thicknesses.size())};

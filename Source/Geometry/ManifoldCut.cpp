@@ -2,9 +2,11 @@
 
 #include "Geometry/DisjointSets.h"
 #include "Geometry/EdgeSplit.h"
+#include "Geometry/FaceSides.h"
 
 #include <algorithm>
 #include <numeric>
+#include <tuple>
 #include <unordered_map>
 
 namespace idiophone {
@@ -58,25 +60,10 @@ void separateFans(Mesh& mesh, const std::vector<int>& fans, std::vector<int>& co
         mesh.vertices.row(vertex) = vertices.row(copyOf[vertex]);
 }
 
-/// A side of a face. `pair` is the lower face of the pair, or the face itself if it has no partner.
-struct Side {
-    int low = 0, high = 0, pair = 0, face = 0, corner = 0;
-    auto operator<=>(const Side&) const = default;
-};
-
-std::vector<Side> sortedSides(const Mesh& mesh, const EdgePairing& pairing) {
-    std::vector<Side> sides;
-    sides.reserve(static_cast<std::size_t>(mesh.faceCount()) * 3);
-    for (int face = 0; face < mesh.faceCount(); ++face)
-        for (int corner = 0; corner < 3; ++corner) {
-            const auto [low, high] =
-                std::minmax({mesh.faces(face, corner), mesh.faces(face, (corner + 1) % 3)});
-            const int partner = pairing.partners[face][corner].face;
-            sides.push_back(
-                {low, high, partner < 0 ? face : std::min(face, partner), face, corner});
-        }
-    std::ranges::sort(sides);
-    return sides;
+/// Returns the lower face of the pair at a side, or the side's own face if it has no partner.
+int pairAt(const FaceSide& side, const EdgePairing& pairing) {
+    const int partner = pairing.partners[side.face][side.corner].face;
+    return partner < 0 ? side.face : std::min(side.face, partner);
 }
 
 /// If several pairs run between the same two vertices, inserts a vertex in the middle of all but
@@ -84,13 +71,15 @@ std::vector<Side> sortedSides(const Mesh& mesh, const EdgePairing& pairing) {
 void separatePairs(Mesh& mesh, const EdgePairing& pairing, std::vector<int>& copyOf) {
     std::unordered_map<int, EdgeInsertions> insertions;
     std::vector<Eigen::RowVector3d> middles;
-    const auto sides = sortedSides(mesh, pairing);
+    auto sides = sortedFaceSides(mesh);
+    std::ranges::sort(sides, {}, [&](const FaceSide& side) {
+        return std::tuple(side.low, side.high, pairAt(side, pairing), side.face, side.corner);
+    });
     for (std::size_t i = 1; i < sides.size(); ++i) {
-        const Side &side = sides[i], &before = sides[i - 1];
-        const bool sameEdge = side.low == before.low && side.high == before.high;
-        if (!sameEdge)
+        const FaceSide &side = sides[i], &before = sides[i - 1];
+        if (!side.isAlong(before))
             continue;
-        if (side.pair != before.pair) {
+        if (pairAt(side, pairing) != pairAt(before, pairing)) {
             middles.emplace_back((mesh.vertices.row(side.low) + mesh.vertices.row(side.high)) / 2);
             copyOf.push_back(-1);
             insertions[side.face][side.corner] = {static_cast<int>(copyOf.size()) - 1};

@@ -8,22 +8,18 @@
 #include <numeric>
 
 namespace idiophone {
-namespace {
 
-/// Returns the face's normal, with twice the face's area as its length.
-Eigen::RowVector3d areaVector(const Mesh& mesh, Eigen::Index face) {
+Eigen::RowVector3d doubleAreaVector(const Mesh& mesh, Eigen::Index face) {
     const Eigen::RowVector3d a = mesh.vertices.row(mesh.faces(face, 0));
     const Eigen::RowVector3d b = mesh.vertices.row(mesh.faces(face, 1));
     const Eigen::RowVector3d c = mesh.vertices.row(mesh.faces(face, 2));
     return (b - a).cross(c - a);
 }
 
-} // namespace
-
 Eigen::VectorXd faceAreas(const Mesh& mesh) {
     Eigen::VectorXd areas(mesh.faceCount());
     for (Eigen::Index face = 0; face < mesh.faceCount(); ++face)
-        areas(face) = areaVector(mesh, face).norm() / 2;
+        areas(face) = doubleAreaVector(mesh, face).norm() / 2;
     return areas;
 }
 
@@ -39,7 +35,7 @@ Eigen::VectorXd vertexAreas(const Mesh& mesh) {
 Eigen::MatrixXd vertexNormals(const Mesh& mesh) {
     Eigen::MatrixXd normals = Eigen::MatrixXd::Zero(mesh.vertexCount(), 3);
     for (Eigen::Index face = 0; face < mesh.faceCount(); ++face) {
-        const Eigen::RowVector3d normal = areaVector(mesh, face);
+        const Eigen::RowVector3d normal = doubleAreaVector(mesh, face);
         for (int corner = 0; corner < 3; ++corner)
             normals.row(mesh.faces(face, corner)) += normal;
     }
@@ -79,6 +75,12 @@ bool isClosed(const std::vector<MeshEdge>& edges) {
            std::ranges::all_of(edges, [](const MeshEdge& e) { return e.faceCount == 2; });
 }
 
+int nearestVertex(const Mesh& mesh, const Eigen::RowVector3d& pointMetres) {
+    Eigen::Index nearest = 0;
+    (mesh.vertices.rowwise() - pointMetres).rowwise().squaredNorm().minCoeff(&nearest);
+    return static_cast<int>(nearest);
+}
+
 std::vector<int> allVertices(const Mesh& mesh) {
     std::vector<int> all(mesh.vertexCount());
     std::iota(all.begin(), all.end(), 0);
@@ -98,7 +100,7 @@ double signedVolumeM3(const Mesh& mesh) {
     const Eigen::RowVector3d origin = mesh.vertices.row(0);
     double sum = 0;
     for (Eigen::Index face = 0; face < mesh.faceCount(); ++face)
-        sum += (mesh.vertices.row(mesh.faces(face, 0)) - origin).dot(areaVector(mesh, face));
+        sum += (mesh.vertices.row(mesh.faces(face, 0)) - origin).dot(doubleAreaVector(mesh, face));
     return sum / 6;
 }
 

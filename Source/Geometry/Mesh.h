@@ -23,6 +23,9 @@ struct MeshEdge {
     double adjacentAreaM2 = 0; ///< total area of those faces
 };
 
+/// Returns the face's normal, with twice the face's area in m² as its length.
+Eigen::RowVector3d doubleAreaVector(const Mesh& mesh, Eigen::Index face);
+
 /// Returns the [F] face areas in m².
 Eigen::VectorXd faceAreas(const Mesh& mesh);
 
@@ -41,6 +44,9 @@ double meanEdgeLengthMetres(const Mesh& mesh);
 
 /// Returns true if there are edges and each has exactly two faces.
 bool isClosed(const std::vector<MeshEdge>& edges);
+
+/// Returns the vertex nearest to a point. Takes time linear in the number of vertices.
+int nearestVertex(const Mesh& mesh, const Eigen::RowVector3d& pointMetres);
 
 /// Returns 0, 1, …, N − 1.
 std::vector<int> allVertices(const Mesh& mesh);

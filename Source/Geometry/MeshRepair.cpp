@@ -112,7 +112,7 @@ std::string RepairReport::text() const {
     say(droppedComponents, "Dropped ", "smaller component", "smaller components");
     say(flippedFaces, "Turned ", "face over", "faces over");
     say(cutVertices, "Cut the mesh where it is not a manifold: ", "added vertex", "added vertices");
-    if (boundaryEdges > mostOpenEdges)
+    if (boundaryEdges > maximumOpenEdges)
         add("Too many open edges to look for vertices that lie on them.");
     say(boundaryEdges, "Open: ", "boundary edge", "boundary edges");
     if (mayBeCutOff())

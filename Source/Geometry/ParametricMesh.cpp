@@ -1,6 +1,7 @@
 #include "Geometry/ParametricMesh.h"
 
 #include "Geometry/MeshBuilder.h"
+#include "Geometry/Subdivision.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -21,27 +22,15 @@ int sheetVertexCount(const SheetGrid& grid) {
     return evenRows * (grid.segmentsAlong + 1) + longRows * (grid.segmentsAlong + 2);
 }
 
-/// Fills the strip between two rows of vertices. Walks both rows and advances on the one whose next
-/// segment lies further back, which keeps the strip mirror-symmetric.
-void stitch(MeshBuilder& builder,
-            const std::vector<int>& lower,
-            const std::vector<int>& upper,
-            const std::vector<double>& lowerX,
-            const std::vector<double>& upperX) {
-    std::size_t i = 0, j = 0;
-    while (i + 1 < lower.size() || j + 1 < upper.size()) {
-        const bool advanceLower =
-            j + 1 == upper.size() ||
-            (i + 1 < lower.size() && lowerX[i] + lowerX[i + 1] < upperX[j] + upperX[j + 1]);
-        if (advanceLower) {
-            builder.face(lower[i], lower[i + 1], upper[j]);
-            ++i;
-        } else {
-            builder.face(lower[i], upper[j + 1], upper[j]);
-            ++j;
-        }
-    }
-}
+/// A row of a sheet.
+struct Row {
+    std::vector<int> vertices;
+    std::vector<double> shares; ///< of the length, 0 to 1
+
+    int steps() const { return static_cast<int>(vertices.size()) - 1; }
+    int vertex(int k) const { return vertices[k]; }
+    double place(int k) const { return shares[k]; }
+};
 
 } // namespace
 
@@ -69,10 +58,10 @@ SheetGrid sheetGrid(double lengthMetres, double widthMetres, int targetVertices)
 
 Mesh sheetMesh(double lengthMetres, double widthMetres, const SheetGrid& grid) {
     MeshBuilder builder;
-    std::vector<int> previous;
-    std::vector<double> previousX;
+    Row previous;
     for (int row = 0; row <= grid.rowsAcross; ++row) {
-        std::vector<double> xs;
+        Row current;
+        auto& xs = current.shares;
         if (row % 2 == 0) {
             for (int i = 0; i <= grid.segmentsAlong; ++i)
                 xs.push_back(static_cast<double>(i) / grid.segmentsAlong);
@@ -83,13 +72,11 @@ Mesh sheetMesh(double lengthMetres, double widthMetres, const SheetGrid& grid) {
             xs.push_back(1);
         }
         const double y = (static_cast<double>(row) / grid.rowsAcross - 0.5) * widthMetres;
-        std::vector<int> current;
         for (const double x : xs)
-            current.push_back(builder.add((x - 0.5) * lengthMetres, y, 0));
+            current.vertices.push_back(builder.add((x - 0.5) * lengthMetres, y, 0));
         if (row > 0)
-            stitch(builder, previous, current, previousX, xs);
+            builder.stitch(previous, current);
         previous = std::move(current);
-        previousX = std::move(xs);
     }
     return builder.mesh();
 }
@@ -185,28 +172,14 @@ Mesh icosphereMesh(double radiusMetres, int level) {
                 }
     for (auto& vertex : builder.vertices)
         vertex.normalize();
-    for (int step = 0; step < level; ++step) {
-        std::map<std::pair<int, int>, int> middles;
-        const auto middle = [&](int a, int b) {
-            const auto [place, isNew] = middles.try_emplace(std::minmax(a, b), 0);
-            if (isNew) {
-                const Eigen::RowVector3d p =
-                    (builder.vertices[a] + builder.vertices[b]).normalized();
-                place->second = builder.add(p.x(), p.y(), p.z());
-            }
-            return place->second;
-        };
-        const auto coarse = std::move(builder.faces);
-        builder.faces.clear();
-        for (const auto& f : coarse) {
-            const int ab = middle(f(0), f(1)), bc = middle(f(1), f(2)), ca = middle(f(2), f(0));
-            builder.face(f(0), ab, ca);
-            builder.face(f(1), bc, ab);
-            builder.face(f(2), ca, bc);
-            builder.face(ab, bc, ca);
-        }
-    }
     Mesh mesh = builder.mesh();
+    for (int step = 0; step < level; ++step) {
+        const auto [fromCoarse, faces] = splitInFour(mesh);
+        const Eigen::Index before = mesh.vertexCount();
+        mesh = {fromCoarse * mesh.vertices, faces};
+        for (Eigen::Index vertex = before; vertex < mesh.vertexCount(); ++vertex)
+            mesh.vertices.row(vertex) = Eigen::RowVector3d(mesh.vertices.row(vertex)).normalized();
+    }
     mesh.vertices *= radiusMetres;
     return mesh;
 }

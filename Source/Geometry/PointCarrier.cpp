@@ -103,12 +103,10 @@ PointCarrier triangulation(std::span<const Vector3d> points, const Frame& frame)
     std::vector<std::pair<Kernel::Point_2, int>> flat;
     PointCarrier carrier;
     carrier.mesh.vertices.resize(points.size(), 3);
-    std::vector<std::size_t> pointOfVertex;
     for (std::size_t i = 0; i < points.size(); ++i) {
         const Vector3d place = axes.transpose() * (points[i] - frame.mean);
         flat.emplace_back(Kernel::Point_2(place.x(), place.y()), static_cast<int>(i));
         carrier.mesh.vertices.row(i) = points[i].transpose();
-        pointOfVertex.push_back(i);
     }
     const CGAL::Delaunay_triangulation_2<Kernel, Structure> delaunay(flat.begin(), flat.end());
     Eigen::MatrixXi faces(delaunay.number_of_faces(), 3);
@@ -120,7 +118,7 @@ PointCarrier triangulation(std::span<const Vector3d> points, const Frame& frame)
                 face->vertex(2)->info();
     }
     carrier.mesh.faces = faces.topRows(count);
-    carrier.weights = chosen(pointOfVertex, points.size());
+    carrier.weights = MatrixXd::Identity(points.size(), points.size());
     return carrier;
 }
 

@@ -96,7 +96,8 @@ bool isCorner(const UnitSurface& unit, const Features& features, Vertex vertex, 
            (ends.size() != 2 || turnsSharply(unit, vertex, ends[0], ends[1], cosine));
 }
 
-Features findFeatures(UnitSurface& unit, double sharpAngleDegrees) {
+Features findFeatures(UnitSurface& unit) {
+    constexpr double sharpAngleDegrees = 40;
     Features features{
         .isSharp = unit.surface.add_property_map<Edge, bool>("e:sharp", false).first,
         .isCorner = unit.surface.add_property_map<Vertex, bool>("v:corner", false).first,
@@ -174,15 +175,13 @@ bool isCrowded(const Mesh& mesh) {
     return degrees.squaredNorm() > 4e8 + 100 * static_cast<double>(mesh.faceCount());
 }
 
-void remeshUnit(UnitSurface& unit,
-                double edgeLength,
-                const RemeshSettings& settings,
-                const WorkControl& control) {
-    const auto features = findFeatures(unit, settings.sharpAngleDegrees);
+void remeshUnit(UnitSurface& unit, double edgeLength, const WorkControl& control) {
+    constexpr int passes = 5; // each splits, collapses, flips and smooths
+    const auto features = findFeatures(unit);
     const auto patches = patchesOf(unit, features);
     QueryBudget budget(control, queriesAllowed(unit));
-    for (int pass = 0; pass < settings.passes; ++pass) {
-        control.report(static_cast<double>(pass) / settings.passes, "Remeshing");
+    for (int pass = 0; pass < passes; ++pass) {
+        control.report(static_cast<double>(pass) / passes, "Remeshing");
         checkCancelled(control);
         pmp::isotropic_remeshing(
             unit.surface.faces(), edgeLength, unit.surface,
@@ -234,31 +233,27 @@ double remeshedTriangles(const Mesh& mesh, double edgeLengthMetres) {
     return triangles;
 }
 
-Result<Mesh> remesh(const Mesh& mesh, const RemeshSettings& settings, const WorkControl& control) {
-    if (!(settings.passes >= 1 && settings.passes <= 20) ||
-        !(settings.sharpAngleDegrees > 0 && settings.sharpAngleDegrees <= 180))
-        return failure("Remeshing takes 1 to 20 passes and a sharp angle of 0 to 180 degrees.");
+Result<Mesh> remesh(const Mesh& mesh, double edgeLengthMetres, const WorkControl& control) {
+    constexpr int maximumTriangles = 4'000'000; // a million take about 1 GB and half a minute
     return withoutExceptions("remeshed", [&]() -> Result<Mesh> {
         const auto repaired =
             repairMesh(mesh, {.cutIntoManifold = true, .cancelled = control.cancelled});
         if (!repaired)
             return tl::unexpected(repaired.error());
         const Mesh& sound = repaired->mesh;
-        if (!(settings.edgeLengthMetres > 0 &&
-              settings.edgeLengthMetres <= boundingDiagonalMetres(sound) / 2))
+        if (!(edgeLengthMetres > 0 && edgeLengthMetres <= boundingDiagonalMetres(sound) / 2))
             return failure("The edge length of a remeshing must be above 0 and at most half of the "
                            "mesh's bounding diagonal.");
-        if (!(remeshedTriangles(sound, settings.edgeLengthMetres) <= settings.maximumTriangles))
-            return failure("The mesh would need more than " +
-                           std::to_string(std::llround(settings.maximumTriangles)) +
+        if (!(remeshedTriangles(sound, edgeLengthMetres) <= maximumTriangles))
+            return failure("The mesh would need more than " + std::to_string(maximumTriangles) +
                            " triangles at this edge length; choose a longer one.");
         if (isCrowded(sound))
             return failure("The mesh cannot be remeshed in reasonable time: too many of its faces "
                            "meet in one vertex.");
-        const auto lighter = decimatedFor(settings.edgeLengthMetres, sound, control);
+        const auto lighter = decimatedFor(edgeLengthMetres, sound, control);
         checkCancelled(control);
         auto unit = unitSurfaceOf(lighter ? *lighter : sound);
-        remeshUnit(unit, settings.edgeLengthMetres / unit.diagonalMetres, settings, control);
+        remeshUnit(unit, edgeLengthMetres / unit.diagonalMetres, control);
         return meshOf(unit);
     });
 }

@@ -8,33 +8,23 @@
 
 namespace idiophone {
 
-struct RemeshSettings {
-    double edgeLengthMetres = 0; ///< target; > 0 and at most half the bounding diagonal
-    /// Edges where the surface turns by more are kept. Corners of such edges and of the boundary
-    /// stay in place.
-    double sharpAngleDegrees = 40;
-    int passes = 5; ///< 1 to 20; each splits, collapses, flips and smooths
-    /// Limit for `remeshedTriangles`; a million take about 1 GB and half a minute.
-    double maximumTriangles = 4e6;
-};
-
 /// Returns about how many triangles of an edge length remeshing needs, slivers included: many for a
 /// long needle, although its area is small.
 double remeshedTriangles(const Mesh& mesh, double edgeLengthMetres);
 
 /// Isotropic remeshing (Botsch & Kobbelt 2004, by CGAL). New vertices lie on the given mesh; its
 /// boundary stays in place. Most edges get 4/5 to 4/3 of the target length, and shorter ones where
-/// sharp edges are closer than that.
+/// sharp edges are closer than that. Edges where the surface turns by more than 40° are kept.
+/// Corners of such edges and of the boundary stay in place.
 /// Decimates a mesh far denser than the target first: scans take a fifth of the time, and their
 /// noise does not pass for sharp edges. Repairs the mesh and cuts it where it is not a manifold
 /// (MeshRepair). Parts connected only there come apart: check RepairReport::nonManifoldEdges
 /// before.
 /// The result is an oriented manifold without degenerate faces, but may intersect itself. Vertices
 /// and faces have a new order.
-/// Fails with one sentence if repair fails, for settings outside their ranges, above
-/// `maximumTriangles`, if tens of thousands of faces meet in one vertex, or if cancelled. Never
-/// throws. Any thread except the audio thread.
-Result<Mesh>
-remesh(const Mesh& mesh, const RemeshSettings& settings, const WorkControl& control = {});
+/// Fails with one sentence if repair fails, if the edge length is not above 0 and at most half the
+/// bounding diagonal, if it needs more than 4 million triangles, if tens of thousands of faces meet
+/// in one vertex, or if cancelled. Never throws. Any thread except the audio thread.
+Result<Mesh> remesh(const Mesh& mesh, double edgeLengthMetres, const WorkControl& control = {});
 
 } // namespace idiophone

@@ -215,10 +215,4 @@ std::optional<std::vector<double>> SurfaceQuery::passages(const Eigen::Vector3d&
     return distances;
 }
 
-int SurfaceQuery::nearestVertex(const Eigen::Vector3d& point) const {
-    Eigen::Index nearest = 0;
-    (mesh_.vertices.rowwise() - point.transpose()).rowwise().squaredNorm().minCoeff(&nearest);
-    return static_cast<int>(nearest);
-}
-
 } // namespace idiophone

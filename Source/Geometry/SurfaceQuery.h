@@ -55,9 +55,6 @@ public:
                                                 const Eigen::Vector3d& direction,
                                                 std::int64_t& boxBudget) const;
 
-    /// Takes time linear in the number of vertices.
-    int nearestVertex(const Eigen::Vector3d& point) const;
-
 private:
     struct Tree;
 

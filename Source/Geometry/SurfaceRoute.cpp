@@ -20,14 +20,11 @@ using Graph = std::vector<std::vector<Neighbour>>; // neighbours of each vertex
 /// `facing`.
 Graph edgesFacing(const Mesh& mesh, const Eigen::Vector3d& facing, double minimumCosine) {
     Graph graph(mesh.vertexCount());
-    for (const auto& face : mesh.faces.rowwise()) {
-        const Eigen::Vector3d a = mesh.vertices.row(face[0]);
-        const Eigen::Vector3d b = mesh.vertices.row(face[1]);
-        const Eigen::Vector3d c = mesh.vertices.row(face[2]);
-        if ((b - a).cross(c - a).normalized().dot(facing) < minimumCosine)
+    for (Eigen::Index face = 0; face < mesh.faceCount(); ++face) {
+        if (doubleAreaVector(mesh, face).normalized().dot(facing) < minimumCosine)
             continue;
         for (int corner = 0; corner < 3; ++corner) {
-            const int one = face[corner], other = face[(corner + 1) % 3];
+            const int one = mesh.faces(face, corner), other = mesh.faces(face, (corner + 1) % 3);
             const double metres = (mesh.vertices.row(one) - mesh.vertices.row(other)).norm();
             graph[one].push_back({other, metres});
             graph[other].push_back({one, metres});

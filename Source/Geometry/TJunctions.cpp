@@ -110,7 +110,7 @@ verticesOn(const Mesh& mesh, const VertexTree& tree, const FaceSide& edge, doubl
 
 int splitTJunctions(Mesh& mesh, double toleranceMetres) {
     const auto edges = boundaryEdgesOf(mesh);
-    if (edges.empty() || edges.size() > mostOpenEdges)
+    if (edges.empty() || edges.size() > maximumOpenEdges)
         return 0;
     VertexTree tree;
     plantBoundaryVertices(tree, mesh, edges);

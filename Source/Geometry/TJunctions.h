@@ -6,14 +6,14 @@
 namespace idiophone {
 
 /// A mesh with more edges of a single face than this is treated as a soup of triangles.
-inline constexpr int mostOpenEdges = 200'000;
+inline constexpr int maximumOpenEdges = 200'000;
 
 /// Splits every edge of a single face at the boundary vertices on it, so that the faces on its
 /// other side can join. A vertex is on the edge if it is closer than the tolerance, and farther
 /// than that from its ends. The edge then runs through the vertices, which stay in place. Returns
 /// the number of insertions.
 /// Stops when insertions exceed twice the boundary edges (plus 1,000): such a mesh is a tangle.
-/// Does nothing if more than `mostOpenEdges` edges have a single face. Drop degenerate and
+/// Does nothing if more than `maximumOpenEdges` edges have a single face. Drop degenerate and
 /// duplicate faces before and after: new ones may appear.
 int splitTJunctions(Mesh& mesh, double toleranceMetres);
 

@@ -70,12 +70,12 @@ DrivingPoint::DrivingPoint(const ModalObject& object,
                            const SynthesisSettings& settings,
                            double slotSizeRatio,
                            const PitchMode* pitch) noexcept
-    : modes(std::min(object.modeCount(), mostModes)) {
+    : modes(std::min(object.modeCount(), maximumModes)) {
     const auto live = liveConditions(object.material, settings, slotSizeRatio, 1, pitch);
     const double thickness = object.hasLiveThickness() ? settings.thicknessRatio : 1;
     const double perMass = live.gainRatio / thickness;
     rigidPerKg = perMass * rigidMobilityPerKg(object, point);
-    std::array<float, mostModes> along, heard; // equal: the kernel projects twice
+    std::array<float, maximumModes> along, heard; // equal: the kernel projects twice
     projectShapes(pointShapes(object, point), point.normal, point.normal, modes, along.data(),
                   heard.data());
     for (std::size_t i = 0; i < modes; ++i) {

@@ -31,7 +31,7 @@ struct Collision {
 class DrivingPoint {
 public:
     /// The lowest modes; the others are too stiff to move during a contact.
-    static constexpr std::size_t mostModes = 512;
+    static constexpr std::size_t maximumModes = 512;
 
     DrivingPoint() = default;
     /// Takes the material, size and thickness from the settings. `slotSizeRatio` > 0 scales the
@@ -70,8 +70,8 @@ private:
 
     double rigidPerKg = 0; ///< 1/M and rotation
     std::size_t modes = 0;
-    std::array<double, mostModes> squaredShapes; ///< [modes] φ² [1/kg]
-    std::array<double, mostModes> eigenvalues;   ///< [modes] λ = ω² [rad²/s²]
+    std::array<double, maximumModes> squaredShapes; ///< [modes] φ² [1/kg]
+    std::array<double, maximumModes> eigenvalues;   ///< [modes] λ = ω² [rad²/s²]
 };
 
 } // namespace idiophone

@@ -99,9 +99,9 @@ std::uint64_t nextSerialNumber() {
 Result<void> boundedSlots(std::span<const SynthesiserSlot> slots,
                           const std::string& ofWhat,
                           const char* played) {
-    if (slots.size() > mostSlots)
+    if (slots.size() > maximumSlots)
         return failure(ofWhat + " has " + std::to_string(slots.size()) + " " + played +
-                       ", more than the " + std::to_string(mostSlots) + " that can be played");
+                       ", more than the " + std::to_string(maximumSlots) + " that can be played");
     const std::size_t modes = modesOf(slots);
     if (modes > maximumModesOfSlots)
         return failure(ofWhat + " has " + std::to_string(modes) + " modes on all " + played +

@@ -36,7 +36,7 @@ inline constexpr std::size_t maximumModesOfSlots = std::size_t{1} << 21;
 /// MiB.
 inline constexpr std::size_t maximumModesOfResizedKeys = std::size_t{1} << 19;
 /// Maximum of slots. Each uses as much memory as thirty more modes.
-inline constexpr std::size_t mostSlots = std::size_t{1} << 16;
+inline constexpr std::size_t maximumSlots = std::size_t{1} << 16;
 
 /// Fails if there are too many slots or modes. `ofWhat` names their owner in the error: a key map's
 /// object ("'plate'"), a scene or a file. `played` names the slots.

@@ -100,11 +100,11 @@ std::string JsonPlace::textOrEmpty() const {
     return value;
 }
 
-std::string JsonPlace::textCutTo(std::size_t mostBytes) const {
+std::string JsonPlace::textCutTo(std::size_t maximumBytes) const {
     if (!value.is_string())
         fail("is not a text");
     const auto& text = value.get_ref<const std::string&>();
-    auto size = std::min(text.size(), mostBytes);
+    auto size = std::min(text.size(), maximumBytes);
     while (size > 0 && size < text.size() &&
            (static_cast<unsigned char>(text[size]) & 0xc0) == 0x80)
         --size;

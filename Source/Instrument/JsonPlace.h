@@ -55,8 +55,8 @@ public:
     bool truth() const;
     std::string text() const; ///< not empty
     std::string textOrEmpty() const;
-    /// Returns a text of any length, cut between characters to at most `mostBytes`.
-    std::string textCutTo(std::size_t mostBytes) const;
+    /// Returns a text of any length, cut between characters to at most `maximumBytes`.
+    std::string textCutTo(std::size_t maximumBytes) const;
     Eigen::Vector3d vector(double reach) const;
     const nlohmann::json& json() const { return value; }
 

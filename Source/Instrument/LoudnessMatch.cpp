@@ -17,7 +17,7 @@ using enum ParameterId;
 
 constexpr double largestGainDb = 40;
 // The tolerance is 2 LU; the prediction's own error uses up the rest.
-constexpr double farthestFromMiddleDb = 1.5;
+constexpr double maximumFromMiddleDb = 1.5;
 
 void copyInto(ParameterValues& to,
               const ParameterValues& from,
@@ -165,7 +165,7 @@ double LoudnessMatch::gainOfKnown() noexcept {
         return 0;
     const double middle = gains[PhrasePrediction::middleVelocity];
     const double gain =
-        std::clamp(mean, middle - farthestFromMiddleDb, middle + farthestFromMiddleDb);
+        std::clamp(mean, middle - maximumFromMiddleDb, middle + maximumFromMiddleDb);
     return std::clamp(gain, -largestGainDb, largestGainDb);
 }
 

@@ -13,7 +13,7 @@ bool ModeSet::set(const std::string& object, std::int32_t mode, bool isIn) {
     }
     if (contains(object, mode))
         return true;
-    if (mode < 0 || mode >= mostModes || size() >= capacity)
+    if (mode < 0 || mode >= maximumModes || size() >= capacity)
         return false;
     modes[object].insert(mode);
     ++count;

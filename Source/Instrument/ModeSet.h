@@ -15,8 +15,8 @@ class ModeSet {
 public:
     /// Maximum of modes of all objects together.
     static constexpr std::size_t capacity = 16384;
-    /// Modes of an object are numbered from 0 to mostModes − 1.
-    static constexpr std::int32_t mostModes = 1 << 20;
+    /// Modes of an object are numbered from 0 to maximumModes − 1.
+    static constexpr std::int32_t maximumModes = 1 << 20;
 
     /// Adds or removes a mode. Returns false if the set is full or the number is out of range.
     bool set(const std::string& object, std::int32_t mode, bool isIn);

@@ -224,8 +224,8 @@ void PhrasePrediction::addModes(std::size_t count) noexcept {
     if (listening > 0)
         for (std::size_t channel = 0; channel < radiated.size(); ++channel)
             object.radiation.weightsAt(std::min(channel, object.radiation.directions.size() - 1),
-                                       conditions.radiationRatio, nextMode,
-                                       std::span(radiated[channel]).first(count));
+                                       conditions.radiationRatio,
+                                       std::span(radiated[channel]).first(count), nextMode);
     const auto near = static_cast<float>(contactMicrophonePascals * conditions.gainRatio);
     const auto far = static_cast<float>(conditions.radiationGainRatio);
     for (std::size_t i = 0; i < count; ++i) {

@@ -39,7 +39,7 @@ const char* kindName(KeyMapKind wanted) {
 
 std::vector<std::array<double, 3>> parsePath(const JsonPlace& path) {
     std::vector<std::array<double, 3>> points;
-    for (const auto& place : path.list(mostPathPoints)) {
+    for (const auto& place : path.list(maximumPathPoints)) {
         const auto point = place.vector(1);
         points.push_back({point.x(), point.y(), point.z()});
     }
@@ -108,7 +108,7 @@ ModeSet parseMutedModes(const JsonPlace& place) {
     ModeSet muted;
     for (const auto& [name, modes] : place.members())
         for (const auto& mode : modes.list(ModeSet::capacity))
-            if (!muted.set(name, mode.integer(0, ModeSet::mostModes - 1), true))
+            if (!muted.set(name, mode.integer(0, ModeSet::maximumModes - 1), true))
                 place.fail("are more than " + std::to_string(ModeSet::capacity));
     return muted;
 }

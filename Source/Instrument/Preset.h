@@ -90,8 +90,8 @@ inline constexpr std::size_t maximumTags = 1000;
 /// with any name of its preset.
 inline constexpr std::size_t longestNameBytes = 500; ///< limit of a name, an author and each tag
 inline constexpr std::size_t longestDescriptionBytes = 4000;
-inline constexpr std::size_t longestTagsBytes = 4000; ///< together; later tags are dropped
-inline constexpr std::size_t mostPathPoints = 1000;   ///< of KeyMap::strikePath
+inline constexpr std::size_t longestTagsBytes = 4000;  ///< together; later tags are dropped
+inline constexpr std::size_t maximumPathPoints = 1000; ///< of KeyMap::strikePath
 
 /// Parses a preset file; `name` stands for it in errors. It fails if the file is too large, not
 /// JSON, or lacks a value or has a wrong one. It does not look for the objects and scenes. Not for

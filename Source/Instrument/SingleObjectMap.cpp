@@ -143,11 +143,11 @@ std::vector<Point> relativePath(const ModalObject& object, const std::vector<Poi
     for (const auto& point : pathMetres)
         if (std::ranges::all_of(point, [](double x) { return std::isfinite(x); }))
             finite.push_back(box.relative(point));
-    if (finite.size() <= mostPathPoints)
+    if (finite.size() <= maximumPathPoints)
         return finite;
     std::vector<Point> path;
-    for (std::size_t i = 0; i < mostPathPoints; ++i)
-        path.push_back(finite[i * (finite.size() - 1) / (mostPathPoints - 1)]);
+    for (std::size_t i = 0; i < maximumPathPoints; ++i)
+        path.push_back(finite[i * (finite.size() - 1) / (maximumPathPoints - 1)]);
     return path;
 }
 

@@ -33,22 +33,22 @@ Result<Material> validated(Material material) {
         {"restitution", material.restitution, 0, 1},
         {"roughness", material.roughness, 0, 1},
     };
+    const auto refuse = [&](const std::string& fault) {
+        return failure("material " + inQuotes(material.name) + ": " + fault);
+    };
     for (const auto& rule : rules)
         if (!(rule.value >= rule.lowest && rule.value <= rule.highest)) // also rejects NaN
-            return failure("material " + inQuotes(material.name) + ": the " + rule.what +
-                           " is out of range: " + numberText(rule.value));
+            return refuse(std::string("the ") + rule.what +
+                          " is out of range: " + numberText(rule.value));
     if (material.name.size() > longestNameBytes)
-        return failure("material " + inQuotes(material.name) + ": its name is longer than " +
-                       std::to_string(longestNameBytes) + " bytes");
+        return refuse("its name is longer than " + std::to_string(longestNameBytes) + " bytes");
     if (material.source.size() > longestSourceBytes)
-        return failure("material " + inQuotes(material.name) + ": its source is longer than " +
-                       std::to_string(longestSourceBytes) + " bytes");
+        return refuse("its source is longer than " + std::to_string(longestSourceBytes) + " bytes");
     if (material.grain)
         if (const auto constants =
                 validated(orthotropicElasticity(material.youngsModulusPa, *material.grain));
             !constants)
-            return failure("material " + inQuotes(material.name) + ": " +
-                           constants.error().message);
+            return refuse(constants.error().message);
     return material;
 }
 

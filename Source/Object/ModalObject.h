@@ -23,7 +23,7 @@ inline constexpr float largestShape = 1e8f;
 
 /// The maximum number of modes of an object. A large bell has some thousands up to 20 kHz. A player
 /// needs half a kilobyte for each mode, however small the file is.
-inline constexpr std::size_t mostObjectModes = 65536;
+inline constexpr std::size_t maximumObjectModes = 65536;
 
 enum class BodyKind { solid, shell };
 

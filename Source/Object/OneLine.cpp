@@ -52,11 +52,11 @@ std::size_t shownBytes(std::string_view text) {
 
 } // namespace
 
-std::string oneLine(std::string_view text, std::size_t mostBytes) {
+std::string oneLine(std::string_view text, std::size_t maximumBytes) {
     std::string result;
     for (std::size_t i = 0; i < text.size();) {
         const auto size = shownBytes(text.substr(i));
-        if (i + std::max<std::size_t>(size, 1) > mostBytes)
+        if (i + std::max<std::size_t>(size, 1) > maximumBytes)
             return result + "...";
         if (size == 0)
             result += '?';

@@ -7,10 +7,10 @@
 
 namespace idiophone {
 
-/// Returns at most `mostBytes` bytes of the text, then "..." if it was cut. Replaces the bytes of
-/// control characters and of invalid UTF-8 by '?'. Characters that change the writing direction
+/// Returns at most `maximumBytes` bytes of the text, then "..." if it was cut. Replaces the bytes
+/// of control characters and of invalid UTF-8 by '?'. Characters that change the writing direction
 /// count as control characters.
-std::string oneLine(std::string_view text, std::size_t mostBytes = 100);
+std::string oneLine(std::string_view text, std::size_t maximumBytes = 100);
 
 /// Does the same and adds single quotes.
 std::string inQuotes(std::string_view text);

@@ -28,14 +28,8 @@ phasorBetween(std::complex<float> from, std::complex<float> to, float share) noe
 
 void RadiationTable::weightsAt(std::size_t direction,
                                double frequencyRatio,
-                               std::span<std::complex<float>> modeWeights) const noexcept {
-    weightsAt(direction, frequencyRatio, 0, modeWeights);
-}
-
-void RadiationTable::weightsAt(std::size_t direction,
-                               double frequencyRatio,
-                               std::size_t firstMode,
-                               std::span<std::complex<float>> modeWeights) const noexcept {
+                               std::span<std::complex<float>> modeWeights,
+                               std::size_t firstMode) const noexcept {
     const std::size_t ratios = frequencyRatios.size();
     const std::size_t modes = weights.size() / directions.size() / ratios;
     const auto* const rows = weights.data() + direction * ratios * modes + firstMode;
@@ -89,10 +83,10 @@ std::string faultOf(const RadiationTable& table, std::size_t modeCount) {
     if (std::ranges::adjacent_find(table.frequencyRatios, std::greater_equal{}) !=
         table.frequencyRatios.end())
         return "the frequency ratios of the radiation are not in ascending order";
-    if (!std::ranges::all_of(table.weights, [](std::complex<float> w) {
-            return std::isfinite(w.real()) && std::isfinite(w.imag());
-        }))
-        return "a weight of the radiation is not a finite number";
+    // A mountain that moves at 1 m/s radiates less. All results stay finite in single precision.
+    if (!std::ranges::all_of(table.weights,
+                             [](std::complex<float> w) { return std::abs(w) <= 1e8f; }))
+        return "a weight of the radiation is beyond 1e8 Pa·m";
     return {};
 }
 

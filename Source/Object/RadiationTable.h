@@ -27,21 +27,16 @@ struct RadiationTable {
 
     bool empty() const noexcept { return weights.empty(); }
 
-    /// Writes the weights of all modes. Interpolates magnitude and phase separately, so that no
+    /// Writes the weights of the modes from `firstMode` on, as many as `modeWeights` has elements.
+    /// Interpolates magnitude and phase separately, so that no
     /// weight vanishes between two ratios. Below the table, weights fall with the square of the
     /// ratio, as for bodies without net flow. Above it, the weights of the last ratio apply. For a
     /// ratio that is not a positive number, those of the first ratio apply. Expects a table that is
-    /// not empty, `direction` < D and M elements in `modeWeights`. Audio thread: does not allocate
-    /// or lock.
+    /// not empty and `direction` < D. Audio thread: does not allocate or lock.
     void weightsAt(std::size_t direction,
                    double frequencyRatio,
-                   std::span<std::complex<float>> modeWeights) const noexcept;
-
-    /// Writes the weights of the modes from `firstMode` on, as many as `modeWeights` has elements.
-    void weightsAt(std::size_t direction,
-                   double frequencyRatio,
-                   std::size_t firstMode,
-                   std::span<std::complex<float>> modeWeights) const noexcept;
+                   std::span<std::complex<float>> modeWeights,
+                   std::size_t firstMode = 0) const noexcept;
 
     /// Returns the direction nearest to a listener's, given in mesh coordinates with any length.
     /// Returns nothing if the table only has left and right of the front. Audio thread.

@@ -30,7 +30,7 @@ parseRows(const JsonPlace& place, const std::string& what, double lowest, double
                  .figure = figures[4].number(lowest, highest)};
         for (int axis = 0; axis < 3; ++axis)
             next.pointMetres(axis) =
-                figures[static_cast<std::size_t>(axis) + 1].number(-farthestMetres, farthestMetres);
+                figures[static_cast<std::size_t>(axis) + 1].number(-maximumMetres, maximumMetres);
         if (!rows.empty() && !(next.seconds > rows.back().seconds))
             row.fail("is not later than the one before it");
         rows.push_back(next);

@@ -10,7 +10,7 @@ namespace idiophone {
 
 /// Bounds of every place and time in a scene. Single precision and the rigid bodies stay accurate
 /// within them.
-inline constexpr double farthestMetres = 1000;
+inline constexpr double maximumMetres = 1000;
 inline constexpr double longestSeconds = 3600;
 
 /// Returns the index of the named kind. Both functions throw JsonPlace::Fault.

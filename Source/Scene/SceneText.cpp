@@ -64,7 +64,7 @@ BodyTemplate parseKind(const JsonPlace& place) {
     read(place, "restitution", kind.restitution, &JsonPlace::number, 0, 1);
     read(place, "rolling_friction", kind.rollingFrictionMetres, &JsonPlace::number, 0, 1);
     read(place, "contact_radius", kind.contactRadiusMetres, &JsonPlace::number, 1e-5,
-         farthestMetres);
+         maximumMetres);
     read(place, "surface", kind.surface, surfaceAt);
     if (!kind.isFixed && (kind.form == BodyForm::surface || kind.form == BodyForm::ground))
         place.at("form").fail("is for fixed bodies only");
@@ -98,7 +98,7 @@ Release parseRelease(const JsonPlace& place, const std::vector<BodyTemplate>& ki
     read(place, "count", release.count, &JsonPlace::integer, 1, maximumBodies);
     read(place, "time", release.seconds, &JsonPlace::number, 0, longestSeconds);
     read(place, "over", release.overSeconds, &JsonPlace::number, 0, longestSeconds);
-    release.positionMetres = parseScattered(place, "at", farthestMetres);
+    release.positionMetres = parseScattered(place, "at", maximumMetres);
     release.turnedDegrees = parseScattered(place, "turned", 360);
     read(place, "turned_at_random", release.isTurnedAtRandom, &JsonPlace::truth);
     release.velocityMetresPerSecond = parseScattered(place, "velocity", fastestMetresPerSecond);
@@ -123,7 +123,7 @@ KeyboardStage parseKeyboard(const JsonPlace& place) {
     KeyboardStage stage;
     stage.preset = place.at("preset").text();
     read(place, "spacing", stage.spacingMetres, &JsonPlace::number, 0.001, 10);
-    read(place, "at", stage.positionMetres, &JsonPlace::vector, farthestMetres);
+    read(place, "at", stage.positionMetres, &JsonPlace::vector, maximumMetres);
     return stage;
 }
 
@@ -157,15 +157,15 @@ NoteDrop parseNoteDrop(const JsonPlace& place, const std::vector<BodyTemplate>& 
     if (place.has("scatter"))
         drop.reachMetres = place.at("scatter").vector(10).cwiseAbs().head<2>();
     read(place, "life", drop.lifeSeconds, &JsonPlace::number, 0.01, 60);
-    read(place, "at", drop.positionMetres, &JsonPlace::vector, farthestMetres);
+    read(place, "at", drop.positionMetres, &JsonPlace::vector, maximumMetres);
     return drop;
 }
 
 Listener parseListener(const JsonPlace& place) {
     place.allow({"at", "towards"});
     Listener listener;
-    read(place, "at", listener.positionMetres, &JsonPlace::vector, farthestMetres);
-    read(place, "towards", listener.towardsMetres, &JsonPlace::vector, farthestMetres);
+    read(place, "at", listener.positionMetres, &JsonPlace::vector, maximumMetres);
+    read(place, "towards", listener.towardsMetres, &JsonPlace::vector, maximumMetres);
     if ((listener.towardsMetres - listener.positionMetres).norm() < 1e-6)
         place.fail("is at the place it looks towards");
     return listener;

@@ -28,17 +28,13 @@ TEST_CASE("An isotropic law is the same along any grain") {
     const auto straight = elasticLaw(elasticity);
     const auto turned =
         elasticLaw(elasticity, {.grain = {1, 2, 3}, .radial = Eigen::Vector3d(-1, 1, 0.5)});
-    REQUIRE(straight);
-    REQUIRE(turned);
-    CHECK((straight->stiffnessPa - turned->stiffnessPa).norm() <
-          1e-12 * straight->stiffnessPa.norm());
+    CHECK((straight.stiffnessPa - turned.stiffnessPa).norm() < 1e-12 * straight.stiffnessPa.norm());
 }
 
 TEST_CASE("A wood's law returns its constants along its axes") {
     const auto law = elasticLaw(
         roundWood, {.grain = Eigen::Vector3d::UnitY(), .radial = Eigen::Vector3d::UnitX()});
-    REQUIRE(law);
-    const Matrix6d s = law->stiffnessPa.inverse();
+    const Matrix6d s = law.stiffnessPa.inverse();
     CHECK_THAT(1 / s(1, 1), WithinRel(16e9, 1e-12)); // L along y
     CHECK_THAT(1 / s(0, 0), WithinRel(2e9, 1e-12));  // R along x
     CHECK_THAT(1 / s(2, 2), WithinRel(1e9, 1e-12));  // T along z
@@ -54,29 +50,17 @@ TEST_CASE("Young's modulus at an angle to the grain follows the compliance trans
     const double angle = 0.5, c = std::cos(angle), s = std::sin(angle);
     const auto law = elasticLaw(
         roundWood, {.grain = Eigen::Vector3d(c, s, 0), .radial = Eigen::Vector3d(-s, c, 0)});
-    REQUIRE(law);
     // Jones, Mechanics of Composite Materials, eq. 2.97: off-axis modulus of a lamina.
     const double inverse =
         std::pow(c, 4) / 16e9 + (1 / 1.2e9 - 2 * 0.3 / 16e9) * c * c * s * s + std::pow(s, 4) / 2e9;
-    CHECK_THAT(law->stiffnessPa.inverse()(0, 0), WithinRel(inverse, 1e-12));
+    CHECK_THAT(law.stiffnessPa.inverse()(0, 0), WithinRel(inverse, 1e-12));
 }
 
 TEST_CASE("The radial direction is made perpendicular to the grain") {
     const auto exact = elasticLaw(roundWood, {.grain = {2, 0, 0}});
     const auto leaning =
         elasticLaw(roundWood, {.grain = {1, 0, 0}, .radial = Eigen::Vector3d(5, 0, 3)});
-    REQUIRE(exact);
-    REQUIRE(leaning);
-    CHECK((exact->stiffnessPa - leaning->stiffnessPa).norm() < 1e-12 * exact->stiffnessPa.norm());
-}
-
-TEST_CASE("Grain and radial directions that are zero, parallel or NaN are refused") {
-    CHECK_FALSE(elasticLaw(roundWood, {.grain = {0, 0, 0}}));
-    CHECK_FALSE(elasticLaw(roundWood, {.grain = {1, 0, 0}, .radial = Eigen::Vector3d(-2, 0, 0)}));
-    CHECK_FALSE(elasticLaw(roundWood, {.grain = {NAN, 0, 1}}));
-    auto impossible = roundWood;
-    impossible.shearModulusRTPa = 0;
-    CHECK_FALSE(elasticLaw(impossible));
+    CHECK((exact.stiffnessPa - leaning.stiffnessPa).norm() < 1e-12 * exact.stiffnessPa.norm());
 }
 
 TEST_CASE("The slowest wave of an isotropic body is its shear wave") {
@@ -84,15 +68,14 @@ TEST_CASE("The slowest wave of an isotropic body is its shear wave") {
     const auto law = elasticLaw(material);
     CHECK_THAT(slowestShearSpeedMetresPerSecond(law, 1000),
                WithinRel(std::sqrt(20e9 / 2.6 / 1000), 1e-9));
-    CHECK_THAT(leastYoungsModulusPa(law), WithinRel(20e9, 1e-9));
+    CHECK_THAT(minimumYoungsModulusPa(law), WithinRel(20e9, 1e-9));
 }
 
 TEST_CASE(
     "Wood's slowest wave is at most rolling shear, and its minimum modulus is across the grain") {
     const auto law = elasticLaw(roundWood);
-    REQUIRE(law);
     const double rolling = std::sqrt(0.3e9 / 700);
-    CHECK(slowestShearSpeedMetresPerSecond(*law, 700) <= rolling * 1.02);
-    CHECK(slowestShearSpeedMetresPerSecond(*law, 700) > 0.7 * rolling);
-    CHECK(leastYoungsModulusPa(*law) < 1e9 * 1.02);
+    CHECK(slowestShearSpeedMetresPerSecond(law, 700) <= rolling * 1.02);
+    CHECK(slowestShearSpeedMetresPerSecond(law, 700) > 0.7 * rolling);
+    CHECK(minimumYoungsModulusPa(law) < 1e9 * 1.02);
 }

@@ -1,6 +1,5 @@
-#include "Analysis/FactoryShapes.h"
-
 #include "Analysis/BarTuning.h"
+#include "Analysis/FactoryObjects.h"
 #include "Object/ModalObjectFile.h"
 
 #include <Eigen/QR>
@@ -61,18 +60,18 @@ void checkPairs(const ModalObject& object, std::size_t pairs) {
                    WithinRel(frequencyHz(object, 2 * pair), 2e-4));
 }
 
-void checkFile(const ModalObject& object, std::size_t mostBytes) {
+void checkFile(const ModalObject& object, std::size_t maximumBytes) {
     CHECK(validated(object));
     CHECK(object.provenance.zeroModes == 6);
     CHECK_FALSE(object.provenance.source.empty());
     CHECK(object.provenance.analysisSeconds > 0);
     CHECK((object.shapeVertexCount() >= 40 && object.shapeVertexCount() <= 240));
     CHECK_FALSE(object.radiation.empty());
-    CHECK(encodeModalObject(object, ShapePrecision::half).size() <= mostBytes);
+    CHECK(encodeModalObject(object, ShapePrecision::half).size() <= maximumBytes);
 }
 
 ModalObject made(const std::string& name) {
-    auto object = makeFactoryShape(name);
+    auto object = makeFactoryObject(name);
     REQUIRE(object);
     CHECK(object->name == name);
     return std::move(*object);
@@ -182,11 +181,11 @@ TEST_CASE("A tubular bell's fourth bending mode, a pair, is an octave above its 
 }
 
 TEST_CASE("Every shape has a unique name, and unknown names give an error") {
-    const auto names = factoryShapeNames();
+    const auto names = factoryObjectNames();
     CHECK(std::set<std::string>(names.begin(), names.end()).size() == names.size());
     CHECK(std::ranges::count(names, "tubular-bell-60") == 1);
     CHECK(std::ranges::count(names, "tubular-bell-77") == 1);
-    const auto refused = makeFactoryShape("tubular-bell-59");
+    const auto refused = makeFactoryObject("tubular-bell-59");
     REQUIRE_FALSE(refused);
     CHECK(refused.error().message.find("tubular-bell-59") != std::string::npos);
 }
@@ -194,7 +193,7 @@ TEST_CASE("Every shape has a unique name, and unknown names give an error") {
 TEST_CASE("A shape's analysis can be cancelled") {
     const std::atomic<bool> cancelled = true;
     for (const auto* name : {"ring", "handbell", "tubular-bell-60"}) {
-        const auto object = makeFactoryShape(name, {.progress = {}, .cancelled = &cancelled});
+        const auto object = makeFactoryObject(name, {.progress = {}, .cancelled = &cancelled});
         REQUIRE_FALSE(object);
         CHECK(object.error().message == cancelledMessage);
     }

@@ -38,10 +38,10 @@ TEST_CASE("The kernel for this processor multiplies like Eigen for every remaind
                 for (const bool isTransposed : {false, true}) {
                     Vectors c = before;
                     const Index width = transposed.cols();
-                    denseKernels().addProduct(rows, columns, inner, -2,
-                                              isTransposed ? transposed.data() : a.data(),
-                                              isTransposed ? 1 : a.cols(), isTransposed ? width : 1,
-                                              b.data(), b.cols(), c.data(), c.cols());
+                    addProduct({rows, columns, inner, -2,
+                                isTransposed ? transposed.data() : a.data(),
+                                isTransposed ? 1 : a.cols(), isTransposed ? width : 1, b.data(),
+                                b.cols(), c.data(), c.cols()});
                     Vectors expected = before;
                     expected.leftCols(columns) -=
                         2 * MatrixXd(a.leftCols(inner)) * MatrixXd(b.leftCols(columns));

@@ -1,5 +1,5 @@
 // Tests of previews: playable until the full analysis is done, with few elements for any mesh.
-#include "Analysis/PreviewAnalysis.h"
+#include "Analysis/ModalAnalysis.h"
 
 #include "Geometry/ParametricMesh.h"
 #include "Support/GeneratedMeshes.h"

@@ -74,8 +74,7 @@ TEST_CASE("Mass, first and second moments of a block are exact") {
 TEST_CASE("Uniform strain stores half of strain times stress, also for wood at an angle") {
     const auto mesh = block();
     const auto law = elasticLaw(roundWood, {.grain = {3, 1, 0.5}});
-    REQUIRE(law);
-    const auto model = quadraticTetrahedra(mesh, *law, 700);
+    const auto model = quadraticTetrahedra(mesh, law, 700);
     Eigen::Matrix3d gradient;
     gradient << 1, 0.3, -0.2, 0.1, -0.5, 0.7, 0.4, 0.2, 0.6;
     const auto u = sampled(mesh, [&](const auto& p) { return Eigen::Vector3d(gradient * p); });
@@ -83,7 +82,7 @@ TEST_CASE("Uniform strain stores half of strain times stress, also for wood at a
     Eigen::Matrix<double, 6, 1> strain;
     strain << e(0, 0), e(1, 1), e(2, 2), 2 * e(1, 2), 2 * e(0, 2), 2 * e(0, 1);
     CHECK_THAT(product(model.stiffness, u, u),
-               WithinRel(0.006 * strain.dot(law->stiffnessPa * strain), 1e-11));
+               WithinRel(0.006 * strain.dot(law.stiffnessPa * strain), 1e-11));
 }
 
 TEST_CASE("Pure bending, a quadratic displacement, stores exactly E κ²/2 times the second moment") {
@@ -147,12 +146,10 @@ TEST_CASE("A wooden bar rotated with its grain keeps its frequencies within 1e-8
     const auto straight = elasticLaw(wood),
                turned =
                    elasticLaw(wood, {.grain = turn.col(0), .radial = Eigen::Vector3d(turn.col(2))});
-    REQUIRE(straight);
-    REQUIRE(turned);
     const FrequencyBand band{.lowestHz = 20, .highestHz = 5000};
-    const auto before = solveModes(quadraticTetrahedra(mesh, *straight, 700), band);
+    const auto before = solveModes(quadraticTetrahedra(mesh, straight, 700), band);
     mesh.nodes = (mesh.nodes * turn.transpose()).eval();
-    const auto after = solveModes(quadraticTetrahedra(mesh, *turned, 700), band);
+    const auto after = solveModes(quadraticTetrahedra(mesh, turned, 700), band);
     REQUIRE(before);
     REQUIRE(after);
     REQUIRE(before->eigenvalues.size() == after->eigenvalues.size());

@@ -329,23 +329,13 @@ TEST_CASE("A strike sounds the same for any basis of equal poles with weights in
     checkSameResidues(body, withTurnedBases(body).body);
 }
 
-TEST_CASE("Invalid radiation input gives a one-sentence error") {
-    auto body = sphere([](const Eigen::Vector3d& n) { return n; });
-    const auto errorOf = [](const Body& b, const RadiationSettings& settings = {}) {
-        const auto radiation = radiationOf({b.mesh, b.shapes, b.eigenvalues}, settings);
-        return radiation ? "" : radiation.error().message;
-    };
-    CHECK(errorOf(body).empty());
-    CHECK_THAT(errorOf(body, {{}, {1}}), ContainsSubstring("direction"));
-    CHECK_THAT(errorOf(body, {alongZ, {}}), ContainsSubstring("ratio"));
-    auto open = body;
+TEST_CASE("An open surface needs a thickness to radiate") {
+    auto open = sphere([](const Eigen::Vector3d& n) { return n; });
+    CHECK(radiationOf({open.mesh, open.shapes, open.eigenvalues}));
     open.mesh.faces.conservativeResize(open.mesh.faceCount() - 1, 3);
-    CHECK_THAT(errorOf(open), ContainsSubstring("needs a thickness"));
-    auto flat = body;
-    flat.mesh.vertices.setZero();
-    CHECK_THAT(errorOf(flat), ContainsSubstring("no area"));
-    body.shapes.conservativeResize(30, 1);
-    CHECK_THAT(errorOf(body), ContainsSubstring("do not belong"));
+    const auto refused = radiationOf({open.mesh, open.shapes, open.eigenvalues});
+    REQUIRE_FALSE(refused);
+    CHECK_THAT(refused.error().message, ContainsSubstring("needs a thickness"));
 }
 
 TEST_CASE("Radiation does not depend on the number of threads") {

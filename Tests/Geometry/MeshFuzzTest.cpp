@@ -148,7 +148,7 @@ void tryEverything(const Mesh& mesh) {
     const auto repaired = repairMesh(mesh);
     if (!repaired) {
         checkSentence(repaired.error());
-        CHECK_FALSE(remesh(mesh, {.edgeLengthMetres = 0.1}));
+        CHECK_FALSE(remesh(mesh, 0.1));
         CHECK_FALSE(decimate(mesh, 50));
         return;
     }
@@ -166,7 +166,7 @@ void tryEverything(const Mesh& mesh) {
         CHECK(check.volumeM3 <= 1.001 * extent.prod());
     const double size = boundingDiagonalMetres(repaired->mesh);
     for (const double share : {0.07, 0.3})
-        checkManifold(remesh(mesh, {.edgeLengthMetres = share * size}));
+        checkManifold(remesh(mesh, share * size));
     for (const int budget : {4, 30}) {
         const auto decimated = decimate(mesh, budget);
         checkManifold(decimated);

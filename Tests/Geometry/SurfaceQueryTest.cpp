@@ -120,7 +120,7 @@ TEST_CASE("A ray down onto a flat sheet hits everywhere, also at edges and verti
         }
     for (Eigen::Index v = 0; v < query.mesh().vertexCount(); ++v) {
         const Eigen::Vector3d at = query.mesh().vertices.row(v);
-        REQUIRE(query.nearestVertex(at + Eigen::Vector3d(0, 0, 0.001)) == v);
+        REQUIRE(nearestVertex(query.mesh(), at.transpose() + Eigen::RowVector3d(0, 0, 0.001)) == v);
         REQUIRE(query.nearestPoint(at).distanceMetres < 1e-12);
     }
     CHECK_FALSE(query.firstHit({0, 0, 0.3}, {0, 0, 1}));

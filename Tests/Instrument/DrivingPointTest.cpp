@@ -48,7 +48,7 @@ ModalObject bar(double massKg, double fundamentalHz) {
 /// A plate of 4 M/Z modes a hertz, so dense that a short contact meets a resistance.
 ModalObject plate(double massKg, double resistance) {
     std::vector<double> frequencies, squares;
-    for (std::size_t n = 1; n <= DrivingPoint::mostModes; ++n) {
+    for (std::size_t n = 1; n <= DrivingPoint::maximumModes; ++n) {
         frequencies.push_back(static_cast<double>(n) * resistance / (4 * massKg));
         squares.push_back(1 / massKg);
     }

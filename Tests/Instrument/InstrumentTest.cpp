@@ -85,8 +85,8 @@ TEST_CASE("Keys that share an object share its strip") {
 TEST_CASE("An instrument has a maximum number of modes on all keys together") {
     ObjectLibrary library;
     const auto kept =
-        library.add("crowd", syntheticObject(std::vector<double>(mostObjectModes, 440.0)));
-    const auto most = static_cast<int>(maximumModesOfSlots / mostObjectModes);
+        library.add("crowd", syntheticObject(std::vector<double>(maximumObjectModes, 440.0)));
+    const auto most = static_cast<int>(maximumModesOfSlots / maximumObjectModes);
     for (const auto kind : {KeyMapKind::bars, KeyMapKind::scaled}) {
         CHECK(Instrument::build(keyMap(kind, 0, most - 1, "crowd"), library));
         const auto built = Instrument::build(keyMap(kind, 0, most, "crowd"), library);
@@ -100,7 +100,7 @@ TEST_CASE("An instrument has a maximum number of modes on all keys together") {
 TEST_CASE("An instrument has a maximum number of slots, however few modes they have") {
     const SynthesiserSlot slot{.object =
                                    std::make_shared<const ModalObject>(syntheticObject({440}))};
-    std::vector<SynthesiserSlot> slots(mostSlots, slot);
+    std::vector<SynthesiserSlot> slots(maximumSlots, slot);
     CHECK(boundedSlots(slots, "heap.jsonl", "bodies"));
     slots.push_back(slot);
     const auto bounded = boundedSlots(slots, "heap.jsonl", "bodies");

@@ -26,7 +26,7 @@ TEST_CASE("Modes are added and removed object by object") {
 TEST_CASE("A full set takes no more modes, and no set takes an invalid number") {
     ModeSet set;
     CHECK_FALSE(set.set("a", -1, true));
-    CHECK_FALSE(set.set("a", ModeSet::mostModes, true));
+    CHECK_FALSE(set.set("a", ModeSet::maximumModes, true));
     CHECK(set.empty());
     for (std::int32_t mode = 0; mode < std::int32_t{ModeSet::capacity}; ++mode)
         REQUIRE(set.set(mode % 2 == 0 ? "a" : "b", mode, true));

@@ -38,7 +38,7 @@ Preset example() {
     preset.seed = 4294967295;
     preset.mutedModes.set("/a/bowl.modal", 3, true);
     preset.mutedModes.set("/a/bowl.modal", 0, true);
-    preset.mutedModes.set("ü", ModeSet::mostModes - 1, true);
+    preset.mutedModes.set("ü", ModeSet::maximumModes - 1, true);
     return preset;
 }
 

@@ -40,7 +40,7 @@ TEST_CASE("Each malformed field is named") {
             o.shapes.clear();
         },
         "no vertex");
-    refuse([](auto& o) { o = syntheticObject(std::vector<double>(mostObjectModes + 1, 440.0)); },
+    refuse([](auto& o) { o = syntheticObject(std::vector<double>(maximumObjectModes + 1, 440.0)); },
            "more than 65536 modes");
     refuse([](auto& o) { o.shapes.pop_back(); }, "size of the mode shapes");
     refuse(
@@ -121,7 +121,7 @@ TEST_CASE("An object at the limits of all ranges is accepted") {
         INFO((result ? "" : result.error().message));
         CHECK(result);
     }
-    CHECK(validated(syntheticObject(std::vector<double>(mostObjectModes, 440.0))));
+    CHECK(validated(syntheticObject(std::vector<double>(maximumObjectModes, 440.0))));
 }
 
 TEST_CASE("A mode's damping scale is its measured decay over half the law's damping") {

@@ -113,7 +113,7 @@ TEST_CASE("Each malformed part of a radiation table is named") {
 TEST_CASE("The weights from a mode on equal those of all modes from there on") {
     for (const double ratio : {0.3, 0.7, 1.0, 2.0, 9.0}) {
         Weights one(1);
-        table().weightsAt(1, ratio, 1, one);
+        table().weightsAt(1, ratio, one, 1);
         CHECK(one[0] == at(1, ratio)[1]);
     }
 }

@@ -17,7 +17,7 @@ using Catch::Matchers::ContainsSubstring;
 namespace {
 
 constexpr std::size_t manyModes = 20'000; // the tables take 2.56 MB, the file a tenth of it
-constexpr std::size_t mostBytes = 2'000'000;
+constexpr std::size_t maximumBytes = 2'000'000;
 
 ModalObject objectOf(std::size_t modes) {
     std::vector<double> frequenciesHz(modes);
@@ -84,7 +84,7 @@ TEST_CASE("An object with many modes on many keys is refused, and the current so
     }
     SECTION("opened in the window, for a key map with as many modes") {
         const auto file = testFolder() / "Crowd.modal";
-        REQUIRE(writeModalObject(objectOf(mostObjectModes), file));
+        REQUIRE(writeModalObject(objectOf(maximumObjectModes), file));
         processor.view().workshop.openFile(file);
         finish(processor);
         checkKept(processor, "Crowd cannot be played: 'imported/Crowd");
@@ -109,7 +109,7 @@ TEST_CASE("A sound that needs too much memory is refused, and the current sound 
     SECTION("of a state") {
         restoreTest(processor);
         {
-            const MemoryLimit limit(mostBytes);
+            const MemoryLimit limit(maximumBytes);
             restoreBytes(processor, bytes);
         }
         checkKept(processor, "Crowded" + noMemory);
@@ -132,7 +132,7 @@ TEST_CASE("A sound that needs too much memory is refused, and the current sound 
         REQUIRE(writeModalObject(objectOf(manyModes), user.folder() / "Presets/crowd.modal"));
         restoreTest(processor);
         {
-            const MemoryLimit limit(mostBytes);
+            const MemoryLimit limit(maximumBytes);
             REQUIRE(processor.view().presets.loadPreset("Crowd.json"));
         }
         checkKept(processor, "Crowded" + noMemory);
@@ -162,7 +162,7 @@ TEST_CASE("A sound that needs too much memory is refused, and the current sound 
         restoreBytes(processor, bytes);
         CHECK_FALSE(processor.view().status.takeStatus().isError);
         {
-            const MemoryLimit limit(mostBytes);
+            const MemoryLimit limit(maximumBytes);
             processor.prepareToPlay(48000, blockSamples);
         }
         CHECK(processor.view().status.takeStatus().sentence == "Crowded" + noMemory);
@@ -189,7 +189,7 @@ TEST_CASE("A picture that needs too much memory is not drawn, and the current so
     restore(processor, state);
     REQUIRE_FALSE(processor.view().status.takeStatus().isError);
     {
-        const MemoryLimit limit(mostBytes);
+        const MemoryLimit limit(maximumBytes);
         view.refresh();
     }
     CHECK_FALSE(view.strikeAt({150, 150}));

@@ -32,7 +32,7 @@ struct Watch {
     int allocations = 0, locks = 0, systemCalls = 0;
     const char* first = nullptr;
     int firstSystemCall = -1;
-    std::size_t mostBytes = SIZE_MAX; ///< limit of one allocation
+    std::size_t maximumBytes = SIZE_MAX; ///< limit of one allocation
     bool startsNoThreads = false;
     std::function<void()>* atAllocations = nullptr;
 };
@@ -117,7 +117,7 @@ void __libc_free(void*);
 
 void* malloc(std::size_t size) {
     noteAllocation("malloc");
-    return size > watch.mostBytes ? nullptr : __libc_malloc(size);
+    return size > watch.maximumBytes ? nullptr : __libc_malloc(size);
 }
 void* calloc(std::size_t count, std::size_t size) {
     noteAllocation("calloc");
@@ -133,11 +133,11 @@ void* memalign(std::size_t alignment, std::size_t size) {
 }
 void* aligned_alloc(std::size_t alignment, std::size_t size) {
     noteAllocation("aligned_alloc");
-    return size > watch.mostBytes ? nullptr : __libc_memalign(alignment, size);
+    return size > watch.maximumBytes ? nullptr : __libc_memalign(alignment, size);
 }
 int posix_memalign(void** block, std::size_t alignment, std::size_t size) {
     noteAllocation("posix_memalign");
-    *block = size > watch.mostBytes ? nullptr : __libc_memalign(alignment, size);
+    *block = size > watch.maximumBytes ? nullptr : __libc_memalign(alignment, size);
     return *block == nullptr ? ENOMEM : 0;
 }
 void free(void* block) {
@@ -230,12 +230,12 @@ RealTimeFaults endRealTimeWatch() {
     return faults;
 }
 
-MemoryLimit::MemoryLimit(std::size_t mostBytes) {
-    watch.mostBytes = mostBytes;
+MemoryLimit::MemoryLimit(std::size_t maximumBytes) {
+    watch.maximumBytes = maximumBytes;
 }
 
 MemoryLimit::~MemoryLimit() {
-    watch.mostBytes = SIZE_MAX;
+    watch.maximumBytes = SIZE_MAX;
 }
 
 NoThreads::NoThreads() {

@@ -34,11 +34,11 @@ RealTimeFaults faultsOf(Callback&& callback) {
     return endRealTimeWatch();
 }
 
-/// While it lives, `new` throws on this thread for more than `mostBytes` in one piece. Needs
+/// While it lives, `new` throws on this thread for more than `maximumBytes` in one piece. Needs
 /// `realTimeTrapWorks`.
 class MemoryLimit {
 public:
-    explicit MemoryLimit(std::size_t mostBytes);
+    explicit MemoryLimit(std::size_t maximumBytes);
     MemoryLimit(const MemoryLimit&) = delete;
     MemoryLimit& operator=(const MemoryLimit&) = delete;
     ~MemoryLimit();
