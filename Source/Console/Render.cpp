@@ -135,8 +135,7 @@ Result<RenderTally> playSong(const Preset& preset,
                   preset.matched());
     player.setTuning(*tuning);
     player.setSilencedModes(silencedModes(player.instrument(), preset.mutedModes, {}));
-    auto tally = renderSong(player, *song, effect.values, options.format, to,
-                            options.midi.filename().string());
+    auto tally = renderSong(player, *song, effect.values, to, options.midi.filename().string());
     if (tally)
         warnOfNotes(preset, player.instrument(), *tally, options);
     return tally;
@@ -153,10 +152,9 @@ Result<void> render(const RenderOptions& options) {
     auto recording = Recording::start(options.format, values);
     if (!recording)
         return tl::unexpected(recording.error());
-    const auto tally =
-        options.midi.empty()
-            ? renderImpulses(options.impulses, values, *assigned, options.format, **recording)
-            : playSong(*preset, values, *assigned, options, **recording);
+    const auto tally = options.midi.empty()
+                           ? renderImpulses(options.impulses, values, *assigned, **recording)
+                           : playSong(*preset, values, *assigned, options, **recording);
     if (!tally)
         return tl::unexpected(tally.error());
     return report(*tally, **recording, options);

@@ -188,7 +188,7 @@ Result<void> strikeObject(const StrikeOptions& options) {
     const SongEvent noteOn{.seconds = 0,
                            .bytes = {0x90, struckKey, static_cast<std::uint8_t>(options.velocity)}};
     Player player(*instrument, options.format.sampleRateHz);
-    const auto tally = renderSong(player, {&noteOn, 1}, values, options.format, **recording,
+    const auto tally = renderSong(player, {&noteOn, 1}, values, **recording,
                                   options.format.file.filename().string());
     if (!tally)
         return tl::unexpected(tally.error());
