@@ -1,6 +1,5 @@
 #include "Editor/ImportForm.h"
 
-#include "Editor/Look.h"
 #include "Editor/Utf8.h"
 
 #include <algorithm>
@@ -115,12 +114,9 @@ void ImportForm::describe(juce::Component& field,
     if (auto* client = dynamic_cast<juce::SettableTooltipClient*>(&field))
         client->setTooltip(tooltip);
     name.setText(title, juce::dontSendNotification);
-    name.setFont(Look::textFont());
-    name.setBorderSize({0, 0, 0, 0});
     name.setAccessible(false);
     name.setInterceptsMouseClicks(false, false);
-    addAndMakeVisible(name);
-    addAndMakeVisible(field);
+    showParts(*this, name, field);
 }
 
 void ImportForm::fillMaterials() {

@@ -1,6 +1,7 @@
 // The import settings as a form: unit, material, thickness and method.
 #pragma once
 
+#include "Editor/Look.h"
 #include "Editor/ProcessorView.h"
 
 #include <array>
@@ -51,7 +52,7 @@ private:
     juce::ComboBox unit, method;
     MaterialList material;
     juce::Label thickness;
-    std::array<juce::Label, 4> names;
+    std::array<TextLabel, 4> names;
 };
 
 } // namespace idiophone

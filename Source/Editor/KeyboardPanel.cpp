@@ -41,45 +41,6 @@ int computerKeysBase(InstrumentView::KeyRange range) {
     return reached(below + 12) > reached(below) ? below + 12 : below;
 }
 
-void KeyboardPanel::Keys::drawWhiteNote(int note,
-                                        juce::Graphics& g,
-                                        juce::Rectangle<float> area,
-                                        bool isDown,
-                                        bool isOver,
-                                        juce::Colour lineColour,
-                                        juce::Colour textColour) {
-    MidiKeyboardComponent::drawWhiteNote(note, g, area, isDown, isOver, lineColour, textColour);
-    shadeUnlessOwn(note, g, area);
-}
-
-void KeyboardPanel::Keys::drawBlackNote(int note,
-                                        juce::Graphics& g,
-                                        juce::Rectangle<float> area,
-                                        bool isDown,
-                                        bool isOver,
-                                        juce::Colour fillColour) {
-    MidiKeyboardComponent::drawBlackNote(note, g, area, isDown, isOver, fillColour);
-    shadeUnlessOwn(note, g, area);
-}
-
-void KeyboardPanel::Keys::shadeUnlessOwn(int note,
-                                         juce::Graphics& g,
-                                         juce::Rectangle<float> area) const {
-    using enum InstrumentView::KeySound;
-    const auto sound = owner.sounds[static_cast<std::size_t>(note & 127)];
-    if (sound == own)
-        return;
-    g.setColour(juce::Colour(sound == resized ? 0x58707a88 : 0xa0808286));
-    g.fillRect(area);
-}
-
-bool KeyboardPanel::Keys::keyStateChanged(bool isDown) {
-    if (auto& held = owner.octaveKey;
-        held != 0 && !juce::KeyPress::isKeyCurrentlyDown(static_cast<int>(held)))
-        held = 0;
-    return MidiKeyboardComponent::keyStateChanged(isDown);
-}
-
 KeyboardPanel::KeyboardPanel(ProcessorView& processor) : view(processor) {
     keyboard.setScrollButtonsVisible(false);
     keyboard.setOctaveForMiddleC(4);

@@ -41,24 +41,42 @@ private:
         explicit Keys(KeyboardPanel& panel)
             : MidiKeyboardComponent(panel.state, horizontalKeyboard), owner(panel) {}
 
-        bool keyStateChanged(bool isDown) override;
-
+        bool keyStateChanged(bool isDown) override {
+            if (auto& held = owner.octaveKey;
+                held != 0 && !juce::KeyPress::isKeyCurrentlyDown(static_cast<int>(held)))
+                held = 0;
+            return MidiKeyboardComponent::keyStateChanged(isDown);
+        }
         void drawWhiteNote(int note,
                            juce::Graphics& g,
                            juce::Rectangle<float> area,
                            bool isDown,
                            bool isOver,
                            juce::Colour lineColour,
-                           juce::Colour textColour) override;
+                           juce::Colour textColour) override {
+            MidiKeyboardComponent::drawWhiteNote(note, g, area, isDown, isOver, lineColour,
+                                                 textColour);
+            shadeUnlessOwn(note, g, area);
+        }
         void drawBlackNote(int note,
                            juce::Graphics& g,
                            juce::Rectangle<float> area,
                            bool isDown,
                            bool isOver,
-                           juce::Colour fillColour) override;
+                           juce::Colour fillColour) override {
+            MidiKeyboardComponent::drawBlackNote(note, g, area, isDown, isOver, fillColour);
+            shadeUnlessOwn(note, g, area);
+        }
 
     private:
-        void shadeUnlessOwn(int note, juce::Graphics& g, juce::Rectangle<float> area) const;
+        void shadeUnlessOwn(int note, juce::Graphics& g, juce::Rectangle<float> area) const {
+            using enum InstrumentView::KeySound;
+            const auto sound = owner.sounds[static_cast<std::size_t>(note)];
+            if (sound == own)
+                return;
+            g.setColour(juce::Colour(sound == resized ? 0x58707a88 : 0xa0808286));
+            g.fillRect(area);
+        }
 
         KeyboardPanel& owner;
     };

@@ -55,9 +55,24 @@ private:
     LookScheme current;
 };
 
+/// A label without border. A text that does not fit becomes narrower.
+class TextLabel final : public juce::Label {
+public:
+    TextLabel() {
+        setFont(Look::textFont());
+        setBorderSize({});
+        setMinimumHorizontalScale(0.8f);
+    }
+};
+
 juce::Colour colourOf(const juce::Component& component, LookColour colour);
 
 /// The colour in a scheme, for code without a component.
 juce::Colour colourOf(LookScheme scheme, LookColour colour);
+
+template <class... Parts>
+void showParts(juce::Component& parent, Parts&... parts) {
+    (parent.addAndMakeVisible(parts), ...);
+}
 
 } // namespace idiophone

@@ -2,7 +2,6 @@
 
 #include "Editor/Look.h"
 #include "Editor/MaterialColour.h"
-#include "Editor/ParameterChange.h"
 #include "Editor/Utf8.h"
 
 #include <algorithm>
@@ -85,7 +84,7 @@ std::optional<std::size_t> MaterialPad::namedAt(juce::Point<float> position) con
 }
 
 void MaterialPad::choose(std::size_t named) {
-    changeOnce(view, ParameterId::material, double(firstLibraryMaterial) + double(named));
+    view.parameters.changeOnce(ParameterId::material, double(firstLibraryMaterial) + double(named));
     refresh();
 }
 

@@ -44,8 +44,7 @@ ObjectPane::ObjectPane(ProcessorView& processor)
     pause.onClick = [this] { view.stage.pauseStage(pause.getToggleState()); };
     add(reset, "Remove the bodies and their captured impacts", false);
     reset.onClick = [this] { view.stage.resetStage(); };
-    addAndMakeVisible(midi);
-    addAndMakeVisible(impulses);
+    showParts(*this, midi, impulses);
     showStageButtons();
 }
 

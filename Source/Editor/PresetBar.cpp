@@ -1,6 +1,5 @@
 #include "Editor/PresetBar.h"
 
-#include "Editor/CommandKey.h"
 #include "Editor/Icons.h"
 #include "Editor/Look.h"
 #include "Editor/Utf8.h"
@@ -84,10 +83,8 @@ PresetBar::PresetBar(ProcessorView& processor)
     copying.onClick = [this] { view.variants.copyToOther(); };
     undo.onClick = [this] { view.history.undo(); };
     redo.onClick = [this] { view.history.redo(); };
-    for (auto* child :
-         std::initializer_list<juce::Component*>{&previous, name.get(), &next, &favourite, &saving,
-                                                 &compare, &copying, &mutation, &undo, &redo})
-        addAndMakeVisible(child);
+    showParts(*this, previous, *name, next, favourite, saving, compare, copying, mutation, undo,
+              redo);
     refresh();
 }
 
@@ -186,11 +183,14 @@ void PresetBar::refreshHistory() {
 }
 
 bool PresetBar::handleKey(const juce::KeyPress& key) {
-    if (isCommand(key, 'z'))
+    using juce::KeyPress;
+    constexpr int command = juce::ModifierKeys::commandModifier;
+    if (key == KeyPress('z', command, 0))
         view.history.undo();
-    else if (isCommand(key, 'z', true) || isCommand(key, 'y'))
+    else if (key == KeyPress('z', command | juce::ModifierKeys::shiftModifier, 0) ||
+             key == KeyPress('y', command, 0))
         view.history.redo();
-    else if (isCommand(key, 's'))
+    else if (key == KeyPress('s', command, 0))
         save();
     else
         return false;

@@ -1,6 +1,7 @@
 #include "Editor/PresetForm.h"
 
 #include "Editor/Look.h"
+#include "Editor/PresetSearch.h"
 #include "Editor/Utf8.h"
 
 namespace idiophone {
@@ -34,7 +35,6 @@ PresetForm::PresetForm() {
     editor(nameField).setInputRestrictions(100);
     sentence.setFont(Look::textFont());
     sentence.setMinimumHorizontalScale(0.8f);
-    addAndMakeVisible(sentence);
     yes.onClick = [this] {
         if (onAnswer != nullptr)
             onAnswer(details());
@@ -42,8 +42,7 @@ PresetForm::PresetForm() {
     no.onClick = [this] { juce::NullCheckedInvocation::invoke(onCancel); };
     no.setTitle("Cancel");
     sentence.setTitle("Question");
-    addAndMakeVisible(yes);
-    addAndMakeVisible(no);
+    showParts(*this, sentence, yes, no);
 }
 
 void PresetForm::name(const juce::String& answer, const juce::String& title) {
@@ -83,12 +82,9 @@ void PresetForm::show(std::initializer_list<Place> wanted) {
 
 void PresetForm::askForDetails(const PresetDetails& first) {
     setTitle("Save the sound");
-    juce::StringArray tags;
-    for (const auto& tag : first.tags)
-        tags.add(fromUtf8(tag));
     editor(nameField).setText(fromUtf8(first.name), false);
     editor(folderField).setText(fromUtf8(first.folder), false);
-    editor(tagField).setText(tags.joinIntoString(", "), false);
+    editor(tagField).setText(tagLine(first.tags), false);
     editor(authorField).setText(fromUtf8(first.author), false);
     editor(descriptionField).setText(fromUtf8(first.description), false);
     sentence.setText({}, juce::dontSendNotification);

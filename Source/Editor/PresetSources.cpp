@@ -47,8 +47,7 @@ void PresetSources::Choices::selectedRowsChanged(int) {
 
 PresetSources::PresetSources() {
     sourceList.onChoice = tagList.onChoice = [this] { followChoice(); };
-    addAndMakeVisible(sourceList);
-    addAndMakeVisible(tagList);
+    showParts(*this, sourceList, tagList);
 }
 
 void PresetSources::show(const std::vector<ShelvedPreset>& presets) {
