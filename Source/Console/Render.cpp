@@ -105,11 +105,6 @@ void warnOfNotes(const Preset& preset,
     std::cerr << std::endl;
 }
 
-bool isPressure(const SongEvent& event) {
-    const int kind = event.bytes[0] & 0xf0;
-    return kind == 0xa0 || kind == 0xd0;
-}
-
 Result<RenderTally> playSong(const Preset& preset,
                              const ParameterValues& values,
                              std::span<const ParameterId> assigned,
@@ -129,7 +124,7 @@ Result<RenderTally> playSong(const Preset& preset,
         assignedEffect(values, assigned,
                        {.by = (*instrument)->stage() ? PlayedBy::stage : PlayedBy::mallets,
                         .slots = (*instrument)->slots(),
-                        .isPressed = std::ranges::any_of(*song, isPressure)});
+                        .isPressed = std::ranges::any_of(*song, &SongEvent::isPressure)});
     print(effect.warnings);
     Player player(std::move(*instrument), options.format.sampleRateHz, preset.surface, preset.seed,
                   preset.matched());
