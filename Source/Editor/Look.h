@@ -1,4 +1,5 @@
-// Colours, fonts and the shapes that differ from JUCE's look; a dark and a light scheme.
+// Colours, fonts and the shapes that differ from JUCE's look; a dark and a light scheme. Also what
+// many parts of the window set up alike.
 #pragma once
 
 #include <juce_gui_basics/juce_gui_basics.h>
