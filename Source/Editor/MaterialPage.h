@@ -83,9 +83,7 @@ private:
     static constexpr int settledTicks = 12;
     static constexpr int gap = 16, lowestRow = 34, highestRow = 50, lineHeight = 26;
 
-    static constexpr std::array parameters{
-        ParameterId::youngsModulus,       ParameterId::density,    ParameterId::fluidDamping,
-        ParameterId::viscoelasticDamping, ParameterId::lossFactor, ParameterId::material};
+    static constexpr auto& parameters = customMaterialParameters;
     using Figures = std::array<double, parameters.size()>;
 
     Figures figuresNow() const {
