@@ -13,93 +13,71 @@ namespace {
 
 using enum ParameterId;
 
-/// A parameter that acts only under a condition on other values or on what is played.
-struct Condition {
-    ParameterId parameter;
-    bool (*acts)(const ParameterValues&, const Played&);
-    const char* saying; ///< why it does not act, or which values it needs
-};
-
-bool isStruck(const ParameterValues& values, const Played&) {
-    return strikes(values);
-}
-bool isHeld(const ParameterValues& values, const Played&) {
-    return !strikes(values);
-}
-bool isRolled(const ParameterValues& values, const Played&) {
-    return static_cast<int>(values[contact]) == rollContact;
-}
-bool hasTubes(const ParameterValues&, const Played& played) {
-    return std::ranges::any_of(played.slots,
-                               [](const auto& slot) { return !slot.object->gains.empty(); });
-}
-bool motorModulates(const ParameterValues& values, const Played&) {
-    return values[motorDepth] > 0;
-}
-/// All other settings follow the host's tempo.
-bool isFree(const ParameterValues& values, const Played&) {
-    return motorSyncBeats(static_cast<int>(values[motorSync])) == 0;
-}
-bool hasRoom(const ParameterValues& values, const Played&) {
-    return values[room] > 0;
-}
-bool keysDamp(const ParameterValues& values, const Played& played) {
-    return values[letRing] == 0 || (played.isPressed && strikes(values));
-}
-bool hasPath(const ParameterValues&, const Played& played) {
-    return !played.isOnePoint;
-}
-bool hasShells(const ParameterValues&, const Played& played) {
-    return hasLiveThickness(played.slots);
-}
-bool hasPitches(const ParameterValues&, const Played& played) {
-    return hasPitch(played.slots);
-}
-bool hasRadiation(const ParameterValues&, const Played& played) {
+bool hasRadiation(const Played& played) {
     return std::ranges::any_of(played.slots,
                                [](const auto& slot) { return !slot.object->radiation.empty(); });
 }
-/// Scenes are heard by two ears.
-bool isStereo(const ParameterValues& values, const Played& played) {
-    return played.by == PlayedBy::stage || played.by == PlayedBy::scene || values[room] > 0 ||
-           (values[radiation] > 0 && hasRadiation(values, played));
-}
 
-constexpr const char* whileStruck = "it needs contact=Strike";
-constexpr const char* whileHeld = "it needs contact=Scrape or contact=Roll";
-constexpr const char* overTubes = "no object is a bar over a tube";
-constexpr const char* onPaths = "there is only one point to strike";
+/// Parameters that act only under a condition on other values or on what is played.
+struct Condition {
+    std::initializer_list<ParameterId> parameters;
+    const char* saying; ///< why they do not act, or which values they need
+    bool (*isMet)(const ParameterValues&, const Played&);
+};
 
 constexpr Condition conditions[]{
-    {strikeSpread, isStruck, whileStruck},
-    {malletHardness, isStruck, whileStruck},
-    {malletMass, isStruck, whileStruck},
-    {malletRadius, isStruck, whileStruck},
-    {malletExponent, isStruck, whileStruck},
-    {malletFollow, isStruck, whileStruck},
-    {malletSpeed, isStruck, whileStruck},
-    {velocityCurve, isStruck, whileStruck},
-    {mallet, isStruck, whileStruck},
-    {chatter, isStruck, whileStruck},
-    {modalPulse, isStruck, whileStruck},
-    {contactForce, isHeld, whileHeld},
-    {contactSpeed, isHeld, whileHeld},
-    {roughness, isHeld, whileHeld},
-    {rollCoupling, isRolled, "it needs contact=Roll"},
-    {strikeAlong, hasPath, onPaths},
-    {strikeAcross, hasPath, onPaths},
-    {strikeSpread, hasPath, onPaths},
-    {releaseTime, keysDamp, "it needs let_ring=off, or strikes with pressure that damps keys"},
-    {motorDepth, hasTubes, overTubes},
-    {motorSpeed, hasTubes, overTubes},
-    {motorSync, hasTubes, overTubes},
-    {motorSpeed, motorModulates, "it needs motor_depth above 0"},
-    {motorSync, isFree, "there is no host with a tempo; use motor_speed"},
-    {roomDecay, hasRoom, "it needs room above 0"},
-    {thickness, hasShells, "no object is a shell"},
-    {keepPitch, hasPitches, "no key has a pitch of its own"},
-    {radiation, hasRadiation, "no object was analysed with its radiation"},
-    {width, isStereo, "both channels are equal; it needs radiation or room above 0"}};
+    {{strikeSpread, malletHardness, malletMass, malletRadius, malletExponent, malletFollow,
+      malletSpeed, velocityCurve, mallet, chatter, modalPulse},
+     "it needs contact=Strike",
+     [](const auto& values, const auto&) { return strikes(values); }},
+    {{contactForce, contactSpeed, roughness},
+     "it needs contact=Scrape or contact=Roll",
+     [](const auto& values, const auto&) { return !strikes(values); }},
+    {{rollCoupling},
+     "it needs contact=Roll",
+     [](const auto& values, const auto&) {
+         return static_cast<int>(values[contact]) == rollContact;
+     }},
+    {{strikeAlong, strikeAcross, strikeSpread},
+     "there is only one point to strike",
+     [](const auto&, const auto& played) { return !played.isOnePoint; }},
+    {{releaseTime},
+     "it needs let_ring=off, or strikes with pressure that damps keys",
+     [](const auto& values, const auto& played) {
+         return values[letRing] == 0 || (played.isPressed && strikes(values));
+     }},
+    {{motorDepth, motorSpeed, motorSync},
+     "no object is a bar over a tube",
+     [](const auto&, const auto& played) {
+         return std::ranges::any_of(played.slots,
+                                    [](const auto& slot) { return !slot.object->gains.empty(); });
+     }},
+    {{motorSpeed},
+     "it needs motor_depth above 0",
+     [](const auto& values, const auto&) { return values[motorDepth] > 0; }},
+    {{motorSync}, // all settings but the free one follow the host's tempo
+     "there is no host with a tempo; use motor_speed",
+     [](const auto& values, const auto&) {
+         return motorSyncBeats(static_cast<int>(values[motorSync])) == 0;
+     }},
+    {{roomDecay},
+     "it needs room above 0",
+     [](const auto& values, const auto&) { return values[room] > 0; }},
+    {{thickness},
+     "no object is a shell",
+     [](const auto&, const auto& played) { return hasLiveThickness(played.slots); }},
+    {{keepPitch},
+     "no key has a pitch of its own",
+     [](const auto&, const auto& played) { return hasPitch(played.slots); }},
+    {{radiation},
+     "no object was analysed with its radiation",
+     [](const auto&, const auto& played) { return hasRadiation(played); }},
+    {{width}, // scenes are heard by two ears
+     "both channels are equal; it needs radiation or room above 0",
+     [](const auto& values, const auto& played) {
+         return played.by == PlayedBy::stage || played.by == PlayedBy::scene || values[room] > 0 ||
+                (values[radiation] > 0 && hasRadiation(played));
+     }}};
 
 /// Parameters without effect where no mallets play.
 constexpr std::array ofMallets{
@@ -123,7 +101,7 @@ whyIdle(ParameterId parameter, const ParameterValues& values, const Played& play
         (isAmong(ofMallets, parameter) || isAmong(ofKeys, parameter)))
         return "it needs keys";
     for (const auto& condition : conditions)
-        if (condition.parameter == parameter && !condition.acts(values, played))
+        if (isAmong(condition.parameters, parameter) && !condition.isMet(values, played))
             return condition.saying;
     return {};
 }

@@ -1,6 +1,6 @@
 #include "Analysis/FactoryObjects.h"
 #include "Console/Command.h"
-#include "Console/OutputCheck.h"
+#include "Console/OptionChecks.h"
 #include "Console/ProgressLine.h"
 #include "Object/FileBytes.h"
 #include "Object/ModalObjectFile.h"

@@ -177,12 +177,11 @@ private:
 Result<RenderTally> renderImpulses(const std::filesystem::path& file,
                                    const ParameterValues& parameters,
                                    std::span<const ParameterId> assigned,
-                                   const RecordingFormat& format,
                                    Recording& recording) {
     const auto impulses = readImpulses(file);
     if (!impulses)
         return tl::unexpected(impulses.error());
-    const auto score = arrange(*impulses, file, format.file);
+    const auto score = arrange(*impulses, file, recording.format.file);
     if (!score)
         return tl::unexpected(score.error());
 
@@ -190,22 +189,21 @@ Result<RenderTally> renderImpulses(const std::filesystem::path& file,
     const auto effect =
         assignedEffect(parameters, assigned, {.by = PlayedBy::impulses, .slots = score->slots});
     print(effect.warnings);
-    CellPlayer player(*score, synthesisSettings(effect.values), format.sampleRateHz);
-    if (auto done =
-            renderTo(recording, format,
-                     {.name = file.filename().string(),
-                      .lastSample = static_cast<std::int64_t>(score->contacts.back().seconds *
-                                                              format.sampleRateHz),
-                      .pieceSamples = cellSamples,
-                      .render =
-                          [&](std::int64_t count) {
-                              return player.next(tally).subspan(0, static_cast<std::size_t>(count));
-                          },
-                      .finished = [&] { return player.finished(); }});
-        !done)
-        return tl::unexpected(done.error());
-    player.warnOfLeftOut(file);
-    return tally;
+    const double rate = recording.format.sampleRateHz;
+    CellPlayer player(*score, synthesisSettings(effect.values), rate);
+    return renderTo(recording,
+                    {.name = file.filename().string(),
+                     .lastSample = static_cast<std::int64_t>(score->contacts.back().seconds * rate),
+                     .pieceSamples = cellSamples,
+                     .render =
+                         [&](std::int64_t count) {
+                             return player.next(tally).subspan(0, static_cast<std::size_t>(count));
+                         },
+                     .finished = [&] { return player.finished(); }})
+        .map([&] {
+            player.warnOfLeftOut(file);
+            return tally;
+        });
 }
 
 } // namespace idiophone

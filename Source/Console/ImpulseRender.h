@@ -9,13 +9,12 @@
 
 namespace idiophone {
 
-/// Reads the impulses and their objects. Renders up to the format's length, or else to silence
+/// Reads the impulses and their objects. Renders up to the recording's length, or else to silence
 /// after the last contact. `assigned` are the parameters set by name. Impulses act at their time to
 /// a fraction of a sample.
 Result<RenderTally> renderImpulses(const std::filesystem::path& file,
                                    const ParameterValues& parameters,
                                    std::span<const ParameterId> assigned,
-                                   const RecordingFormat& format,
                                    Recording& recording);
 
 } // namespace idiophone

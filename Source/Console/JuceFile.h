@@ -7,15 +7,9 @@
 
 namespace idiophone {
 
-inline juce::String juceText(const std::filesystem::path& path) {
-    const auto text = path.u8string();
-    return juce::String::fromUTF8(reinterpret_cast<const char*>(text.data()),
-                                  static_cast<int>(text.size()));
-}
-
 inline juce::File juceFile(const std::filesystem::path& file) {
     std::error_code ignored;
-    return juce::File(juceText(std::filesystem::absolute(file, ignored)));
+    return juce::String::fromUTF8(std::filesystem::absolute(file, ignored).u8string().c_str());
 }
 
 inline std::filesystem::path pathOf(const juce::File& file) {

@@ -86,26 +86,6 @@ void printParameters() {
     }
 }
 
-void addList(CLI::App& program,
-             Action& chosen,
-             const char* name,
-             const char* description,
-             ordered_json (*describeAll)(),
-             void (*printAll)()) {
-    auto* command = program.add_subcommand(name, description);
-    auto json = std::make_shared<bool>(false);
-    command->add_flag("--json", *json, "Writes the list as JSON");
-    command->final_callback([=, &chosen] {
-        chosen = [=]() -> Result<void> {
-            if (*json)
-                std::cout << jsonText(describeAll());
-            else
-                printAll();
-            return {};
-        };
-    });
-}
-
 ordered_json describeScenes() {
     ordered_json list = ordered_json::array();
     for (const auto& scene : factoryScenes())
@@ -121,12 +101,29 @@ void printScenes() {
         std::cout << leftColumn(scene.name, 22) << paragraph(scene.description, 22);
 }
 
+struct ListOptions {
+    bool json = false;
+};
+
+template <ordered_json (*describeAll)(), void (*printAll)()>
+void addList(CLI::App& program, Action& chosen, const char* name, const char* description) {
+    const auto [command, options] = addCommand<ListOptions>(
+        program, chosen, name, description, [](const ListOptions& wanted) -> Result<void> {
+            if (wanted.json)
+                std::cout << jsonText(describeAll());
+            else
+                printAll();
+            return {};
+        });
+    command->add_flag("--json", options->json, "Writes the list as JSON");
+}
+
 } // namespace
 
 void addLists(CLI::App& program, Action& chosen) {
-    addList(program, chosen, "parameters", "Lists the parameters that --set takes",
-            describeParameters, printParameters);
-    addList(program, chosen, "scenes", "Lists the factory scenes", describeScenes, printScenes);
+    addList<describeParameters, printParameters>(program, chosen, "parameters",
+                                                 "Lists the parameters that --set takes");
+    addList<describeScenes, printScenes>(program, chosen, "scenes", "Lists the factory scenes");
 }
 
 } // namespace idiophone

@@ -15,11 +15,6 @@ namespace {
 
 constexpr double longestSeconds = 36000;
 
-bool isPressure(const SongEvent& event) {
-    const int kind = event.bytes[0] & 0xf0;
-    return kind == 0xa0 || kind == 0xd0;
-}
-
 // Controllers precede the notes that start with them. Pressure follows, because it needs a key that
 // is down.
 int orderAtOneTime(const SongEvent& event) {
@@ -27,7 +22,7 @@ int orderAtOneTime(const SongEvent& event) {
         return 1;
     if (event.isNoteOn())
         return 2;
-    return isPressure(event) ? 3 : 0;
+    return event.isPressure() ? 3 : 0;
 }
 
 /// JUCE divides by the parts of this field.
@@ -84,7 +79,7 @@ std::vector<SongEvent> channelMessages(const MidiTracks& midi) {
         }
         const auto ofTrack = std::ranges::subrange(all.begin() + first, all.end());
         std::ranges::stable_sort(ofTrack, {}, [](const Ranked& each) {
-            return std::pair(each.event.seconds, isPressure(each.event));
+            return std::pair(each.event.seconds, each.event.isPressure());
         });
         std::map<std::pair<int, int>, std::vector<SongEvent*>> notes; // by channel and key
         for (auto& [event, order] : ofTrack)

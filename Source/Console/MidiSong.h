@@ -18,6 +18,7 @@ struct SongEvent {
     bool isNoteOff() const {
         return (bytes[0] & 0xf0) == 0x80 || ((bytes[0] & 0xf0) == 0x90 && bytes[2] == 0);
     }
+    bool isPressure() const { return (bytes[0] & 0xf0) == 0xa0 || (bytes[0] & 0xf0) == 0xd0; }
 };
 
 /// Returns the channel messages of all tracks, in order of time by the file's tempo map or SMPTE

@@ -1,9 +1,11 @@
-// Checks options of the command line.
+// Checks options of the command line, and early whether results can be written, so that a long task
+// does not fail at its end.
 #pragma once
 
 #include "Object/Result.h"
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 
 namespace idiophone {
 
@@ -16,5 +18,11 @@ inline constexpr auto writtenFile = "OUTPUT";
 /// Fails if a written file cannot be written, or if the command line names it again for reading or
 /// writing.
 Result<void> checkWrittenFiles(const CLI::App& command);
+
+/// Fails if `file` is a directory or no file can be created beside it.
+Result<void> checkWritable(const std::filesystem::path& file);
+
+/// Creates the directory if it does not exist. The error names it.
+Result<void> makeDirectory(const std::filesystem::path& directory);
 
 } // namespace idiophone

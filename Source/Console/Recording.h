@@ -36,6 +36,8 @@ public:
                                                     const ParameterValues& parameters);
     ~Recording();
 
+    const RecordingFormat format;
+
     /// Appends a block of at most the block size; both channels have equal length. Fails if the
     /// output is not finite.
     Result<void> add(std::span<const float> left, std::span<const float> right);
@@ -62,7 +64,6 @@ private:
     Result<void> writeSilence(std::int64_t samples);
     Result<void> write(int samples);
 
-    RecordingFormat format;
     ParameterValues parameters;
     std::unique_ptr<WavWriter> writer;
     OutputStage output;

@@ -105,11 +105,6 @@ void warnOfNotes(const Preset& preset,
     std::cerr << std::endl;
 }
 
-bool isPressure(const SongEvent& event) {
-    const int kind = event.bytes[0] & 0xf0;
-    return kind == 0xa0 || kind == 0xd0;
-}
-
 Result<RenderTally> playSong(const Preset& preset,
                              const ParameterValues& values,
                              std::span<const ParameterId> assigned,
@@ -129,14 +124,13 @@ Result<RenderTally> playSong(const Preset& preset,
         assignedEffect(values, assigned,
                        {.by = (*instrument)->stage() ? PlayedBy::stage : PlayedBy::mallets,
                         .slots = (*instrument)->slots(),
-                        .isPressed = std::ranges::any_of(*song, isPressure)});
+                        .isPressed = std::ranges::any_of(*song, &SongEvent::isPressure)});
     print(effect.warnings);
     Player player(std::move(*instrument), options.format.sampleRateHz, preset.surface, preset.seed,
                   preset.matched());
     player.setTuning(*tuning);
     player.setSilencedModes(silencedModes(player.instrument(), preset.mutedModes, {}));
-    auto tally = renderSong(player, *song, effect.values, options.format, to,
-                            options.midi.filename().string());
+    auto tally = renderSong(player, *song, effect.values, to, options.midi.filename().string());
     if (tally)
         warnOfNotes(preset, player.instrument(), *tally, options);
     return tally;
@@ -153,10 +147,9 @@ Result<void> render(const RenderOptions& options) {
     auto recording = Recording::start(options.format, values);
     if (!recording)
         return tl::unexpected(recording.error());
-    const auto tally =
-        options.midi.empty()
-            ? renderImpulses(options.impulses, values, *assigned, options.format, **recording)
-            : playSong(*preset, values, *assigned, options, **recording);
+    const auto tally = options.midi.empty()
+                           ? renderImpulses(options.impulses, values, *assigned, **recording)
+                           : playSong(*preset, values, *assigned, options, **recording);
     if (!tally)
         return tl::unexpected(tally.error());
     return report(*tally, **recording, options);

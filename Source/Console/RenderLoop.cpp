@@ -14,13 +14,13 @@ constexpr double longestTailSeconds = 30;
 
 } // namespace
 
-Result<void> renderTo(Recording& recording, const RecordingFormat& format, const RenderTask& task) {
+Result<void> renderTo(Recording& recording, const RenderTask& task) {
     const juce::ScopedNoDenormals asInTheAudioCallback;
     const auto& interrupted = interruptRequested();
-    const double rate = format.sampleRateHz;
-    const std::int64_t end = format.seconds
-                                 ? std::llround(*format.seconds * rate)
-                                 : task.lastSample + std::llround(longestTailSeconds * rate);
+    const double rate = recording.format.sampleRateHz;
+    const auto& seconds = recording.format.seconds;
+    const std::int64_t end = seconds ? std::llround(*seconds * rate)
+                                     : task.lastSample + std::llround(longestTailSeconds * rate);
     ProgressLine progress(task.name);
     for (std::int64_t position = 0; position < end;) {
         const auto piece = task.render(std::min(task.pieceSamples, end - position));
@@ -31,11 +31,11 @@ Result<void> renderTo(Recording& recording, const RecordingFormat& format, const
         if (interrupted)
             return failure(std::string(interruptedMessage));
         position += static_cast<std::int64_t>(piece->size());
-        if (!format.seconds && position > task.lastSample && task.finished() && recording.silent())
+        if (!seconds && position > task.lastSample && task.finished() && recording.silent())
             break;
         progress.show(static_cast<double>(position) / static_cast<double>(end), "");
     }
-    return recording.finish(format.seconds ? end : task.lastSample + 1);
+    return recording.finish(seconds ? end : task.lastSample + 1);
 }
 
 } // namespace idiophone

@@ -21,8 +21,8 @@ struct RenderTask {
     std::function<bool()> finished;
 };
 
-/// Renders up to the format's length, or else to silence after the last event, at most half a
+/// Renders up to the recording's length, or else to silence after the last event, at most half a
 /// minute later. Denormals are flushed, as in a host's callback.
-Result<void> renderTo(Recording& recording, const RecordingFormat& format, const RenderTask& task);
+Result<void> renderTo(Recording& recording, const RenderTask& task);
 
 } // namespace idiophone

@@ -171,7 +171,7 @@ Result<void> perform(const SceneOptions& options) {
     auto recording = Recording::start(options.format, values);
     if (!recording)
         return tl::unexpected(recording.error());
-    const auto tally = renderScene(*assets, head, song, values, options.format, **recording);
+    const auto tally = renderScene(*assets, head, song, values, **recording);
     if (!tally)
         return tl::unexpected(tally.error());
     if (!options.impulses.empty())

@@ -100,9 +100,8 @@ Result<SceneTally> renderScene(const std::shared_ptr<const SceneAssets>& assets,
                                const std::shared_ptr<const HeadResponses>& head,
                                std::span<const SongEvent> song,
                                const ParameterValues& parameters,
-                               const RecordingFormat& format,
                                Recording& recording) {
-    const double rate = format.sampleRateHz;
+    const double rate = recording.format.sampleRateHz;
     const double lastSeconds =
         std::max(assets->scene().seconds, song.empty() ? 0 : song.back().seconds);
     SceneSimulation motion(assets, {.notes = notesOf(song)});
@@ -110,20 +109,17 @@ Result<SceneTally> renderScene(const std::shared_ptr<const SceneAssets>& assets,
         !bounded)
         return tl::unexpected(bounded.error());
     SceneRenderer renderer(motion, *assets, head, parameters, rate);
-    if (auto done = renderTo(recording, format,
-                             {.name = assets->scene().name,
-                              .lastSample = std::llround(std::ceil(lastSeconds * rate)) - 1,
-                              .pieceSamples = cellSamples,
-                              .render = [&](std::int64_t count) -> Result<StereoSpan> {
-                                  const auto cell = renderer.next();
-                                  if (renderer.isCrowded())
-                                      return tl::unexpected(crowdedFault(assets->scene()));
-                                  return cell.subspan(0, static_cast<std::size_t>(count));
-                              },
-                              .finished = [&] { return renderer.finished(); }});
-        !done)
-        return tl::unexpected(done.error());
-    return std::move(renderer.tally);
+    return renderTo(recording, {.name = assets->scene().name,
+                                .lastSample = std::llround(std::ceil(lastSeconds * rate)) - 1,
+                                .pieceSamples = cellSamples,
+                                .render = [&](std::int64_t count) -> Result<StereoSpan> {
+                                    const auto cell = renderer.next();
+                                    if (renderer.isCrowded())
+                                        return tl::unexpected(crowdedFault(assets->scene()));
+                                    return cell.subspan(0, static_cast<std::size_t>(count));
+                                },
+                                .finished = [&] { return renderer.finished(); }})
+        .map([&] { return std::move(renderer.tally); });
 }
 
 } // namespace idiophone

@@ -33,13 +33,12 @@ struct SceneTally {
 
 inline constexpr double sceneFrameSeconds = 0.01;
 
-/// Renders up to the format's length, or else to silence after everything has ended. `head`: the
-/// listener's measured head at the format's sample rate; null selects a sphere.
+/// Renders up to the recording's length, or else to silence after everything has ended. `head`: the
+/// listener's measured head at the recording's sample rate; null selects a sphere.
 Result<SceneTally> renderScene(const std::shared_ptr<const SceneAssets>& assets,
                                const std::shared_ptr<const HeadResponses>& head,
                                std::span<const SongEvent> song,
                                const ParameterValues& parameters,
-                               const RecordingFormat& format,
                                Recording& recording);
 
 } // namespace idiophone

@@ -111,6 +111,16 @@ void limitResources() {
 #endif
 }
 
+struct SofaTableOptions {
+    std::string file, table;
+    int sampleRateHz = 0;
+};
+
+Result<void> writeTable(const SofaTableOptions& options) {
+    limitResources();
+    return writeTextFile(options.table, encode(readSofa(options.file, options.sampleRateHz)));
+}
+
 } // namespace
 
 Result<std::shared_ptr<const HeadResponses>> decodeSofaTable(std::string_view bytes) {
@@ -124,25 +134,14 @@ Result<std::shared_ptr<const HeadResponses>> decodeSofaTable(std::string_view by
 }
 
 void addSofaTable(CLI::App& program, Action& chosen) {
-    struct Options {
-        std::string file, table;
-        int sampleRateHz = 0;
-    };
-    auto* command = program.add_subcommand("sofa-table", "Reads a SOFA file for another process");
+    const auto [command, options] = addCommand<SofaTableOptions>(
+        program, chosen, "sofa-table", "Reads a SOFA file for another process", writeTable);
     command->group(""); // hides it from the list
-    auto options = std::make_shared<Options>();
     command->add_option("FILE", options->file)->required();
     command->add_option("RATE", options->sampleRateHz)
         ->required()
         ->check(CLI::Range(1000, 1000000));
     command->add_option("TABLE", options->table)->required();
-    command->final_callback([options, &chosen] {
-        chosen = [options] {
-            limitResources();
-            return writeTextFile(options->table,
-                                 encode(readSofa(options->file, options->sampleRateHz)));
-        };
-    });
 }
 
 } // namespace idiophone

@@ -26,9 +26,9 @@ void RenderTally::count(std::int64_t modesMixed) {
 Result<RenderTally> renderSong(Player& player,
                                std::span<const SongEvent> events,
                                const ParameterValues& parameters,
-                               const RecordingFormat& format,
                                Recording& recording,
                                const std::string& task) {
+    const auto& format = recording.format;
     const double rate = format.sampleRateHz;
     const std::int64_t lastEvent = events.empty() ? -1 : sampleOf(events.back(), rate);
     player.stage().setOffline(true);
@@ -69,15 +69,12 @@ Result<RenderTally> renderSong(Player& player,
         }
         return span;
     };
-    if (auto done = renderTo(recording, format,
-                             {.name = task,
-                              .lastSample = lastEvent,
-                              .pieceSamples = format.blockSize,
-                              .render = block,
-                              .finished = [&] { return player.silent(); }});
-        !done)
-        return tl::unexpected(done.error());
-    return tally;
+    return renderTo(recording, {.name = task,
+                                .lastSample = lastEvent,
+                                .pieceSamples = format.blockSize,
+                                .render = block,
+                                .finished = [&] { return player.silent(); }})
+        .map([&] { return tally; });
 }
 
 } // namespace idiophone

@@ -21,12 +21,11 @@ struct RenderTally {
     void count(std::int64_t modesMixed);
 };
 
-/// Renders up to the format's length, or else to silence after the last event. Every event acts at
-/// round(seconds × rate). `task` names the progress line. Ctrl-C ends in an error.
+/// Renders up to the recording's length, or else to silence after the last event. Every event acts
+/// at round(seconds × rate). `task` names the progress line. Ctrl-C ends in an error.
 Result<RenderTally> renderSong(Player& player,
                                std::span<const SongEvent> events,
                                const ParameterValues& parameters,
-                               const RecordingFormat& format,
                                Recording& recording,
                                const std::string& task);
 

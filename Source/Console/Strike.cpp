@@ -1,3 +1,4 @@
+#include "Analysis/PulseSpectrum.h"
 #include "Console/AssignedEffect.h"
 #include "Console/Command.h"
 #include "Console/JsonText.h"
@@ -5,18 +6,24 @@
 #include "Console/OptionChecks.h"
 #include "Console/ParameterAssignments.h"
 #include "Console/SongRender.h"
-#include "Console/StruckModes.h"
 #include "Geometry/LengthUnit.h"
 #include "Instrument/MalletStrike.h"
 #include "Instrument/ObjectBox.h"
 #include "Instrument/ObjectSurface.h"
+#include "Instrument/SettingsOfParameters.h"
 #include "Instrument/StrikePointMetres.h"
 #include "Object/ModalObjectFile.h"
 #include "Object/OneLine.h"
+#include "Synth/Listening.h"
+#include "Synth/LiveConditions.h"
+#include "Synth/PointShapes.h"
 
+#include <algorithm>
 #include <cmath>
 #include <iomanip>
 #include <iostream>
+#include <numbers>
+#include <ranges>
 
 namespace idiophone {
 namespace {
@@ -113,6 +120,44 @@ ModalObject withMaterial(ModalObject object, const Material& material) {
     return object;
 }
 
+struct StruckMode {
+    double frequencyHz = 0;      ///< damped, as it sounds
+    double relativeDecibels = 0; ///< initial amplitude relative to the loudest mode
+};
+
+/// Returns at most `count` modes below the Nyquist frequency, loudest first. A mode's initial
+/// amplitude is its residue at the strike, times the spectrum of the raised-cosine pulse at its
+/// frequency.
+std::vector<StruckMode> loudestModes(const ModalObject& object,
+                                     const Strike& strike,
+                                     const ParameterValues& parameters,
+                                     double sampleRateHz,
+                                     std::size_t count) {
+    const auto law = liveConditions(object.material, synthesisSettings(parameters)).law;
+    // φ·J and φ·ℓ of each mode, for an impulse J heard along ℓ.
+    std::vector<float> struck(object.modeCount()), heard(object.modeCount());
+    projectShapes(pointShapes(object, strike.point), strike.impulseNewtonSeconds,
+                  listeningDirection(strike.point), object.modeCount(), struck.data(),
+                  heard.data());
+    std::vector<StruckMode> modes;
+    for (std::size_t i = 0; i < object.modeCount(); ++i) {
+        const double frequencyHz =
+            dampedFrequency(law.pole(object.eigenvalues[i], object.damping(i))) /
+            (2 * std::numbers::pi);
+        const double residue =
+            std::abs(static_cast<double>(struck[i]) * static_cast<double>(heard[i]));
+        const double amplitude = residue * pulseSpectrum(frequencyHz * strike.durationSeconds);
+        if (frequencyHz > 0 && frequencyHz < sampleRateHz / 2 && amplitude > 0)
+            modes.push_back(
+                {.frequencyHz = frequencyHz, .relativeDecibels = 20 * std::log10(amplitude)});
+    }
+    std::ranges::stable_sort(modes, std::greater{}, &StruckMode::relativeDecibels);
+    modes.resize(std::min(modes.size(), count));
+    for (auto& mode : modes | std::views::reverse)
+        mode.relativeDecibels -= modes.front().relativeDecibels;
+    return modes;
+}
+
 /// Returns a key map of one key that strikes one vertex.
 KeyMap keyMapFor(const std::string& name, const ModalObject& object, std::size_t row) {
     return {.kind = KeyMapKind::zones,
@@ -124,7 +169,7 @@ KeyMap keyMapFor(const std::string& name, const ModalObject& object, std::size_t
 
 void report(const ModalObject& object,
             std::size_t row,
-            const StruckModes& modes,
+            const std::vector<StruckMode>& modes,
             const Recording& recording,
             const StrikeOptions& options) {
     const auto vertex = vertexOfRow(object, row);
@@ -188,7 +233,7 @@ Result<void> strikeObject(const StrikeOptions& options) {
     const SongEvent noteOn{.seconds = 0,
                            .bytes = {0x90, struckKey, static_cast<std::uint8_t>(options.velocity)}};
     Player player(*instrument, options.format.sampleRateHz);
-    const auto tally = renderSong(player, {&noteOn, 1}, values, options.format, **recording,
+    const auto tally = renderSong(player, {&noteOn, 1}, values, **recording,
                                   options.format.file.filename().string());
     if (!tally)
         return tl::unexpected(tally.error());

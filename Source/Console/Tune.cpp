@@ -3,7 +3,6 @@
 #include "Console/LoudnessMeter.h"
 #include "Console/MaterialChoice.h"
 #include "Console/OptionChecks.h"
-#include "Console/OutputCheck.h"
 #include "Console/ProgressLine.h"
 #include "Geometry/MeshWriter.h"
 #include "Instrument/Instrument.h"

@@ -1,7 +1,6 @@
 // A list of a parameter's choices. The material's list also offers the user's materials.
 #pragma once
 
-#include "Editor/ParameterChange.h"
 #include "Editor/ProcessorView.h"
 #include "Editor/Utf8.h"
 
@@ -87,7 +86,7 @@ private:
         const int item = getSelectedId();
         if (item >= firstUserItem)
             return view.materials.chooseUserMaterial(item - firstUserItem);
-        changeOnce(view, info.parameter, item - firstChoiceItem);
+        view.parameters.changeOnce(info.parameter, item - firstChoiceItem);
     }
 
     const ParameterInfo& info;

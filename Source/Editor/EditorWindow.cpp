@@ -73,14 +73,12 @@ EditorWindow::EditorWindow(juce::AudioProcessor& audioProcessor, ProcessorView& 
     lookButton.onClick = [this] {
         setLook(look.scheme() == LookScheme::dark ? LookScheme::light : LookScheme::dark);
     };
-    for (auto* child : std::initializer_list<juce::Component*>{&presets, &lookButton, &object,
-                                                               &deck, &status, &keyboard})
-        addAndMakeVisible(child);
+    showParts(*this, presets, lookButton, object, deck, status, keyboard);
     addChildComponent(browser);
     presets.onBrowse = [this] { setBrowsing(!browser.isVisible()); };
     presets.onSaveAs = [this] {
         setBrowsing(true);
-        browser.openToSave();
+        browser.askToSave();
     };
     browser.onClose = [this] { setBrowsing(false); };
     addChildComponent(dropFrame);
@@ -94,7 +92,7 @@ EditorWindow::EditorWindow(juce::AudioProcessor& audioProcessor, ProcessorView& 
 }
 
 EditorWindow::~EditorWindow() {
-    browser.settle();
+    view.presets.keepAudition();
     preferences.setWindowSize({getWidth(), getHeight()});
     setLookAndFeel(nullptr);
     view.parameters.endAllChanges();
@@ -134,7 +132,7 @@ void EditorWindow::setLook(LookScheme scheme) {
 
 void EditorWindow::setBrowsing(bool browses) {
     if (!browses)
-        browser.settle();
+        view.presets.keepAudition();
     browser.setVisible(browses);
     object.setVisible(!browses);
     deck.setVisible(!browses);

@@ -27,7 +27,6 @@ public:
                    refresh();
                }),
           form(processor) {
-        addAndMakeVisible(open);
         addButton(cancel, "Cancel the analysis", "Stop the analysis. The current sound stays.",
                   [this] { view.workshop.cancelImport(); });
         addButton(again, "Analyse anew", "Analyse the current object again with these settings",
@@ -38,12 +37,6 @@ public:
         addButton(zones, "Keys along a strike path",
                   "The object at its own size, struck along the path as the keys go up",
                   [this] { view.workshop.setKeyLayout(KeyLayout::zones); });
-        for (auto* label : {&file, &step, &keys}) {
-            label->setFont(Look::textFont());
-            label->setBorderSize({0, 0, 0, 0});
-            label->setMinimumHorizontalScale(0.8f);
-            addAndMakeVisible(*label);
-        }
         setTextOf(keys, "Keys play it");
         file.setTitle("File");
         step.setTitle("Progress");
@@ -53,8 +46,7 @@ public:
         report.setFont(Look::textFont());
         report.setIndents(0, 2);
         report.setTitle("What was made of the file");
-        addAndMakeVisible(form);
-        addAndMakeVisible(report);
+        showParts(*this, open, file, step, keys, form, report);
         shown = view.workshop.importStatus();
         lookAndFeelChanged();
         showKeys();
@@ -184,7 +176,7 @@ private:
     FileButton open;
     juce::TextButton cancel{"Cancel"}, again{"Analyse anew"};
     juce::TextButton scaled{"To their pitches"}, zones{"Along a path"};
-    juce::Label file, step, keys;
+    TextLabel file, step, keys;
     ImportForm form;
     juce::TextEditor report;
     juce::Rectangle<int> bar;

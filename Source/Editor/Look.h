@@ -1,4 +1,5 @@
-// Colours, fonts and the shapes that differ from JUCE's look; a dark and a light scheme.
+// Colours, fonts and the shapes that differ from JUCE's look; a dark and a light scheme. Also what
+// many parts of the window set up alike.
 #pragma once
 
 #include <juce_gui_basics/juce_gui_basics.h>
@@ -55,9 +56,24 @@ private:
     LookScheme current;
 };
 
+/// A label without border. A text that does not fit becomes narrower.
+class TextLabel final : public juce::Label {
+public:
+    TextLabel() {
+        setFont(Look::textFont());
+        setBorderSize({});
+        setMinimumHorizontalScale(0.8f);
+    }
+};
+
 juce::Colour colourOf(const juce::Component& component, LookColour colour);
 
 /// The colour in a scheme, for code without a component.
 juce::Colour colourOf(LookScheme scheme, LookColour colour);
+
+template <class... Parts>
+void showParts(juce::Component& parent, Parts&... parts) {
+    (parent.addAndMakeVisible(parts), ...);
+}
 
 } // namespace idiophone

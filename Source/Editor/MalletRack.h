@@ -2,7 +2,6 @@
 #pragma once
 
 #include "Editor/Look.h"
-#include "Editor/ParameterChange.h"
 #include "Editor/ProcessorView.h"
 #include "Editor/Utf8.h"
 #include "Object/Mallet.h"
@@ -27,7 +26,7 @@ public:
                 if (!button->getToggleState() ||
                     view.parameters.value(ParameterId::mallet) == double(i))
                     return;
-                changeOnce(view, ParameterId::mallet, double(i));
+                view.parameters.changeOnce(ParameterId::mallet, double(i));
                 refresh();
             };
             addAndMakeVisible(*mallet);

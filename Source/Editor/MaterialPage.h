@@ -4,6 +4,7 @@
 
 #include "Editor/ChoiceList.h"
 #include "Editor/DeckPage.h"
+#include "Editor/Look.h"
 #include "Editor/MaterialPad.h"
 #include "Editor/ParameterColumns.h"
 #include "Editor/ParameterControl.h"
@@ -26,14 +27,9 @@ public:
             for (const auto& info : parameterTable())
                 if (info.group == group)
                     figures.push_back(std::make_unique<ParameterControl>(info, processor));
-        former.setTitle("Material before");
-        former.setTooltip("Swap with the material before the last change");
-        former.onClick = [this] { swapMaterials(); };
-        addAndMakeVisible(list);
-        addAndMakeVisible(pad);
-        addAndMakeVisible(former);
-        addAndMakeVisible(match);
-        addAndMakeVisible(keep);
+        addButton(former, "Material before", "Swap with the material before the last change",
+                  [this] { swapMaterials(); });
+        showParts(*this, list, pad, match, keep);
         for (auto& figure : figures)
             addAndMakeVisible(*figure);
         now = before = figuresNow();
@@ -87,9 +83,7 @@ private:
     static constexpr int settledTicks = 12;
     static constexpr int gap = 16, lowestRow = 34, highestRow = 50, lineHeight = 26;
 
-    static constexpr std::array parameters{
-        ParameterId::youngsModulus,       ParameterId::density,    ParameterId::fluidDamping,
-        ParameterId::viscoelasticDamping, ParameterId::lossFactor, ParameterId::material};
+    static constexpr auto& parameters = customMaterialParameters;
     using Figures = std::array<double, parameters.size()>;
 
     Figures figuresNow() const {

@@ -18,8 +18,7 @@ namespace idiophone {
 class ModesPage final : public DeckPage {
 public:
     explicit ModesPage(ProcessorView& processor)
-        : DeckPage("Modes"), view(processor), mute("Mute"), alone("Solo"), all("All"),
-          spectrum(processor.sound) {
+        : DeckPage("Modes"), view(processor), spectrum(processor.sound) {
         objects.setTitle("Object");
         objects.setTooltip("The object whose modes are shown");
         objects.onChange = [this] {
@@ -27,23 +26,19 @@ public:
             view.sound.watchObject(chosen > 0 ? std::optional(static_cast<std::size_t>(chosen - 1))
                                               : std::nullopt);
         };
-        mute.setTooltip("Mute the chosen mode (M)");
-        mute.onClick = [this] { spectrum.toggleMute(spectrum.modeChosen().value_or(0)); };
-        alone.setTooltip("Hear the chosen mode alone (S); not saved");
-        alone.onClick = [this] { spectrum.toggleAlone(spectrum.modeChosen().value_or(0)); };
-        all.setTitle("Hear all modes");
-        all.setTooltip("Unmute all modes of this object and end its solos");
-        all.onClick = [this] {
-            const auto object = static_cast<std::size_t>(std::max(spectrum.frameShown().object, 0));
-            view.sound.unmuteModes(object);
-            view.sound.hearAllModes(object);
-        };
-        mute.setTitle("Mute mode");
-        alone.setTitle("Solo mode");
+        addButton(mute, "Mute mode", "Mute the chosen mode (M)",
+                  [this] { spectrum.toggleMute(spectrum.modeChosen().value_or(0)); });
+        addButton(alone, "Solo mode", "Hear the chosen mode alone (S); not saved",
+                  [this] { spectrum.toggleAlone(spectrum.modeChosen().value_or(0)); });
+        addButton(all, "Hear all modes", "Unmute all modes of this object and end its solos",
+                  [this] {
+                      const auto object =
+                          static_cast<std::size_t>(std::max(spectrum.frameShown().object, 0));
+                      view.sound.unmuteModes(object);
+                      view.sound.hearAllModes(object);
+                  });
         spectrum.onModeShown = [this] { modeShown(); };
-        for (auto* child :
-             std::initializer_list<juce::Component*>{&objects, &mute, &alone, &all, &spectrum})
-            addAndMakeVisible(child);
+        showParts(*this, objects, spectrum);
         listObjects();
         describe();
     }
@@ -155,7 +150,7 @@ private:
     ProcessorView& view;
     int listedInstrument = -1;
     juce::ComboBox objects;
-    juce::TextButton mute, alone, all;
+    juce::TextButton mute{"Mute"}, alone{"Solo"}, all{"All"};
     ModeSpectrum spectrum;
     juce::StringArray lines; ///< text about the shown mode
     juce::Rectangle<int> lineArea;

@@ -4,6 +4,8 @@
 #include "Editor/ObjectScene.h"
 #include "Editor/ProcessorView.h"
 
+#include <algorithm>
+#include <juce_core/juce_core.h>
 #include <optional>
 
 namespace idiophone {
@@ -17,23 +19,70 @@ public:
 
     /// Strikes an object. Lower on the object (nearer to the player) or a faster mouse is harder.
     /// On a stage, plays `stageNote` instead.
-    void strike(const ScenePick& pick, double pixelsPerSecond, std::optional<int> stageNote);
+    void strike(const ScenePick& pick, double pixelsPerSecond, std::optional<int> stageNote) {
+        const double hard =
+            std::max(pick.towardsPlayer, std::min(pixelsPerSecond / fastestPixelsPerSecond, 1.0));
+        const int velocity = juce::roundToInt(softest + (hardest - softest) * hard);
+        note = stageNote;
+        if (note)
+            view.instrument.playNote(*note, velocity);
+        else
+            view.instrument.strikeObject(pick.object, pick.pointMetres, velocity);
+        touch(pick);
+    }
     /// Scrapes from the last place to this one. An object entered on the way is struck. Without a
     /// pick the scrape ends.
-    void dragTo(const std::optional<ScenePick>& pick, double pressure);
+    void dragTo(const std::optional<ScenePick>& pick, double pressure) {
+        if (!pick)
+            return endScrape();
+        if (!struck || struck->object != pick->object) {
+            lift();
+            strike(*pick, 0, std::nullopt);
+        }
+        if (!scraping)
+            view.instrument.scrapeObject(struck->object, struck->pointMetres, pressure);
+        scraping = true;
+        view.instrument.scrapeObject(pick->object, pick->pointMetres, pressure);
+        touch(*pick);
+    }
     /// Releases the object that is struck or scraped.
-    void lift();
+    void lift() {
+        endScrape();
+        if (struck && note)
+            view.instrument.playNote(*note, 0);
+        else if (struck)
+            view.instrument.strikeObject(struck->object, struck->pointMetres, 0);
+        struck.reset();
+    }
     bool isScraping() const { return scraping; }
 
     /// Fades the light by one frame, unless the hand scrapes.
-    void fade();
+    void fade() {
+        if (scraping)
+            return;
+        brightness *= glowFallPerFrame;
+        if (brightness < faintestGlow)
+            brightness = 0;
+    }
     void darken() { brightness = 0; }
     float glow() const { return brightness; } ///< 1 at the strike
     const ScenePlace& glowPlace() const { return litPlace; }
 
 private:
-    void touch(const ScenePick& pick);
-    void endScrape();
+    static constexpr double softest = 45, hardest = 127; ///< velocities
+    static constexpr double fastestPixelsPerSecond = 3000;
+    static constexpr float glowFallPerFrame = 0.85f, faintestGlow = 0.01f;
+
+    void touch(const ScenePick& pick) {
+        struck = pick;
+        brightness = 1;
+        litPlace = pick.place;
+    }
+    void endScrape() {
+        if (scraping && struck)
+            view.instrument.scrapeObject(struck->object, struck->pointMetres, 0);
+        scraping = false;
+    }
 
     ProcessorView& view;
     std::optional<ScenePick> struck; ///< last place, until the hand is lifted

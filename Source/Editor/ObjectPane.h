@@ -2,26 +2,106 @@
 #pragma once
 
 #include "Editor/CaptureButton.h"
+#include "Editor/Look.h"
 #include "Editor/ObjectView.h"
 
+#include <numeric>
 #include <vector>
 
 namespace idiophone {
 
 class ObjectPane final : public juce::Component {
 public:
-    explicit ObjectPane(ProcessorView& processor);
+    explicit ObjectPane(ProcessorView& processor)
+        : view(processor), object(processor),
+          midi(processor,
+               StageView::CaptureKind::midi,
+               "MIDI",
+               "The impacts of the bodies as notes. Drag into the host, or click to save.",
+               "*.mid"),
+          impulses(processor,
+                   StageView::CaptureKind::impulses,
+                   "Impulses",
+                   "The impacts of the bodies as a list for `idiophone render --impulses`. Drag or "
+                   "click.",
+                   "*.jsonl") {
+        addAndMakeVisible(object);
+        add(vibration, "Show the vibration of sounding objects, slowed down and exaggerated", true);
+        add(nodes, "Show where the strongest sounding mode does not move", true);
+        add(path, "Show where the keys strike", true);
+        add(draw, "Draw on an object to set where the keys strike it", true);
+        vibration.setToggleState(true, juce::dontSendNotification);
+        for (auto* button : {&vibration, &nodes, &path, &draw})
+            button->onClick = [this] { setLayers(); };
+        draw.onClick = [this] {
+            if (draw.getToggleState())
+                path.setToggleState(true, juce::dontSendNotification);
+            setLayers();
+        };
+        add(play, "Set the bodies in motion, as a key in the middle does", false);
+        play.onClick = [this] {
+            constexpr int velocity = 100;
+            const auto range = view.instrument.keyRange();
+            const int note = (range.lowest + range.highest) / 2;
+            view.instrument.playNote(note, velocity);
+            view.instrument.playNote(note, 0);
+        };
+        add(pause, "Stop the bodies where they are", true);
+        pause.onClick = [this] { view.stage.pauseStage(pause.getToggleState()); };
+        add(reset, "Remove the bodies and their captured impacts", false);
+        reset.onClick = [this] { view.stage.resetStage(); };
+        showParts(*this, midi, impulses);
+        showStageButtons();
+    }
 
     ObjectView& picture() { return object; }
 
-    void refresh();
+    void refresh() {
+        object.refresh();
+        pause.setToggleState(view.stage.isStagePaused(), juce::dontSendNotification);
+        if (object.isOnStage() != play.isVisible())
+            showStageButtons();
+    }
 
-    void resized() override;
+    void resized() override {
+        constexpr int stripHeight = 28, maximumPadding = 18, minimumPadding = 6, gap = 4;
+        auto area = getLocalBounds();
+        auto row = area.removeFromTop(stripHeight).withTrimmedBottom(gap);
+        std::vector<std::pair<juce::Button*, int>> shown; // with the width of its text in pixels
+        for (auto* button : strip)
+            if (button->isVisible())
+                shown.emplace_back(button, juce::roundToInt(juce::GlyphArrangement::getStringWidth(
+                                               Look::textFont(), button->getButtonText())));
+        const int textWidth =
+            std::accumulate(shown.begin(), shown.end(), 0,
+                            [](int sum, const auto& each) { return sum + each.second + gap; });
+        const int padding = juce::jlimit(minimumPadding, maximumPadding,
+                                         (getWidth() - textWidth) / static_cast<int>(shown.size()));
+        for (const auto& [button, width] : shown)
+            button->setBounds(row.removeFromLeft(width + padding + gap).withTrimmedRight(gap));
+        object.setBounds(area);
+    }
 
 private:
-    void add(juce::TextButton& button, const juce::String& tooltip, bool isSwitch);
-    void setLayers();
-    void showStageButtons();
+    void add(juce::TextButton& button, const juce::String& tooltip, bool isSwitch) {
+        button.setTitle(button.getButtonText());
+        button.setTooltip(tooltip);
+        button.setClickingTogglesState(isSwitch);
+        addAndMakeVisible(button);
+    }
+    void setLayers() {
+        object.setLayers({.vibration = vibration.getToggleState(),
+                          .nodes = nodes.getToggleState(),
+                          .path = path.getToggleState(),
+                          .drawsPath = draw.getToggleState()});
+    }
+    /// On a stage, shows the stage's buttons instead of those of the strike path.
+    void showStageButtons() {
+        for (auto* button : strip)
+            button->setVisible(button == &vibration || button == &nodes ||
+                               (button == &path || button == &draw) != object.isOnStage());
+        resized();
+    }
 
     ProcessorView& view;
     ObjectView object;

@@ -1,8 +1,6 @@
 #include "Editor/ParameterControl.h"
 
 #include "Editor/KeyedSlider.h"
-#include "Editor/Look.h"
-#include "Editor/ParameterChange.h"
 #include "Editor/ParameterMenu.h"
 #include "Editor/Utf8.h"
 
@@ -28,9 +26,6 @@ ParameterControl::ParameterControl(const ParameterInfo& row, ProcessorView& proc
             [this] { view.parameters.endChange(info.parameter); }) {
     const auto title = fromUtf8(info.name);
     setTitle(title);
-    name.setFont(Look::textFont());
-    name.setBorderSize({0, 0, 0, 0});
-    name.setMinimumHorizontalScale(0.8f);
     name.setTooltip(parameterTooltip(info));
     addAndMakeVisible(name);
     if (info.scale == ParameterScale::onOff)
@@ -69,10 +64,7 @@ void ParameterControl::makeSwitch() {
 }
 
 void ParameterControl::makeValueText() {
-    value.setFont(Look::textFont());
     value.setJustificationType(juce::Justification::centredRight);
-    value.setBorderSize({0, 0, 0, 0});
-    value.setMinimumHorizontalScale(0.8f);
     value.setEditable(true);
     value.setWantsKeyboardFocus(false); // Return on the slider opens it
     value.setTitle(getTitle());
@@ -105,7 +97,7 @@ void ParameterControl::slid() {
 
 void ParameterControl::changeTo(double number) {
     burst.finish();
-    changeOnce(view, info.parameter, number);
+    view.parameters.changeOnce(info.parameter, number);
 }
 
 void ParameterControl::typed() {

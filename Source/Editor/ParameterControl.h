@@ -4,6 +4,7 @@
 
 #include "Editor/ChoiceList.h"
 #include "Editor/GestureBurst.h"
+#include "Editor/Look.h"
 #include "Editor/ProcessorView.h"
 
 #include <juce_gui_basics/juce_gui_basics.h>
@@ -49,7 +50,7 @@ private:
     bool isLive = true;
     bool isLearning = false;
     std::optional<int> controller; ///< number of the MIDI controller that moves it
-    juce::Label name, value;
+    TextLabel name, value;
     std::unique_ptr<juce::Slider> slider;
     std::unique_ptr<juce::ToggleButton> toggle;
     std::unique_ptr<ChoiceList> list;

@@ -1,6 +1,5 @@
 #include "Editor/ParameterMenu.h"
 
-#include "Editor/ParameterChange.h"
 #include "Editor/Utf8.h"
 
 namespace idiophone {
@@ -23,7 +22,7 @@ parameterMenu(const ParameterInfo& info, ProcessorView& view, std::function<void
     if (typeValue != nullptr)
         menu.addItem("Type a value...", live, false, std::move(typeValue));
     menu.addItem("Reset to " + valueText(info, info.defaultValue), live, false,
-                 [&info, &view] { changeOnce(view, info.parameter, info.defaultValue); });
+                 [&info, &view] { view.parameters.changeOnce(info.parameter, info.defaultValue); });
     menu.addSeparator();
     if (midi.learningParameter() == parameter)
         menu.addItem("Stop waiting for a MIDI controller", [&midi] { midi.stopLearning(); });

@@ -26,6 +26,14 @@ public:
     virtual void beginChange(ParameterId parameter) = 0;
     virtual void change(ParameterId parameter, double value) = 0;
     virtual void endChange(ParameterId parameter) = 0;
+    /// Changes the parameter in a gesture of its own. A figure's custom material or mallet is
+    /// selected.
+    void changeOnce(ParameterId parameter, double value) {
+        beginChange(parameter);
+        makeCustom(parameter);
+        change(parameter, value);
+        endChange(parameter);
+    }
     /// Ends all open gestures. Call it when the window has closed.
     virtual void endAllChanges() = 0;
 };

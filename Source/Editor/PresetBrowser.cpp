@@ -1,6 +1,5 @@
 #include "Editor/PresetBrowser.h"
 
-#include "Editor/CommandKey.h"
 #include "Editor/Look.h"
 #include "Editor/PresetSearch.h"
 #include "Editor/Utf8.h"
@@ -51,10 +50,8 @@ PresetBrowser::PresetBrowser(PresetShelf& presetShelf) : shelf(presetShelf) {
     form.onCancel = [this] { ask(Question::none); };
     form.onAnswer = [this](const PresetDetails& details) { answer(details); };
     showActions();
-    for (auto* child :
-         std::initializer_list<juce::Component*>{&search, &sources, &list, &saveAs, &rename,
-                                                 &remove, &reveal, &init, &status, &back, &keep})
-        addAndMakeVisible(child);
+    showParts(*this, search, sources, list, saveAs, rename, remove, reveal, init, status, back,
+              keep);
     addChildComponent(form);
 }
 
@@ -98,15 +95,6 @@ void PresetBrowser::open() {
         refill();
     }
     search.grabKeyboardFocus();
-}
-
-void PresetBrowser::openToSave() {
-    open();
-    ask(Question::save);
-}
-
-void PresetBrowser::settle() {
-    shelf.keepAudition();
 }
 
 void PresetBrowser::close(bool kept) {
@@ -216,7 +204,8 @@ bool PresetBrowser::keyPressed(const juce::KeyPress& key) {
         list.step(6);
     else if (key == juce::KeyPress::pageUpKey)
         list.step(-6);
-    else if (question != Question::none && isCommand(key, 's'))
+    else if (question != Question::none &&
+             key == juce::KeyPress('s', juce::ModifierKeys::commandModifier, 0))
         form.save(); // otherwise the shortcut would overwrite the current preset
     else
         return false;

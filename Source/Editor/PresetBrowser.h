@@ -23,10 +23,8 @@ public:
 
     /// Reads the presets again and scrolls to the current one.
     void open();
-    /// Opens it with the form that saves the current sound.
-    void openToSave();
-    /// Keeps the current sound, without calling `onClose`.
-    void settle();
+    /// Shows the form that saves the current sound.
+    void askToSave() { ask(Question::save); }
 
     void paint(juce::Graphics& g) override;
     void resized() override;

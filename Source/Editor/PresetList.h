@@ -3,7 +3,7 @@
 
 #include "Editor/Icons.h"
 #include "Editor/Look.h"
-#include "Editor/PresetShelf.h"
+#include "Editor/PresetSearch.h"
 #include "Editor/Utf8.h"
 
 #include <algorithm>
@@ -54,13 +54,6 @@ public:
 private:
     static constexpr int rowHeightPixels = 42, starWidth = 34;
 
-    static juce::String tagLine(const ShelvedPreset& preset) {
-        juce::StringArray tags;
-        for (const auto& tag : preset.tags)
-            tags.add(fromUtf8(tag));
-        return tags.joinIntoString(", ");
-    }
-
     static juce::String sentenceOn(const ShelvedPreset& preset) {
         return fromUtf8(preset.fault.empty() ? preset.description : preset.fault);
     }
@@ -89,7 +82,7 @@ private:
 
         area.removeFromRight(10);
         auto first = area.removeFromTop(area.getHeight() / 2 + 1);
-        const auto tags = tagLine(*preset);
+        const auto tags = tagLine(preset->tags);
         const auto font = Look::textFont(12.5f);
         const int textWidth = juce::GlyphArrangement::getStringWidthInt(font, tags);
         const int tagWidth = juce::jmin(first.getWidth() * 2 / 5, textWidth + 8);
@@ -135,7 +128,7 @@ private:
         if (preset->fault.empty() && !preset->author.empty())
             text << "\nBy " << fromUtf8(preset->author);
         if (preset->fault.empty() && !preset->tags.empty())
-            text << "\nTags: " << tagLine(*preset);
+            text << "\nTags: " << tagLine(preset->tags);
         return text;
     }
     const ShelvedPreset* at(int row) const {

@@ -70,4 +70,11 @@ juce::StringArray tagsOf(const std::vector<ShelvedPreset>& presets) {
     return tags;
 }
 
+juce::String tagLine(const std::vector<std::string>& tags) {
+    juce::StringArray texts;
+    for (const auto& tag : tags)
+        texts.add(fromUtf8(tag));
+    return texts.joinIntoString(", ");
+}
+
 } // namespace idiophone

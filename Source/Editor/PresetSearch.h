@@ -14,4 +14,7 @@ bool matchesSearch(const ShelvedPreset& preset, const juce::String& words);
 /// All tags of the presets, ignoring case, without repeats; the most frequent first.
 juce::StringArray tagsOf(const std::vector<ShelvedPreset>& presets);
 
+/// "wood, bright, short".
+juce::String tagLine(const std::vector<std::string>& tags);
+
 } // namespace idiophone

@@ -4,6 +4,7 @@
 
 #include "Editor/BudgetRamp.h"
 #include "Editor/DeckPage.h"
+#include "Editor/Look.h"
 #include "Editor/ModeCounts.h"
 #include "Editor/ParameterColumns.h"
 #include "Editor/SoundMeters.h"
@@ -17,9 +18,7 @@ public:
     explicit QualityPage(ProcessorView& view)
         : DeckPage("Quality"),
           columns(std::vector<ParameterGroup>{{"Modes that sound", 0}, {"Budget", 1}}, view) {
-        for (auto* child :
-             std::initializer_list<juce::Component*>{&columns, &counts, &ramp, &meters})
-            addAndMakeVisible(child);
+        showParts(*this, columns, counts, ramp, meters);
     }
 
     void refresh() override { columns.refresh(); }

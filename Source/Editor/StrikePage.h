@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Editor/DeckPage.h"
+#include "Editor/Look.h"
 #include "Editor/MalletRack.h"
 #include "Editor/ParameterColumns.h"
 
@@ -13,8 +14,7 @@ class StrikePage final : public DeckPage {
 public:
     explicit StrikePage(ProcessorView& view)
         : DeckPage("Strike"), rack(view), columns(groups(), view) {
-        addAndMakeVisible(rack);
-        addAndMakeVisible(columns);
+        showParts(*this, rack, columns);
     }
 
     void refresh() override {

@@ -26,22 +26,15 @@ public:
                    refresh();
                }),
           columns(groups(), processor) {
-        addAndMakeVisible(open);
         addButton(forget, "Forget the tuning",
                   "Forget the scale and the mapping, or else the tuning by MIDI messages. The keys "
                   "follow "
                   "the session, or equal temperament.",
                   [this] { view.tuning.forgetTuning(); });
-        for (auto* label : {&scale, &origin}) {
-            label->setBorderSize({0, 0, 0, 0});
-            label->setMinimumHorizontalScale(0.8f);
-            addAndMakeVisible(*label);
-        }
         scale.setFont(Look::headingFont());
-        origin.setFont(Look::textFont());
         scale.setTitle("Scale");
         origin.setTitle("Where the tuning comes from");
-        addAndMakeVisible(columns);
+        showParts(*this, open, scale, origin, columns);
         shown = view.tuning.tuningStatus();
         lookAndFeelChanged();
         showTuning();
@@ -104,7 +97,7 @@ private:
 
     ProcessorView& view;
     TuningStatus shown;
-    juce::Label scale, origin;
+    TextLabel scale, origin;
     FileButton open;
     juce::TextButton forget{"Forget"};
     ParameterColumns columns;

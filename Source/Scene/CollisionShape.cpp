@@ -62,29 +62,27 @@ Shape* CollisionShape::own(Arguments&&... arguments) {
 }
 
 CollisionShape::CollisionShape(const RigidBodyModel& model) {
-    btCollisionShape* inMesh = nullptr;
     switch (model.form) {
     case BodyForm::hull:
-        inMesh = hull(outerVertices(model));
+        root = hull(outerVertices(model));
         break;
     case BodyForm::ring:
-        inMesh = ring(model);
+        root = ring(model);
         break;
     case BodyForm::sphere:
     case BodyForm::cylinder:
-        inMesh = round(model);
+        root = round(model);
         break;
     case BodyForm::surface:
-        inMesh = surface(model);
+        root = surface(model);
         break;
     case BodyForm::ground:
-        inMesh = ground(model);
+        root = ground(model);
         break;
     }
-    root = inMesh;
     if (!model.isFixed) {
         auto* placed = own<btCompoundShape>();
-        placed->addChildShape(toBullet(Eigen::Isometry3d(model.meshFromBody.inverse())), inMesh);
+        placed->addChildShape(toBullet(Eigen::Isometry3d(model.meshFromBody.inverse())), root);
         root = placed;
     }
 }

@@ -130,14 +130,9 @@ struct RigidWorld::Implementation {
 
     ~Implementation() {
         for (auto& body : bodies)
-            if (body.rigid != nullptr)
-                world.removeRigidBody(body.rigid.get());
+            if (body != nullptr)
+                world.removeRigidBody(body.get());
     }
-
-    struct Body {
-        std::size_t kind = 0;
-        std::unique_ptr<btRigidBody> rigid; ///< null after removal
-    };
 
     std::vector<Kind> kinds;
     double stepSeconds;
@@ -149,8 +144,8 @@ struct RigidWorld::Implementation {
     btDbvtBroadphase broadphase;
     btSequentialImpulseConstraintSolver solver;
     btDiscreteDynamicsWorld world;
-    std::vector<Body> bodies;
-    std::vector<BodyInStep> inStep; ///< by body
+    std::vector<std::unique_ptr<btRigidBody>> bodies; ///< null without one, or after removal
+    std::vector<BodyInStep> inStep;                   ///< by body
     ContactReader reader;
 };
 
@@ -184,8 +179,8 @@ std::size_t RigidWorld::add(std::size_t kind, const BodyMotion& motion) {
     rigid->setCollisionFlags(rigid->getCollisionFlags() |
                              btCollisionObject::CF_CUSTOM_MATERIAL_CALLBACK);
     all.world.addRigidBody(rigid.get(), all.kinds[kind].group, all.kinds[kind].collidesWith);
-    all.bodies.push_back({kind, std::move(rigid)});
-    all.inStep.push_back({.model = &model, .rigid = all.bodies.back().rigid.get()});
+    all.inStep.push_back({.model = &model, .rigid = rigid.get()});
+    all.bodies.push_back(std::move(rigid));
     return all.bodies.size() - 1;
 }
 
@@ -196,27 +191,27 @@ std::size_t RigidWorld::addAbsent() {
 }
 
 void RigidWorld::remove(std::size_t body) {
-    auto& rigid = implementation->bodies[body].rigid;
+    auto& rigid = implementation->bodies[body];
     implementation->world.removeRigidBody(rigid.get());
     rigid.reset();
 }
 
 BodyMotion RigidWorld::motion(std::size_t body) const {
-    const auto& rigid = *implementation->bodies[body].rigid;
-    const auto& model = *implementation->kinds[implementation->bodies[body].kind].model;
+    const auto& rigid = *implementation->bodies[body];
+    const auto& model = *implementation->inStep[body].model;
     return {.pose = toEigen(rigid.getWorldTransform()) * model.meshFromBody.inverse(),
             .velocity = toEigen(rigid.getLinearVelocity()),
             .spin = toEigen(rigid.getAngularVelocity())};
 }
 
 Eigen::Vector3d RigidWorld::centre(std::size_t body) const {
-    return toEigen(implementation->bodies[body].rigid->getCenterOfMassPosition());
+    return toEigen(implementation->bodies[body]->getCenterOfMassPosition());
 }
 
 void RigidWorld::setVelocity(std::size_t body,
                              const Eigen::Vector3d& velocity,
                              const Eigen::Vector3d& spin) {
-    auto& rigid = *implementation->bodies[body].rigid;
+    auto& rigid = *implementation->bodies[body];
     rigid.setLinearVelocity(toBullet(velocity));
     rigid.setAngularVelocity(toBullet(spin));
     rigid.activate(true);
@@ -225,7 +220,7 @@ void RigidWorld::setVelocity(std::size_t body,
 void RigidWorld::step() {
     auto& all = *implementation;
     for (std::size_t body = 0; body < all.bodies.size(); ++body)
-        if (all.bodies[body].rigid != nullptr) {
+        if (all.bodies[body] != nullptr) {
             const auto before = motion(body);
             auto& now = all.inStep[body];
             now.worldFromMesh = before.pose;

@@ -34,13 +34,10 @@ Result<std::shared_ptr<const Instrument>> buildInstrument(const KeyMap& keyMap,
                                                           ObjectLibrary& library) {
     if (keyMap.kind != KeyMapKind::scene)
         return Instrument::build(keyMap, library);
-    auto scene = sceneNamed(keyMap.object);
-    if (!scene)
-        return tl::unexpected(scene.error());
-    auto assets = SceneAssets::make(std::move(*scene), library);
-    if (!assets)
-        return tl::unexpected(assets.error());
-    const auto made = SceneStage::make(std::move(*assets));
+    const auto made =
+        sceneNamed(keyMap.object)
+            .and_then([&](const Scene& scene) { return SceneAssets::make(scene, library); })
+            .and_then(&SceneStage::make);
     if (!made)
         return tl::unexpected(made.error());
     const auto& stage = *made;

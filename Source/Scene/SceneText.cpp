@@ -71,16 +71,6 @@ BodyTemplate parseKind(const JsonPlace& place) {
     return kind;
 }
 
-/// Runs in a second pass, because a kind may be named before it is described.
-void parsePasses(const JsonPlace& place,
-                 BodyTemplate& kind,
-                 const std::vector<BodyTemplate>& kinds) {
-    if (!place.has("passes"))
-        return;
-    for (const auto& name : place.at("passes").list(maximumKinds))
-        kind.passes.push_back(parseKindName(name, kinds));
-}
-
 Scattered parseScattered(const JsonPlace& place, const char* key, double reach) {
     Scattered quantity;
     read(place, key, quantity.mean, &JsonPlace::vector, reach);
@@ -193,8 +183,11 @@ void parseKinds(const JsonPlace& root, Scene& scene) {
         if (std::ranges::count(scene.kinds, name, &BodyTemplate::name) > 1)
             place.at("name").fail("is " + inQuotes(name) + " like that of another kind");
     }
+    // A second pass, because a kind may be named before it is described.
     for (std::size_t k = 0; k < places.size(); ++k)
-        parsePasses(places[k], scene.kinds[k], scene.kinds);
+        if (places[k].has("passes"))
+            for (const auto& name : places[k].at("passes").list(maximumKinds))
+                scene.kinds[k].passes.push_back(parseKindName(name, scene.kinds));
 }
 
 Scene parse(const JsonPlace& root) {

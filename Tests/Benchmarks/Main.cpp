@@ -1,7 +1,7 @@
 // The program `idiophone-bench`: measures the engine in ratios of times taken side by side.
 #include "Benchmarks/FactoryContent.h"
 #include "Console/JsonText.h"
-#include "Console/OutputCheck.h"
+#include "Console/OptionChecks.h"
 #include "Console/ProgressLine.h"
 #include "Object/TextFile.h"
 
