@@ -1,7 +1,10 @@
 #!/usr/bin/env python3
-"""Drops a file on a window as a file browser does (XDND version 3, which JUCE knows): drop_file.py WINDOW X Y FILE.
+"""Drops a file on a window as a file browser does (XDND version 3, which JUCE knows).
 
-X and Y are places of the window. Exits with 0 when the window has taken the file. Needs python3-xlib.
+    drop_file.py WINDOW X Y FILE
+
+X and Y are places of the window. Exits with 0 when the window has taken the file. Needs
+python3-xlib.
 """
 import pathlib
 import sys
@@ -34,7 +37,7 @@ class Drop:
         self.display.flush()
 
     def wait_for(self, name):
-        """Serves the data meanwhile; the words of the message that came."""
+        """Serves the data meanwhile. Returns the words of the message that came."""
         until = time.monotonic() + PATIENCE_SECONDS
         while time.monotonic() < until:
             while self.display.pending_events():

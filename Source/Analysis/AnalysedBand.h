@@ -8,7 +8,7 @@ namespace idiophone {
 /// frequencies. The modes above the audible band then become audible.
 inline constexpr double lowestAnalysedHz = 20, highestAnalysedHz = 44000;
 
-/// The limit of modes: more would make the analysis too slow and could not play in real time.
+/// Maximum number of modes. More would take too long to analyse and could not play in real time.
 inline constexpr int mostAnalysedModes = 5000;
 
 } // namespace idiophone

@@ -129,9 +129,9 @@ bool BlockLanczos::hasConverged(Index i) const {
     return residuals_(i) <= tolerance * std::abs(theta_(i));
 }
 
-/// Returns the number of vectors to add before the next check. It is 0 if all wanted modes have
+/// Returns the number of vectors to add before the next check. Returns 0 if all wanted modes have
 /// converged, or if the missing ones cannot converge. They cannot if modes outside have converged
-/// and none inside is converging. Surplus copies of a degenerate mode are missing in this way.
+/// and none inside is converging, as with surplus copies of a degenerate mode.
 Index BlockLanczos::vectorsToGo() const {
     Index inside = 0, underWay = 0, outside = 0;
     for (Index i = 0; i < theta_.size(); ++i) {

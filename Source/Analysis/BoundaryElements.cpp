@@ -18,7 +18,7 @@ using Eigen::Index;
 /// Single precision solves these systems to 1e-5, in half of the time and memory.
 using Matrix = Eigen::Matrix<std::complex<float>, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// The share of the velocity's energy below which a part of it is left out.
+/// A part of the velocity with less than this share of its energy is left out.
 constexpr double negligibleEnergy = 1e-10;
 constexpr Index rowsAtOnce = 32;
 constexpr double airImpedance = speedOfSoundMetresPerSecond * airDensityKgPerM3;

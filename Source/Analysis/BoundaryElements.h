@@ -29,7 +29,7 @@ namespace idiophone {
 /// With a symmetry of G elements, one system of F unknowns becomes a system of F/G unknowns for
 /// each character that the velocity contains. The velocity itself need not be symmetric.
 ///
-/// Immutable once built; any number of threads may use one at once.
+/// Immutable, so any number of threads may share it.
 class BoundaryElements {
 public:
     /// `surface` is closed and oriented outward, with F faces, none degenerate. `symmetry` is that

@@ -168,7 +168,7 @@ ClusterFit fitCluster(std::span<const DecayPole> poles,
     for (std::size_t i = 0; i < pieces.size(); ++i)
         if (2 * pieces[i].bins.size() > columns)
             PieceFit(poles, pieces[i], background).addTo(fit, i);
-    // A mode without amplitude has no curvature; this keeps its pole where it is.
+    // Keep the pole of a mode without amplitude, which has no curvature.
     fit.curvature.diagonal().array() += nothing;
     return fit;
 }

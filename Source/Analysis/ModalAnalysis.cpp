@@ -155,8 +155,8 @@ Result<BodyModel> bodyFor(MethodChoice& choice, const Mesh& mesh, const Task& ta
     return bodyBy(choice.method, mesh, task);
 }
 
-/// Returns the vertices of `surface` nearest to these of the repaired mesh, ascending. `surface`
-/// may be a remesh of it.
+/// Returns the vertices of `surface` nearest to the given vertices of the repaired mesh, ascending.
+/// `surface` may be a remesh of that mesh.
 std::vector<int>
 nearestVertices(const Mesh& surface, const Mesh& repaired, const std::vector<int>& vertices) {
     std::vector<int> nearest;

@@ -1,5 +1,5 @@
 // Finds the turns and mirrors that map a mesh onto itself, so that solvers need only one sector of
-// it. Only commuting groups: their solutions separate into one set per character.
+// it. All elements of a group commute, so that solutions separate into one set per character.
 #pragma once
 
 #include "Geometry/Mesh.h"

@@ -1,5 +1,5 @@
-// The effect of parameters that were set by name. Figures make their material or mallet custom, and
-// some parameters cannot act.
+// Makes parameters that were set by name take effect, or says why they cannot. A figure of a
+// material or mallet makes that material or mallet custom.
 #pragma once
 
 #include "Parameters/ParameterTable.h"

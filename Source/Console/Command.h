@@ -1,4 +1,4 @@
-// The subcommands of the program `idiophone`, one a file. Each adds its options to the command
+// The subcommands of the program `idiophone`, one per file. Each adds its options to the command
 // line. If its subcommand is given, it sets the action that Main runs.
 #pragma once
 

@@ -102,7 +102,7 @@ void MaterialPad::mix(const PlanePlace& place) {
     view.parameters.change(fluidDamping, material.damping.fluidPerSecond);
     view.parameters.change(viscoelasticDamping, material.damping.viscoelasticSeconds * 1e6);
     view.parameters.change(lossFactor, material.damping.lossFactor);
-    view.parameters.change(ParameterId::material, customMaterial); // after its figures
+    view.parameters.change(ParameterId::material, customMaterial); // last, after all figures
     refresh();
 }
 

@@ -12,7 +12,7 @@ public:
 
     /// Whether B plays and is edited. A new session begins with A.
     virtual bool playsB() = 0;
-    /// Plays the other sound. Until it is first made, it is a copy of the current one.
+    /// Plays the other sound. At first, the other sound is a copy of the current one.
     virtual void compare() = 0;
     /// Copies the current sound to the other one.
     virtual void copyToOther() = 0;

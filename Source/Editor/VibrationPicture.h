@@ -28,7 +28,7 @@ public:
 
     bool moves() const;
     void advance(double seconds);
-    /// The displacement in the scene of these objects; nothing at rest.
+    /// Returns the displacement of the scene's objects, or nothing at rest.
     std::optional<SceneMotion> motionIn(const ObjectScene& scene);
 
 private:

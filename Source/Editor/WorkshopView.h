@@ -35,7 +35,8 @@ struct ImportStatus {
     std::string fileName; ///< without its folder
     /// True if the last mesh is in memory and nothing else was loaded since.
     bool followsSettings = false;
-    /// In effect: as set, or those of a single object that was not imported.
+    /// The settings in effect: those that were set, or those of a single object that was not
+    /// imported.
     ImportSettings settings;
     double progress = 0; ///< 0 to 1
     std::string step;    ///< current step, such as "Solving for modes"

@@ -40,8 +40,8 @@ struct RepairReport {
     int nonManifoldEdges = 0; ///< edges of more than two faces
     int oneSidedEdges = 0;    ///< edges whose faces cannot agree on a side
 
-    /// Returns true if the end of the mesh may be missing: it is open, and it had more faceless
-    /// vertices than stray ones or those of dropped faces explain.
+    /// Returns true if the end of the mesh may be missing: it is open, and it had too many vertices
+    /// without a face to be explained by stray vertices or dropped faces.
     bool mayBeCutOff() const;
     /// Returns sentences for the user, such as "Welded 36 vertices. Open: 40 boundary edges."; may
     /// be empty.

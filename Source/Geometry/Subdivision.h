@@ -1,4 +1,4 @@
-// Smooths meshes, because a body that rolls over a coarse mesh would feel its edges.
+// Smooths meshes, so that a body that rolls over a coarse mesh does not bump over its edges.
 #pragma once
 
 #include "Geometry/Mesh.h"

@@ -26,14 +26,14 @@ public:
                  HeldContacts& contacts,
                  HandScrape& hand);
 
-    /// Turns the motor on by a cell; call before `beginCell`. With `songTurns` it follows these, at
-    /// once if `isAtOnce`.
+    /// Turns the motor on by a cell; call before `beginCell`. If `songTurns` is given, the motor
+    /// follows these turns, at once if `isAtOnce`.
     void turnMotor(const ParameterValues& values,
                    double beatsPerMinute,
                    std::optional<double> songTurns,
                    bool isAtOnce);
     void beginCell(const ParameterValues& values, const KeyState& keys, StrikeScheduler& strikes);
-    /// Moves the gain towards its goal over the newest cell. The first cell has the goal at once.
+    /// Moves the gain towards its goal over the newest cell. The first cell starts at the goal.
     void moveGain(float goal);
 
     bool cellIsOver() const { return position == cellSamples; }
@@ -49,7 +49,7 @@ public:
     bool hasMallets() const { return strategy->hasMallets(); }
 
     void updateDampers(const ParameterValues& values, const KeyState& keys);
-    /// A hand on its surface holds a slot, or no longer holds it.
+    /// Sets whether a hand touches a slot.
     void touch(std::size_t slot, bool isTouched) { slotTouched[slot] = isTouched; }
     void liftHands();
 

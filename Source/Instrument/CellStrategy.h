@@ -35,7 +35,7 @@ public:
     virtual void begin(Synthesiser& synthesiser, StereoCell& cell) = 0;
     /// Completes the newest cell, after ringing and held sounds.
     virtual void finish(const BegunCell& begun, StrikeScheduler& strikes, StereoCell& cell) = 0;
-    /// Fades forces of the strategy's own out over a cell.
+    /// Fades the strategy's own forces out over a cell.
     virtual void fadeForces(Synthesiser& synthesiser, StereoCell& cell) = 0;
     /// Returns whether notes strike or press with mallets, and dampers follow keys.
     virtual bool hasMallets() const = 0;

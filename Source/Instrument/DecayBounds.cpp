@@ -30,8 +30,8 @@ double greater(double a, double b) noexcept {
     return std::max(a, b);
 }
 
-/// Returns a bound of both bounds' modes. Every law grows with the frequency, so each figure counts
-/// alone.
+/// Returns a bound of the modes of both bounds. Decay grows with every figure and falls with the
+/// specific stiffness, so each figure is bounded separately.
 ModeBound boundOfBoth(const ModeBound& a, const ModeBound& b) noexcept {
     return {.eigenvalue = std::min(a.eigenvalue, b.eigenvalue),
             .scale = std::min(a.scale, b.scale),

@@ -44,8 +44,8 @@ public:
                  double slotSizeRatio = 1,
                  const PitchMode* pitch = nullptr) noexcept;
 
-    /// Returns the sum of all mobilities [1/kg], which acts in an impact too short for any mode to
-    /// turn back.
+    /// Returns the sum of all mobilities [1/kg]. It acts in an impact much shorter than any mode's
+    /// period.
     double impulsiveMobilityPerKg() const noexcept;
 
     /// Returns the collision with a striker at a speed > 0 [m/s].

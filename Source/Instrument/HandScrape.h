@@ -20,7 +20,7 @@
 
 namespace idiophone {
 
-/// The hand touches a place, or moves on to it.
+/// A move of the hand: to the first place that it touches, or on to another one.
 struct SurfaceTouch {
     std::size_t slot = 0; ///< index into the instrument's slots
     StrikePoint point;    ///< on the slot's object

@@ -18,8 +18,8 @@ namespace idiophone {
 class HeldForceSpectrum {
 public:
     HeldForceSpectrum() = default;
-    /// Describes a surface passed at a speed ≥ 0, raised to the surface's slowest. Settings and
-    /// coupled modes are those of ContactForce.
+    /// Describes a surface passed at a speed ≥ 0, raised to the surface's minimum speed. Settings
+    /// and coupled modes are those of ContactForce.
     HeldForceSpectrum(const Surface& surface,
                       double speedMetresPerSecond,
                       const ContactForceSettings& settings,

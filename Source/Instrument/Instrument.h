@@ -23,13 +23,13 @@ struct Key {
     int slot = -1;         ///< −1: the note is silent
     int strip = 0;         ///< index into Instrument::strips
     double along = 0.5;    ///< place on the strip, 0 to 1
-    KeyMallet mallet = {}; ///< difference from the chosen mallet
+    KeyMallet mallet = {}; ///< relative to the chosen mallet
     /// False if the preset has no object for the key, so that the key plays a neighbour's.
     bool isOwn = true;
 };
 
-/// Maximum of modes of all slots together. Each slot has its own bank, half a kilobyte a mode, so
-/// without it a small file on 128 keys could use any amount of memory.
+/// Maximum of modes of all slots together. Each slot has its own bank, with half a kilobyte per
+/// mode. Without this limit, a small file on 128 keys could use any amount of memory.
 inline constexpr std::size_t maximumModesOfSlots = std::size_t{1} << 21;
 /// Keys outside the preset's own play only if all keys together have at most this many modes: 256
 /// MiB.
@@ -69,7 +69,8 @@ public:
         return strips[static_cast<std::size_t>(key.strip)];
     }
 
-    /// Returns the mallet for strikes on a slot without a key: its key's, if it has one.
+    /// Returns the mallet for strikes by hand on a slot: the mallet of the slot's key, if it has
+    /// one.
     const KeyMallet& mallet(std::size_t slot) const { return mallets[slot]; }
     const LowestModes& lowestModes(std::size_t slot) const { return lowestModesOfSlots[slot]; }
     /// Returns whether a slot and all vertices of a point on its object exist.

@@ -51,9 +51,9 @@ public:
     /// Returns the last complete gain.
     double gainDb() const noexcept { return state.gainDb; }
 
-    /// Returns the wheel to rest but keeps the predictions made there. If the values equal those of
-    /// the last such prediction, the next `advance` has their gain and processes no modes. Without
-    /// prepare(), the next call prepares, as after construction.
+    /// Returns the wheel to rest but keeps the predictions for the wheel at rest. If the values
+    /// equal those of the last such prediction, the next `advance` has their gain and processes no
+    /// modes. Without prepare(), the next call prepares, as after construction.
     void reset() noexcept;
 
     /// Marks the start of a song. If values and wheel equal those of its last start, the next
@@ -68,7 +68,7 @@ private:
     /// The values that the loudness depends on.
     struct Goal {
         ParameterValues values;
-        int wheel = 0; ///< at rest for strikes, as it does not affect them
+        int wheel = 0; ///< at rest for strikes, which it does not affect
 
         bool operator==(const Goal&) const = default;
     };

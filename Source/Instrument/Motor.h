@@ -17,8 +17,9 @@ public:
     /// Returns the last gain of `advance`; 1 at the start.
     float gain() const { return gainNow; }
 
-    /// Corrects the phase to that of another clock; call it before `advance`. It jumps at once, or
-    /// takes a share of the shorter way to a phase with the same opening.
+    /// Corrects the phase to that of another clock; call it before `advance`. With `isAtOnce` the
+    /// phase jumps. Otherwise it moves by a share of the shorter way to a phase with the same
+    /// opening.
     void keepTo(double turns, bool isAtOnce);
 
     /// Returns to the start: open.

@@ -27,8 +27,8 @@ struct RingingMode {
 template <std::size_t levels>
 class NearModes {
 public:
-    /// Returns powers, mean of the channels, for each excitation and note. Decaying as the mode
-    /// does, they carry its energy and that of its interference with the modes before it.
+    /// Returns powers, mean of the channels, for each excitation and note. Powers that decay as the
+    /// mode does carry its energy and the energy of its interference with earlier modes.
     std::array<PhraseMeter::NoteFigures, levels>
     add(const RingingMode<levels>& mode, std::size_t firstNote, std::size_t endNote) noexcept {
         std::array<PhraseMeter::NoteFigures, levels> powers{};

@@ -66,7 +66,7 @@ private:
     std::size_t nextMode = 0;
     LiveConditions conditions;
     double thicknessRatio = 1;
-    double listening = 0; ///< 0 where struck, 1 from afar
+    double listening = 0; ///< share of the far sound, 0 to 1
     double release = 0;   ///< [1/s]
     bool held = false;    ///< scraped or rolled
     std::array<StrikePoint, PhraseMeter::notes> points;

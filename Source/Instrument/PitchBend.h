@@ -48,7 +48,7 @@ public:
     /// Returns the bend by the wheel that the note shares with others. A note that was never
     /// played, or −1 for no note, follows channel 0.
     double commonSemitones(int note) const noexcept;
-    /// Returns the bend that adds to it, by the note's own wheel.
+    /// Returns the bend by the note's own wheel, which adds to `commonSemitones`.
     double ownSemitones(int note) const noexcept {
         return noteSemitones[static_cast<std::size_t>(note)];
     }

@@ -1,4 +1,4 @@
-// Controls the stage of a player. Without a stage all of it does nothing.
+// Controls the stage of a player. Without a stage, no function has an effect.
 #pragma once
 
 #include "Instrument/Instrument.h"
@@ -58,7 +58,7 @@ protected:
             performance = stage->makePlayer(sampleRateHz, seed);
     }
 
-    std::shared_ptr<const Instrument> playedInstrument; ///< outlives the performance's own thread
+    std::shared_ptr<const Instrument> playedInstrument; ///< outlives the worker thread of the stage
     std::unique_ptr<StagePlayer> performance;           ///< null without a stage
 };
 

@@ -119,10 +119,10 @@ public:
     std::int64_t label() const noexcept { return ownersLabel; }
 
     bool silent() const;
-    /// Tells effects behind the player, such as the room, about All Sound Off. Returns the number
-    /// of samples at the start of the last block that it silences. Returns nothing if it neither
-    /// came since the last call nor silenced any sample of the last block. All Sound Off counts
-    /// from the block's start; for the exact sample, begin a block there.
+    /// Returns how many samples at the start of the last block All Sound Off silences, for effects
+    /// behind the player such as the room. Returns nothing if it neither came since the last call
+    /// nor silenced any sample of the last block. All Sound Off counts from the block's start; for
+    /// the exact sample, begin a block there.
     std::optional<std::size_t> takeSilenced();
     const Synthesiser& synthesiser() const { return renderer.synthesiser(); }
     const Instrument& instrument() const { return *playedInstrument; }

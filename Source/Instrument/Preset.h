@@ -42,8 +42,8 @@ struct KeyMap {
     /// one on the surface. `zones` spread the keys along the path; the other maps strike at
     /// `strikeAt`.
     std::vector<std::array<double, 3>> strikePath{{-1, 0, 0}, {1, 0, 0}};
-    /// Place on the path, 0 to 1: one for all keys, or places for evenly spread keys from the
-    /// lowest to the highest, interpolated for the others. Not empty.
+    /// Places on the path, 0 to 1; not empty. One place serves all keys. Several places belong to
+    /// evenly spread keys from the lowest to the highest; other keys interpolate between them.
     std::vector<double> strikeAt{0.5};
     /// Reach of "strike position across" beside the path, in units of the bounding box.
     double strikeWidth = 1; ///< 0 to 1

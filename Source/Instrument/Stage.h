@@ -35,8 +35,8 @@ public:
     /// Sets the number of the next note, from 0 on. It seeds the random part of its bodies' motion.
     virtual void countNotesFrom(std::uint32_t number) noexcept = 0;
 
-    /// Returns when the simulation is as far ahead of the sound as its worker would be, about a
-    /// second. Not for the audio thread, but for its caller between two blocks.
+    /// Waits until the simulation is as far ahead of the sound as its worker would be, about a
+    /// second. For the caller of the audio thread's functions, between two blocks.
     virtual void waitForSimulation() noexcept = 0;
 
     /// Adds the sound of the bodies in the newest cell, each slot's to its own output. Call it once
@@ -82,8 +82,7 @@ class Stage {
 public:
     virtual ~Stage() = default;
 
-    /// Makes a performance for an instrument on this stage. The same seed, notes and offline state
-    /// give the same bits.
+    /// Makes a player of this stage. The same seed, notes and offline state give the same bits.
     virtual std::unique_ptr<StagePlayer> makePlayer(double sampleRateHz,
                                                     std::uint64_t seed) const = 0;
 

@@ -18,7 +18,7 @@ struct SurfaceStrike {
     int velocity = 0;     ///< 1 to 127; 0 strikes nothing and lifts the hand
 };
 
-/// The time of a strike, and what it depends on then.
+/// The time of a strike, and the state of cell, parameters and pedal at that time.
 struct StrikeMoment {
     BegunCell cell;
     double sample; ///< from the cell's start, at most 64
@@ -69,7 +69,7 @@ private:
     std::vector<SurfaceStrike> surfaceStrikes;
 };
 
-/// Returns numbers of strikes far apart for successive indices, 0 for 0.
+/// Spreads successive indices to strike numbers that are far apart; 0 stays 0.
 constexpr std::uint32_t distantNumber(std::uint64_t index) {
     return static_cast<std::uint32_t>(index * 0x9e3779b97f4a7c15u >> 32);
 }

@@ -123,7 +123,8 @@ std::string scalarsFault(const ModalObject& object) {
         return "the thickness of the shell is less than a nanometre";
     if (!std::isfinite(object.bandHz) || object.bandHz <= 0)
         return "the analysed band is not a positive number";
-    // From objects whose shapes would be far too large up to the mass of the moon.
+    // The minimum is the mass of objects whose shapes would be far too large, the maximum that of
+    // the moon.
     const double massKg = object.mass.massKg;
     if (!(massKg >= 1e-18 && massKg <= 1e23))
         return "the mass is not between 1e-18 and 1e23 kg";

@@ -50,7 +50,7 @@ std::vector<std::byte> encodeModalObject(const ModalObject& object, ShapePrecisi
     safetensors::Writer writer(describeMetadata(object));
     const auto modes = object.modeCount();
     const auto shapeVertices = object.shapeVertexCount();
-    // Wide numbers come first, so that every tensor is aligned to its own size.
+    // Write the widest numbers first, so that every tensor is aligned to the size of its numbers.
     writer.add("eigenvalues", "F64", {modes}, object.eigenvalues);
     const auto addIfAny = [&](const char* name, const std::vector<double>& values) {
         if (!values.empty())

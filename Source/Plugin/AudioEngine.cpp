@@ -98,7 +98,8 @@ void AudioEngine::followTransport(const juce::AudioPlayHead* playHead, int block
         output.reset();
 }
 
-/// Leaves them in the queue while blocks without samples keep too many events.
+/// Takes the window's events. If blocks without samples keep too many events, leaves them in the
+/// queue.
 void AudioEngine::takeWindowEvents() noexcept {
     if (pieces.room() >= WindowEvents::maximumNotes)
         messages.window.read(sound.player(), [this](const MidiEvent& note) { pieces.add(note); });
@@ -141,8 +142,8 @@ void AudioEngine::followGivenBends(Player& player) noexcept {
     move(mpeBendRange, given.memberRange);
 }
 
-/// A player whose output is not finite would stay so: resets it, so that the next note starts from
-/// silence.
+/// Resets a player whose output is not finite, because it would not recover. The next note then
+/// starts from silence.
 void AudioEngine::write(const StereoSpan& rendered, std::span<float* const> channels) noexcept {
     if (output.process(rendered.left, rendered.right, channels, values))
         return;
@@ -195,7 +196,7 @@ void AudioEngine::prepare(double sampleRateHz, std::unique_ptr<Player> player) {
     transport.forget();
     report.tempo = 0;
     messages.reset = false;
-    ++report.callbacks; // counts the first callback in advance
+    ++report.callbacks; // the first callback, counted in advance
     values = parameters.values();
     prepared = true;
 }

@@ -30,7 +30,7 @@ float HostParameter::getValue() const {
 
 void HostParameter::setExactValue(double value) noexcept {
     movedByController =
-        false; // first: a controller may move it meanwhile, and the host must hear of that
+        false; // first, so that a controller's move meanwhile still reaches the host
     exact = row.clamped(value);
     ++timesSet;
 }

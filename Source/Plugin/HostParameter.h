@@ -40,8 +40,8 @@ public:
     void changeByHand(double value);
     /// [any thread] Reports the value to the host and other listeners.
     void tellListeners();
-    /// [message thread] Reports the value if it differs from the last sent one and that one is not
-    /// forgotten.
+    /// [message thread] Reports the value if it differs from the last sent one. Does nothing after
+    /// `forgetTold`.
     void tellListenersIfMoved();
     /// [any thread] Forgets the last sent value, so that nothing counts as its echo.
     void forgetTold() noexcept { told = -1; }

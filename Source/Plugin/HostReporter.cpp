@@ -30,7 +30,7 @@ void HostReporter::reportSound() {
     }
     if (processor.wrapperType == juce::AudioProcessor::wrapperType_LV2)
         return; // LV2 reports values only this way, and no program
-    // Report twice: the wrapper reports nothing until some time after a state is restored.
+    // Report twice, because the wrapper reports nothing until some time after a state is restored.
     soundsToReport = 2;
     pollSoon();
 }
@@ -55,7 +55,7 @@ void HostReporter::poll(MidiLearn& controllers) {
     if (restorings > 0)
         return;
     if (soundsToReport > 0) {
-        --soundsToReport; // first: another sound may arrive meanwhile
+        --soundsToReport; // before the report, as another sound may arrive meanwhile
         reportSound();
     } else if (movesToReport > 0) {
         --movesToReport;

@@ -10,7 +10,7 @@ namespace idiophone {
 /// block, the last report goes on: LV2 hosts report only changes.
 class HostTransport {
 public:
-    /// Call once a callback, with its number of samples; `host` is nullptr if there is no play
+    /// Call once per callback, with its number of samples; `host` is nullptr if there is no play
     /// head. A block without samples is ignored. A position reported twice in a row counts as none,
     /// because some hosts report whole beats.
     void follow(const juce::AudioPlayHead* host, int blockSamples, double sampleRateHz) noexcept;

@@ -30,7 +30,7 @@ std::string ImportSession::openPatterns() const {
 }
 
 void ImportSession::begin(int originOfJob) {
-    history.keepAudition(); // the user wants the sound: it is analysed again
+    history.keepAudition(); // analysing an auditioned sound keeps it
     origin = originOfJob;
     failureShown = false;
 }
@@ -107,7 +107,7 @@ bool ImportSession::playsPreview() const {
     const auto object = imported.lock();
     if (!importedIsPreview || object == nullptr || !plays(session.instrument(), *object))
         return false;
-    const auto stage = workshop.status().stage; // if it is done, the whole object follows
+    const auto stage = workshop.status().stage; // when it is done, the whole object follows
     return stage == ImportStatus::Stage::previewed || stage == ImportStatus::Stage::done;
 }
 
@@ -132,7 +132,7 @@ void ImportSession::poll() {
 
 void ImportSession::play(const ObjectWorkshop::Product& product) {
     if (product.isFirst)
-        history.keepAudition(); // recording would end the audition, and so load
+        history.keepAudition(); // recording would end the audition and load the sound before it
     const auto now = session.loaded();
     if (now.origin != origin)
         return;
@@ -230,7 +230,7 @@ void ImportSession::setStrikePath(std::size_t index,
         playMapped(now, map, "Strike path");
 }
 
-/// Plays the same objects by other keys or at other places.
+/// Plays the same objects with another key map.
 void ImportSession::playMapped(const SoundSession::Loaded& now,
                                const KeyMap& map,
                                const std::string& step) {
@@ -251,7 +251,7 @@ void ImportSession::playMapped(const SoundSession::Loaded& now,
     mapped.parameters =
         asLoudAs(now.sound, mapped.preset, *built, now.sound.parameters, session.rateHz());
     const bool isOurs = origin == now.origin;
-    history.keepAudition(); // the user wants the sound: its keys are changed
+    history.keepAudition(); // changing the keys of an auditioned sound keeps it
     std::optional<int> number;
     history.record(step, [&] { number = playInstead(now, mapped); });
     if (number)

@@ -34,7 +34,7 @@ Processor::Processor()
 }
 
 Processor::~Processor() {
-    polls.reset(); // before everything it polls
+    polls.reset(); // first, because polls use all other members
 }
 
 void Processor::processBlock(juce::AudioBuffer<float>& buffer, juce::MidiBuffer& midi) {
@@ -76,8 +76,8 @@ void Processor::releaseResources() {
     messages.players.collect();
 }
 
-/// Some wrappers call it with every block. Offline, the host hears of no controller and so sends no
-/// echo.
+/// Forgets the sent values only on a change, because some wrappers call this for every block.
+/// Offline, no controller value is sent to the host, so no value from the host is an echo.
 void Processor::setNonRealtime(bool isOffline) noexcept {
     if (isOffline != isNonRealtime())
         hostParameters.forgetTold();

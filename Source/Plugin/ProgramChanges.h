@@ -37,7 +37,7 @@ public:
 
     /// Returns the place behind the block's last program change, or its begin.
     juce::MidiBufferIterator behindLast(const juce::MidiBuffer& midi) const noexcept;
-    /// Keeps the moment for the next request.
+    /// Keeps the current values for the next request.
     void keepMoment(const HostParameters& parameters, std::uint32_t soundChanges) noexcept;
     /// Takes channel messages, in order of time, and requests the last program among them.
     void follow(std::span<const MidiEvent> events) noexcept;
@@ -71,13 +71,13 @@ private:
     std::atomic<Request> requested{none}, refused{none};
     LatestValue<Moment> moments{{}};
 
-    // Owned by the audio thread.
+    // The audio thread owns these.
     PendingKeys keys;
     Moment atLastChange;
     Request requests = 0;      ///< made so far
     Request unanswered = none; ///< the last one
 
-    // Owned by the session.
+    // The session owns these.
     Request answered = none;
     Moment newest;
 };

@@ -62,9 +62,9 @@ public:
     /// Call it within `record`, so that a change belongs to its step.
     OtherVariant& otherVariant() noexcept { return other; }
 
-    /// Passes every sound of the steps and the other variant through `renew`. For data that was
-    /// replaced for good, also for the current sound: a preview by the whole analysis, or a preset
-    /// file by saving. Makes no step.
+    /// Passes every sound of the steps and the other variant through `renew`, and makes no step.
+    /// Use it for data that is replaced for good: a preview by the whole analysis, or a preset file
+    /// by saving. The caller renews the current sound.
     void renewSounds(const std::function<void(Sound&)>& renew);
 
     /// Plays sounds for listening, without steps. `keepAudition` makes one step of all of them;
@@ -90,7 +90,7 @@ private:
     };
 
     Session session() const { return {.playing = holder.loadedSound(), .other = other}; }
-    /// Returns whether it plays. If a step fails, all steps are cleared.
+    /// Plays a session and returns whether that succeeded. If a step fails, all steps are cleared.
     bool play(const Session& wanted);
     void followHost();
     void forgetAll();

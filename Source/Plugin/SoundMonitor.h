@@ -50,8 +50,8 @@ public:
         watchedSlot = slot ? static_cast<int>(*slot) : -1;
     }
 
-    /// [audio thread] Lives for one callback: measures its duration for display and takes a picture
-    /// when one is due. Neither allocates, locks nor throws. Costs nothing while nobody asks.
+    /// [audio thread] One object per callback measures its duration for display and takes a picture
+    /// if one is due. Neither allocates, locks nor throws. Does nothing if no window asks.
     class Callback {
     public:
         Callback(SoundMonitor& monitor, const PlayerCrossfade& sound, int samples) noexcept;

@@ -92,7 +92,7 @@ void Tuner::retuneKeys(std::span<const juce::uint8> keys, bool areNamed) noexcep
     }
 }
 
-/// The client forgets only by a message: zero offset for all twelve notes.
+/// Only a message makes the client forget a tuning: zero offset for all twelve notes.
 void Tuner::followForgetting() noexcept {
     if (!forgetsMessages)
         return;

@@ -12,8 +12,8 @@
 
 namespace idiophone {
 
-/// For the message thread, but for functions marked [lock]: any thread that holds the session's
-/// lock calls them.
+/// For the message thread, except functions marked [lock]: any thread that holds the session's lock
+/// calls them.
 class TuningSession final : public TuningView {
 public:
     TuningSession(SoundSession& session,

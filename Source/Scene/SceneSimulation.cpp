@@ -130,8 +130,8 @@ std::span<const Touch> SceneSimulation::withHand(double from, double until) {
     return touchesWithHand;
 }
 
-/// Adds the bodies that are due. One due between two steps is moved to where it is now. Half a step
-/// of gravity ahead makes the fall exact at every step.
+/// Adds the bodies that are due. Moves a body that was due between two steps to its current place.
+/// Half a step of gravity in advance makes the fall exact at every step.
 void SceneSimulation::addDueBodies(double now) {
     for (; nextArrival < arrivals.bodies.size() && arrivals.bodies[nextArrival].seconds <= now &&
            !isCrowded();

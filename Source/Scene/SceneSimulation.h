@@ -24,7 +24,7 @@ struct SceneImpact {
     Eigen::Vector3d pointMetres = Eigen::Vector3d::Zero(); ///< on the object, not scaled
 };
 
-/// Returns the error for a scene whose run is crowded.
+/// Returns the error for a scene whose simulation is crowded.
 Error crowdedFault(const Scene& scene);
 
 /// One thread at a time; not for the audio thread. The same scene assets and setup give the same

@@ -39,7 +39,7 @@ public:
               const CellOutput& ears) noexcept;
 
     void reset() noexcept; ///< to the state after construction
-    /// Returns whether no impact is pending and no sound on its way to the listener.
+    /// Returns whether no impact is pending and no sound is on its way to the listener.
     bool silent() const noexcept;
 
     TouchVoices contacts;

@@ -42,7 +42,7 @@ private:
 
     struct Simulation {
         SimulationNote note;
-        bool begins = false;                  ///< its run has not been created yet
+        bool begins = false;                  ///< its simulation has not been created yet
         std::unique_ptr<SceneSimulation> run; ///< null while the simulation is idle
         std::int64_t cellsDone = 0;
         std::size_t blocksOut = 0; ///< blocks that have not been given back

@@ -43,7 +43,7 @@ public:
     bool tubesPulse() const noexcept { return !tubeParts.empty() && !scratch.tubes.isFull(); }
     /// Returns the tube's parts of the modes in ascending runs, valid until the next call.
     std::span<const ModePart> tubePartsOf(std::span<const ModeRun> runs) const noexcept;
-    /// Returns the same if the discs change the sound, or nothing.
+    /// Returns `tubePartsOf(runs)` if the discs change the sound, otherwise nothing.
     std::span<const ModePart> pulsing(std::span<const ModeRun> runs) const noexcept {
         return tubesPulse() ? tubePartsOf(runs) : std::span<const ModePart>();
     }

@@ -20,8 +20,9 @@ void startIncrements(const PoleArrays& poles,
                      std::size_t channels,
                      StateIncrements& increments) noexcept;
 
-/// Adds `factor` times the residues times the unit's forced states. The imaginary parts of residues
-/// hear `force` at once: the force over Ω, for a unit impulse.
+/// Adds `factor` times the residues times the unit's forced states. Adds `force` times the
+/// imaginary part of each residue, which is heard at once. `force` is the force over Ω, for a unit
+/// impulse.
 void gatherIncrements(const UnitContact& unit,
                       const ModeResidues& residues,
                       double factor,

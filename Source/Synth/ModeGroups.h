@@ -92,7 +92,7 @@ private:
     double sampleRate;
     GroupConditions current;
     bool behind = true;
-    bool eigenvaluesAreBehind = false; ///< they ignore a new thickness or imperfection so far
+    bool eigenvaluesAreBehind = false; ///< not yet computed for a new thickness or imperfection
     std::vector<std::uint8_t> requestedSilences, silencedModes; ///< [M], or empty: none
     bool silencesChange = false;
     ModeWeights modeWeights;

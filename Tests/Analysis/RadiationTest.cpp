@@ -215,7 +215,7 @@ TEST_CASE("Weights beyond the audible band equal those at its ends") {
     CHECK(at(3) == at(4));
 }
 
-TEST_CASE("Listening from outside the centre only adds a delay") {
+TEST_CASE("A shift of the centre only delays the radiation") {
     const std::vector<double> ratios{1};
     auto body = sphere([](const Eigen::Vector3d& n) -> Eigen::Vector3d {
         return (1 + n.x() + 2 * n.z() * n.z() * n.z() + n.x() * n.y()) * n;

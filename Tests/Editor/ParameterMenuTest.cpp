@@ -23,7 +23,7 @@ juce::StringArray textsOf(const juce::PopupMenu& menu) {
     return texts;
 }
 
-/// Runs the first enabled item whose text begins so. Returns whether there is one.
+/// Runs the first enabled item whose text starts with `beginning`. Returns whether there is one.
 bool choose(const juce::PopupMenu& menu, const juce::String& beginning) {
     for (juce::PopupMenu::MenuItemIterator item(menu); item.next();)
         if (item.getItem().text.startsWith(beginning) && item.getItem().isEnabled) {

@@ -36,7 +36,7 @@ TEST_CASE("Repair leaves a good mesh unchanged") {
     }
 }
 
-TEST_CASE("A soup of triangles is welded into the closed surface it shows") {
+TEST_CASE("A soup of triangles is welded into the closed surface that it forms") {
     const auto sphere = icosphereMesh(0.1, 3);
     auto soup = soupOf(sphere);
     std::mt19937 random(3);
@@ -127,8 +127,8 @@ TEST_CASE("An open mesh with many faceless vertices is reported as possibly cut 
     CHECK_THAT(textOf({whole.vertices, whole.faces.topRows(whole.faceCount() * 3 / 4)}),
                ContainsSubstring(said));
     CHECK_THAT(textOf(whole), !ContainsSubstring(said));
-    // Also not for holes without loose vertices, stray vertices beside a sheet, or extra vertices
-    // in the list of a closed mesh.
+    // Holes without loose vertices, stray vertices beside a sheet and extra vertices in the list of
+    // a closed mesh are not reported.
     CHECK_THAT(textOf({whole.vertices, whole.faces.topRows(whole.faceCount() - 2)}),
                !ContainsSubstring(said));
     const auto sheet = sheetMesh(1, 1, 40);
@@ -305,7 +305,7 @@ TEST_CASE("A sphere inside a sphere bounds a hollow, and a third inside that is 
     CHECK(repairMesh(joined(outer, moved(outer, {3, 0, 0})))->report.hollows == 0);
 }
 
-TEST_CASE("Closed surfaces too tangled to find hollows all look outward") {
+TEST_CASE("Closed surfaces all look outward if a search for hollows would take too long") {
     // Pleated blankets, each around the centres of all narrower ones.
     constexpr int pleats = 100, blankets = 300;
     const auto blanket = [&](int number) {
@@ -353,7 +353,7 @@ TEST_CASE("One-sided surfaces are reported, and cut across at a seam") {
     }
 }
 
-TEST_CASE("A book is cut into sheets of two pages, and an odd page stays alone") {
+TEST_CASE("Many faces at one edge are cut into sheets of two faces, and an odd face stays alone") {
     const int pages = GENERATE(3, 5, 6, 101);
     const auto cut = repairMesh(book(pages), {.cutIntoManifold = true});
     REQUIRE(cut);

@@ -163,7 +163,7 @@ TEST_CASE("A ray passes through all faces in its path, within its box limit") {
     CHECK_FALSE(query.passages(from, up, boxes));
 }
 
-TEST_CASE("With heaped faces, a query ends with the best face found so far") {
+TEST_CASE("If many faces overlap, a query ends with the best face found within its limit") {
     const SurfaceQuery query(heapedFaces(40));
     const Eigen::Vector3d above(0.3, 0.3, 5), down(0, 0, -1);
     constexpr std::int64_t plenty = 1'000'000;

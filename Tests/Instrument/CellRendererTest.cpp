@@ -121,7 +121,7 @@ TEST_CASE("A damper falls on a slot when its key goes up, unless a hand touches 
     CHECK(rms(std::span(lifted).last(480)) < 0.01 * rms(std::span(ringing).last(480)));
 }
 
-TEST_CASE("The first goal of the gain acts at once, and a later one within 10 ms and a step") {
+TEST_CASE("The first gain acts at once, and a later one within 10 ms in small steps") {
     Rig plain, loud;
     for (auto* rig : {&plain, &loud}) {
         rig->press(69);

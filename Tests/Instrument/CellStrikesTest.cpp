@@ -65,7 +65,7 @@ TEST_CASE("A strike beyond an object's contacts sounds like one within them") {
         REQUIRE(many[i] == Approx(300 * one[i]).margin(0.02 * 300));
 }
 
-TEST_CASE("An invalid strike is refused, also without free contacts, and stays pending nowhere") {
+TEST_CASE("An invalid strike is refused, also without free contacts, and does not stay pending") {
     for (const int before : {0, 64}) {
         Rig rig;
         rig.beginCell();

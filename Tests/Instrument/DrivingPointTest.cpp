@@ -148,7 +148,7 @@ TEST_CASE("A mode far slower than the contact acts as a free mass, a far faster 
     CHECK(impactOn(1).impulseNewtonSeconds == Approx(2 / (1 / 0.03 + 20)).epsilon(1e-3));
     CHECK(impactOn(1e5).contactSeconds == Approx(1e-3).epsilon(1e-3));
     CHECK(impactOn(1e5).impulseNewtonSeconds == Approx(0.06).epsilon(1e-3));
-    // Between them there is no step.
+    // There is no step between the two.
     double last = impactOn(1).impulseNewtonSeconds;
     for (double hz = 1; hz < 1e5; hz *= 1.005) {
         const double impulse = impactOn(hz).impulseNewtonSeconds;
@@ -226,7 +226,7 @@ TEST_CASE("Live density, stiffness and thickness act on the struck mass and mode
     const Striker striker = head(0.02, 5e-4);
     SynthesisSettings dense;
     dense.material = LiveMaterial{.youngsModulusPa = 3e10, .densityKgPerM3 = 2000, .damping = {}};
-    auto heavy = struck; // the same object, made that way
+    auto heavy = struck; // the same object with these constants
     heavy.mass.massKg *= 2;
     for (double& moment : heavy.mass.inertiaKgM2)
         moment *= 2;

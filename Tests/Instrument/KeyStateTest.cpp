@@ -112,7 +112,7 @@ TEST_CASE(
     CHECK(rig.keys.heldKeys().none());
 }
 
-TEST_CASE("Keys take over pedals and wheels of other keys, but not what these hold") {
+TEST_CASE("A key state takes over another one's pedals and wheels, but not its held keys") {
     Rig former, next;
     former.follow({control(midi::sustainPedal, 127), control(midi::softPedal, 127),
                    control(midi::modulation, 9), test::midi(0, 0xe0, 0, 127), noteOn(60)});

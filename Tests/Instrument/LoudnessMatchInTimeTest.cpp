@@ -125,7 +125,7 @@ TEST_CASE("After a reset the first cell has the gain, whatever was prepared") {
     }
 }
 
-TEST_CASE("A prediction prepared for a wheel position is known there and at rest") {
+TEST_CASE("A prediction prepared for a wheel position gives the gain there and at rest") {
     ParameterValues own;
     own.set(matchLoudness, 1);
     own.set(contact, scrapeContact);
@@ -148,7 +148,7 @@ TEST_CASE("A prediction prepared for a wheel position is known there and at rest
     CHECK(prepared.gainDb() == moved);
 }
 
-TEST_CASE("A song that starts as before has its gain at once and follows the same values again") {
+TEST_CASE("A song that starts as before has its gain at once and the same gains later") {
     const auto instrument = synthetic(500);
     ParameterValues own;
     own.set(matchLoudness, 1);
@@ -178,7 +178,7 @@ TEST_CASE("A song that starts as before has its gain at once and follows the sam
         quieter.set(level, -40); // the level changes no gain
         CHECK((pass({quieter, second, own, second}) == expected));
 
-        // A song with other values is followed, and becomes the known one.
+        // A song with other values is followed, and its gains become the known ones.
         const auto other = pass({second, first});
         CHECK((pass({second, first}) == other));
         CHECK(other.back() == expected.front());

@@ -99,7 +99,7 @@ TEST_CASE("The spectral centroid rises with velocity for every mallet on every k
     // go.
     const auto instrument = xylophone();
     int heard = 0;
-    for (const double sizeRatio : {1.0, 2.0, 4.0}) // the C5 bar as C4 and C3 too
+    for (const double sizeRatio : {1.0, 2.0, 4.0}) // also plays the C5 bar as C4 and C3
         for (const int note : {72, 84, 96, 108})
             for (std::size_t i = 0; i < malletRack().size(); ++i) {
                 const auto& slot =

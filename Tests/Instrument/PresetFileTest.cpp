@@ -68,7 +68,7 @@ TEST_CASE("Objects beside a preset are found in its folder and those above, the 
     CHECK(found(none, "b/x.json").empty());
 }
 
-TEST_CASE("A file's name is the path by which a preset finds it, if it does") {
+TEST_CASE("A file's name is the path by which a preset finds it, if it can find it") {
     const auto scene = write("n/Settings/Scenes/coins.json", "{}");
     const auto name = [&](const char* preset) { return nameBeside(scene, testFolder() / preset); };
     CHECK(name("n/Settings/Presets/x.json") == "Scenes/coins.json");

@@ -77,7 +77,7 @@ TEST_CASE("A strike for the next cell waits for it") {
     CHECK(peak(rig.sound(20)) > 0);
 }
 
-TEST_CASE("A strike repeats with its number and seed, and varies with either") {
+TEST_CASE("A strike is the same for the same number and seed, and differs if either differs") {
     const auto struck = [](std::uint64_t seed, std::uint32_t number) {
         Rig rig(seed);
         rig.scheduler.countFrom(number);

@@ -43,7 +43,7 @@ TEST_CASE("Reverb of an old sound keeps its level through automation and further
     const Stereo burst{sine(4800), sine(4800, 700)}, other{sine(4800, 230), sine(4800, 310)},
         nothing{std::vector<float>(4800), std::vector<float>(4800)};
     constexpr std::array levels{-41.0, 5.0, -55.0};
-    // Each sound alone from its own time on: the mixture is their sum.
+    // The mixture is the sum of each sound alone from its own time on.
     Stereo expected{std::vector<float>(4 * 4800), std::vector<float>(4 * 4800)};
     for (std::size_t sound = 0; sound < levels.size(); ++sound) {
         PreparedStage alone;
@@ -117,7 +117,7 @@ TEST_CASE("A level raised after a change does not raise old reverb and is reache
         REQUIRE_THAT(dry.left[i], WithinAbs(gain * burst.left[i], 1e-5));
 }
 
-TEST_CASE("A level that is raised does not raise the fade into another sound's room") {
+TEST_CASE("If the level rises, a fade that reverberates in another sound's room gets no louder") {
     const double former = GENERATE(5.3, -22.8), next = GENERATE(-41.0, -55.0);
     const std::size_t blockSize = GENERATE(32, 480);
     PreparedStage stage;

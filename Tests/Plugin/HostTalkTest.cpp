@@ -240,7 +240,7 @@ TEST_CASE("While no callbacks come, strikes and scrapes are ignored, but release
         return loudest(render(processor, static_cast<int>(seconds * rateHz), blockSize, midi));
     };
     const auto ringsOn =
-        [&] { // another channel taps the key: its bar rings on only if somebody holds it
+        [&] { // another channel taps the key: its bar rings on only if some channel holds it
             juce::MidiBuffer tap;
             tap.addEvent(juce::MidiMessage::noteOn(2, key, juce::uint8{100}), 0);
             tap.addEvent(juce::MidiMessage::noteOff(2, key), 100);

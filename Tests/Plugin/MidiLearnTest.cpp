@@ -44,7 +44,7 @@ TEST_CASE("The next controller on any channel is learned and moves the parameter
     CHECK(processor.view().parameters.value(density) == Approx(parameterInfo(density).minimum));
 }
 
-TEST_CASE("A forgotten controller moves nothing, nor does one after learning was stopped") {
+TEST_CASE("A forgotten controller, or one that arrives after learning has stopped, moves nothing") {
     Processor processor;
     processor.prepareToPlay(48000, 64);
     auto& learn = processor.windowSession().controllers;

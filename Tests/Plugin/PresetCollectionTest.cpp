@@ -181,7 +181,7 @@ TEST_CASE("A matched gain beyond the maximum level is kept when a preset is load
     CHECK(other.view().parameters.value(level) == 20);
     CHECK_FALSE(shelf.soundIsChanged());
     CHECK(firstSecond(other) == expected);
-    // It survives another save. Once the level parameter suffices, that takes over the gain.
+    // The gain survives another save. Once the level parameter suffices, it replaces the gain.
     REQUIRE(shelf.saveChosenPreset());
     Processor third;
     REQUIRE(third.view().presets.loadPreset("Loud.json"));

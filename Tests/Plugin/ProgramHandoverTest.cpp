@@ -193,7 +193,7 @@ TEST_CASE("If a program cannot be built, keys that already sound are not struck 
             CHECK(processor.getCurrentProgram() == 0);
         }
         sound.append(render(processor, 24000, blockSize, {}));
-        if (asks) { // nor later
+        if (asks) { // and not later either
             processor.setCurrentProgram(vibraphone);
             render(processor, 96000, blockSize, {}); // the room rings on
             CHECK(loudest(render(processor, 4800, blockSize, {})) == 0);
@@ -385,7 +385,7 @@ TEST_CASE(
         CHECK(loaded(allocations / part, program).second == moved);
 }
 
-TEST_CASE("Undo after a program change restores the values before it, not those set behind it") {
+TEST_CASE("Undo after a program change restores the values before it, not those set after it") {
     constexpr int volume = 7, program = 3;
     Processor processor;
     processor.prepareToPlay(rateHz, blockSize);

@@ -218,7 +218,7 @@ TEST_CASE(
     for (int program = 0; program < host.processor.getNumPrograms(); ++program) {
         host.choose(program);
         const bool isStage =
-            host.processor.view().stage.hasStage(); // notes would start the scene anew
+            host.processor.view().stage.hasStage(); // notes would start the scene again
         const auto music = isStage
                                ? juce::MidiBuffer()
                                : testMusic(512, 60, host.processor.view().instrument.keyRange());

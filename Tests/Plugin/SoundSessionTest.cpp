@@ -69,7 +69,7 @@ TEST_CASE("Changed parameters are set only while their sound plays") {
     CHECK(parts.parameters[density].exactValue() == 1234);
 }
 
-TEST_CASE("Key maps of one object keep its origin, another name does not") {
+TEST_CASE("Key maps of one object keep the sound's origin; another preset name does not") {
     SessionParts parts;
     auto sound = testSound();
     parts.play(sound);

@@ -39,7 +39,7 @@ TEST_CASE("ownSlots lists every bar of a keyboard, but an object scaled to all k
               std::abs(std::log2(ring->slots()[slots[0]].sizeRatio)));
 }
 
-TEST_CASE("A strike reaches only the player of its instrument, at the place aimed at") {
+TEST_CASE("A strike reaches only the player of its instrument, at the aimed place") {
     const auto plate = instrumentOf("Steel Plate"), other = instrumentOf("Wok");
     WindowEvents events;
     SurfaceHand hand(events);

@@ -170,7 +170,7 @@ TEST_CASE("Impacts are in order of time, whatever the intervals of the queries")
     }
 }
 
-TEST_CASE("Another seed gives another performance") {
+TEST_CASE("Another seed gives other motion") {
     auto scene = *findFactoryScene("Shells in a room");
     SceneSimulation one(assetsOf(scene));
     scene.seed += 1;

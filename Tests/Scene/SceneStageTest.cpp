@@ -299,7 +299,7 @@ TEST_CASE("Every factory scene is an instrument") {
     }
 }
 
-TEST_CASE("A scene that takes too long to begin is refused with a sentence, and soon") {
+TEST_CASE("A scene that takes too long to begin is soon refused with a sentence") {
     const auto refusal = [](const Scene& scene) {
         const auto made =
             SceneStage::make(SceneAssets::make(scene, ObjectLibrary::shared()).value());

@@ -163,7 +163,7 @@ TEST_CASE("An object with every mode silenced is silent and uses no budget") {
     CHECK(synthesiser.modesMixed() == 0);
 }
 
-TEST_CASE("A report gives the standing and level of every group") {
+TEST_CASE("A report gives the state and level of every group") {
     const ModalObject object = ringingObject({300, 810, 810, 1600, 30000}, 8);
     Synthesiser synthesiser({slotOf(object)}, sampleRate);
     SynthesisSettings settings = exactSettings();
