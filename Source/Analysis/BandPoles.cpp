@@ -203,7 +203,7 @@ std::vector<DecayPole> BandPoles::polesAbout(double centreHz, double fastestDeca
 }
 
 std::vector<DecayPole> polesOfStart(std::span<const DecayRecording> recordings) {
-    // Only recordings of one rate have samples at the same instants. The others are ignored.
+    // Only recordings of one rate have samples at the same instants. Ignore the others.
     const double rate = recordings.front().sampleRateHz;
     Index count = longestStart;
     for (const auto& recording : recordings)

@@ -235,8 +235,8 @@ EigenBlock BandSolver::solve() {
     const Vectors zeros = zeroSpace();
     Index filled = 0, previous = 0;
     for (const auto& slice : slices) {
-        // Only the previous slice's modes are near enough to leave a visible part in this one.
-        // Modes farther away are orthogonal without help.
+        // Project out the previous slice's modes, which are near enough to leave a visible part.
+        // Modes farther away are orthogonal anyway.
         const EigenBlock block = solveSlice(slice, filled == 0 ? zeros : Vectors(n, 0),
                                             all.vectors.middleCols(filled - previous, previous));
         all.values.segment(filled, slice.count) = block.values;

@@ -43,7 +43,7 @@ Mesh pebbleMesh() {
     return mesh;
 }
 
-/// A sheet with ribs across, bent along, so that bodies roll back and forth on it.
+/// A bent sheet with ribs across, on which bodies roll back and forth.
 Mesh washboardMesh() {
     constexpr double ribMetres = 0.016, ribHeightMetres = 0.0006, bendRadiusMetres = 1.5;
     Mesh mesh = sheetMesh(0.40, 0.12, 2600);

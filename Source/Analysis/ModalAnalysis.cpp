@@ -19,8 +19,8 @@
 namespace idiophone {
 namespace {
 
-// Measured: repair and decimation of 20,000 triangles take half of a preview's time, these elements
-// the other half.
+// Repair and decimation of 20,000 triangles take half of a preview's time (measured), and this many
+// elements take the other half.
 constexpr int previewElements = 300, previewShellVertices = 300;
 
 /// One analysis: the whole one, or the preview of few elements.

@@ -42,7 +42,7 @@ double waveNumberOf(double frequencyHz) {
     return 2 * std::numbers::pi * frequencyHz / speedOfSoundMetresPerSecond;
 }
 
-/// Returns the edge of that number of equilateral triangles on the surface.
+/// Returns the edge of `unknowns` equilateral triangles that cover the surface.
 double edgeMetresOf(const Mesh& surface, double count) {
     return std::sqrt(4 / std::sqrt(3.0) * faceAreas(surface).sum() / count);
 }

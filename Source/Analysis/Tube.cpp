@@ -181,7 +181,7 @@ std::array<SharedMode, 2> sharedModes(double barOmega,
         if (!(pole.imag() > 0))
             continue;
         const Eigen::Vector2cd shape = solver.eigenvectors().col(k).head<2>();
-        // Not Eigen's dot(), which conjugates.
+        // Eigen's dot() would conjugate.
         const Complex norm =
             (shape.transpose() * (2.0 * pole * mass.cast<Complex>() + damping.cast<Complex>()) *
              shape)(0);

@@ -122,7 +122,7 @@ Result<ImpulseScore> arrange(std::span<const Impulse> impulses,
     return score;
 }
 
-/// Renders cells one after another, each with the contacts that begin in it.
+/// Renders cells in order, each with the contacts that begin within it.
 class CellPlayer {
 public:
     CellPlayer(const ImpulseScore& score, const SynthesisSettings& settings, double sampleRateHz)

@@ -77,7 +77,7 @@ public:
 
     /// The corners of the objects' bounding boxes, eight each.
     const std::vector<ScenePlace>& outline() const { return boxCorners; }
-    /// The same for bodies on a stage.
+    /// The corners of the bounding boxes of bodies on a stage, eight each.
     std::vector<ScenePlace> outline(std::span<const BodyNow> bodies) const;
     /// Half the diagonal of the scene in metres; 0 if it is empty.
     float radius() const { return reach; }

@@ -19,7 +19,7 @@ public:
 
     void add(std::unique_ptr<DeckPage> page);
 
-    /// These two update only visible pages.
+    /// `refresh` and `showSound` update only visible pages.
     void refresh();
     void showSound(const SoundFrame& frame);
 

@@ -10,8 +10,8 @@
 namespace idiophone {
 namespace {
 
-/// Converts Latin, Greek and Cyrillic capitals to lower case. The C library does so only in some
-/// locales.
+/// Converts Latin, Greek and Cyrillic capitals to lower case. The C library converts them only in
+/// some locales.
 juce::juce_wchar smallLetter(juce::juce_wchar letter) {
     const auto isIn = [&](juce::juce_wchar first, juce::juce_wchar last) {
         return letter >= first && letter <= last;

@@ -106,7 +106,7 @@ SurfacePoint SurfaceQuery::nearestPoint(const Eigen::Vector3d& point) const {
     return nearestPoint(point, boxBudget);
 }
 
-// The same search as libigl's, with its order and its triangle distance, but with a box limit.
+// Searches as libigl does, in its order and with its triangle distance, but with a box limit.
 SurfacePoint SurfaceQuery::nearestPoint(const Eigen::Vector3d& point,
                                         std::int64_t& boxBudget) const {
     using Node = igl::AABB<Eigen::MatrixXd, 3>;

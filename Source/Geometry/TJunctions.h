@@ -12,9 +12,10 @@ inline constexpr int mostOpenEdges = 200'000;
 /// other side can join. A vertex is on the edge if it is closer than the tolerance, and farther
 /// than that from its ends. The edge then runs through the vertices, which stay in place. Returns
 /// the number of insertions.
-/// Stops when insertions exceed twice the boundary edges (plus 1,000): such a mesh is a tangle.
-/// Does nothing if more than `mostOpenEdges` edges have a single face. Drop degenerate and
-/// duplicate faces before and after: new ones may appear.
+///
+/// Stops if insertions exceed twice the boundary edges (plus 1,000), because the mesh then has no
+/// clear edges. Does nothing if more than `mostOpenEdges` edges have a single face. Drop degenerate
+/// and duplicate faces before and after: new ones may appear.
 int splitTJunctions(Mesh& mesh, double toleranceMetres);
 
 } // namespace idiophone

@@ -59,7 +59,7 @@ public:
                                                      std::shared_ptr<const Stage> stage);
 
     /// Returns a number from 1 on, unique among the instruments of the process. Threads that do not
-    /// keep an instrument alive identify it by this, because addresses are reused.
+    /// keep an instrument alive identify it by its number, because addresses are reused.
     std::uint64_t serialNumber() const { return serial; }
 
     const KeyMap& keyMap() const { return map; }

@@ -56,9 +56,9 @@ public:
     /// modes. Without prepare(), the next call prepares, as after construction.
     void reset() noexcept;
 
-    /// Marks the start of a song. If values and wheel equal those of its last start, the next
-    /// `advance` restores the state of that start. So the gain follows the same values in the same
-    /// time on every pass.
+    /// Marks the start of a song. If values and wheel equal those at the song's last start, the
+    /// next `advance` restores the state at that start. So the gain follows the same values in the
+    /// same time on every pass.
     void beginSong() noexcept { songBegins = true; }
 
     /// Returns the complete prediction for these values and the wheel; not for the audio thread.

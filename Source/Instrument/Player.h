@@ -107,7 +107,7 @@ public:
     /// Marks that the transport started or looped. Reseeds the strike counter from the song
     /// position, so that every pass renders the same samples. If nothing sounds or moves, it also
     /// returns everything but keys and controllers to the start, which makes the passes equal to
-    /// the last bit. Returns whether it did.
+    /// the last bit. In that case it returns true.
     bool beginSong();
 
     /// Silences everything, releases all keys, returns controllers to rest and the grid to its

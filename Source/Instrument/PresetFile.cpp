@@ -24,7 +24,7 @@ std::vector<std::filesystem::path> foldersFor(const std::filesystem::path& prese
     return folders;
 }
 
-/// Returns the first of these folders that has a file of that relative path.
+/// Returns the first of the folders that has a file of that relative path.
 std::optional<std::filesystem::path> folderWith(const std::filesystem::path& name,
                                                 const std::filesystem::path& presetFile) {
     std::error_code fault;

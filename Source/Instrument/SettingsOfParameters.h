@@ -45,10 +45,10 @@ ParameterValues effectiveFigures(ParameterValues values, const Material* own);
 /// that they sound as before. Any thread.
 ParameterValues withCustom(ParameterValues values, const FigureChoice& choice, const Material* own);
 
-/// Returns whether the thickness acts on any of these slots. Any thread.
+/// Returns whether the thickness acts on any of the slots. Any thread.
 bool hasLiveThickness(std::span<const SynthesiserSlot> slots);
 
-/// Returns whether any of these slots has a pitch that `keep_pitch` can keep. Any thread.
+/// Returns whether any of the slots has a pitch that `keep_pitch` can keep. Any thread.
 bool hasPitch(std::span<const SynthesiserSlot> slots);
 
 /// Returns the values with that material as the custom one; ParameterValues::set clamps the

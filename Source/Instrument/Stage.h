@@ -54,8 +54,8 @@ public:
     virtual void hear(std::span<const CellOutput> cellsOfSlots,
                       const CellOutput& ears) noexcept = 0;
 
-    /// Sets whether it may wait for the simulation. If not, impacts that become known too late act
-    /// as soon as possible, and contacts act from then on. Both count as late events.
+    /// Sets whether the stage may wait for the simulation. If not, impacts that become known too
+    /// late act as soon as possible, and contacts act from then on. Both count as late events.
     virtual void setOffline(bool isOffline) noexcept = 0;
 
     /// Stops bodies in place; later they go on from there.

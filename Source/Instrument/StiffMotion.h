@@ -27,7 +27,7 @@ public:
     StiffMotion() = default;
     explicit StiffMotion(double sampleRateHz) noexcept;
 
-    /// Adds a mode of that angular frequency [rad/s].
+    /// Adds a mode of this angular frequency [rad/s].
     void add(double omega, const NoteResidues& residues) noexcept;
     /// Returns the K-weighted power of each note, mean of the channels.
     PhraseMeter::NoteFigures powers(const HeldForceSpectrum& force) const noexcept;

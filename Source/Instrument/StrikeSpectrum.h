@@ -31,7 +31,8 @@ public:
     /// that λ [rad²/s²] and ω [rad/s]. Returns 0 for a less stiff mode, which rings on and is
     /// louder.
     std::complex<double> velocity(double stiffness, double modeOmega) const noexcept;
-    /// Returns the K-weighted energy (power times seconds) of that amplitude.
+    /// Returns the K-weighted energy (power times seconds) of a sine of this amplitude during the
+    /// contact.
     double energy(double amplitude) const noexcept;
 
 private:

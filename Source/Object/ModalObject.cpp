@@ -18,7 +18,7 @@ bool allWithin(const Values& values, Limit limit) {
     return std::ranges::all_of(values, [limit](auto value) { return std::abs(value) <= limit; });
 }
 
-// Also the limit of vertices in a mesh file.
+// Mesh files have the same limit for vertices.
 constexpr double farthestMetres = 1e6;
 
 std::string sizesFault(const ModalObject& object) {
@@ -70,7 +70,7 @@ std::string eigenvaluesFault(const ModalObject& object) {
 std::string decaysFault(const ModalObject& object) {
     // No object decays faster than in a nanosecond.
     constexpr double fastestPerSecond = 1e9;
-    // The damping of other materials is multiplied by this ratio.
+    // This ratio multiplies the damping of other materials.
     constexpr double largestScale = 1e12;
     for (std::size_t mode = 0; mode < object.decaysPerSecond.size(); ++mode) {
         const double decay = object.decaysPerSecond[mode];

@@ -42,7 +42,7 @@ private:
 } // namespace
 
 json parseUntrusted(std::string_view text) {
-    // Checks the depth in a pass of its own. With a callback, the parser searches a whole array at
+    // Checks the depth in a separate pass. With a callback, the parser searches a whole array at
     // the end of each object in it, which takes quadratic time.
     FaultFinder finder;
     finder.deepest = 64;

@@ -74,7 +74,7 @@ float OutputStage::changeSound(const ParameterValues& values, double fadeSeconds
         forgetChanges();
     level.setCurrentAndTargetValue(now / ownLevelAtChange);
     ownLevel.setCurrentAndTargetValue(ownLevelAtChange);
-    highestLevel = level.getCurrentValue(); // also in a silent room: the fade may ring there
+    highestLevel = level.getCurrentValue(); // in a silent room too, as the fade may reverberate
     heldSamples = static_cast<std::size_t>(fadeSeconds * samplesPerSecond) + 1;
     return before / now;
 }

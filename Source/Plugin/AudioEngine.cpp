@@ -26,7 +26,7 @@ void AudioEngine::process(juce::AudioBuffer<float>& buffer,
         write(rendered, channels);
         tell(channels, piece->length);
     }
-    midi.clear(); // some wrappers send on the events left in it
+    midi.clear(); // some wrappers would send the remaining events on
 }
 
 void AudioEngine::takeReset() noexcept {
@@ -63,7 +63,8 @@ Player* AudioEngine::takeSound(const juce::MidiBuffer& midi) noexcept {
     return next;
 }
 
-/// Follows learned controllers. Those after the block's last program change count as set after it.
+/// Follows learned controllers. A controller after the block's last program change counts as set
+/// after that change.
 void AudioEngine::followControllers(const juce::MidiBuffer& midi) noexcept {
     const auto behind = programs.behindLast(midi);
     messages.controllers.follow(midi.begin(), behind, parameters);

@@ -27,8 +27,8 @@ public:
     /// [message thread] Reports the value to the host if a controller was the last to set it and it
     /// is still unreported. Makes a gesture of its own unless one is open.
     void tellHost();
-    /// [message thread] Begins and ends a gesture by hand. Gestures nest; the host hears of the
-    /// outermost. `endGesture` returns whether it was the outermost.
+    /// [message thread] Begins and ends a gesture by hand. Gestures nest; only the outermost is
+    /// reported to the host. `endGesture` returns whether it was the outermost.
     void beginGesture();
     bool endGesture();
     bool isInGesture() const noexcept { return openGestures > 0; }

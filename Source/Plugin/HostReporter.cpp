@@ -12,7 +12,7 @@ HostReporter::HostReporter(juce::AudioProcessor& ofHost,
     : processor(ofHost), parameters(hostParameters), pollSoon(std::move(callsPoll)) {}
 
 /// Off the message thread, JUCE's VST3 keeps the values for the next callback's output, but asks
-/// the host on the message thread to read all values anew. If the host reads first, it finds the
+/// the host on the message thread to read all values again. If the host reads first, it finds the
 /// former values in the controller, and Ardour sends them back as changes. So the message thread
 /// reports them again, before the program. A host that reads the values while another of its
 /// threads moves them may keep the values read, as JUCE's does. So the next polls report the values

@@ -16,7 +16,8 @@ Sound soundWith(Preset preset,
                 std::uint64_t content = 0);
 
 /// Stores values so that the preset sounds as it does now when "match loudness" takes its own
-/// material and mallet as the reference. If no level can do that, stores the present reference too.
+/// material and mallet as the reference. If no level is high enough, stores the present reference
+/// too.
 void storeValues(const Sound& sound, Preset& preset);
 
 } // namespace idiophone

@@ -74,8 +74,8 @@ private:
     // The audio thread owns these.
     PendingKeys keys;
     Moment atLastChange;
-    Request requests = 0;      ///< made so far
-    Request unanswered = none; ///< the last one
+    Request requests = 0;      ///< number of requests
+    Request unanswered = none; ///< the last request
 
     // The session owns these.
     Request answered = none;

@@ -46,7 +46,8 @@ public:
     /// with the lock, while no callback runs.
     void prepare(double sampleRateHz, const std::function<void(std::unique_ptr<Player>)>& install);
     /// [message thread] Reports an output that was not finite, destroys players that faded out and
-    /// keeps what a stage's bodies struck. If another thread holds the lock, the next poll does so.
+    /// stores the impacts of a stage's bodies. If another thread holds the lock, waits for the next
+    /// poll.
     void poll();
 
     Sound loadedSound() const override;

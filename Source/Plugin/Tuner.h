@@ -38,9 +38,10 @@ public:
     void forgetMessages() noexcept { forgetsMessages = true; }
 
     /// [audio thread] Call once a callback and after `retune`: gives the tuning in effect to the
-    /// player, if there is one. Neither allocates, locks nor throws, nor does `retune`.
+    /// player, if there is one. Neither allocates, locks nor throws.
     void tune(Player* player) noexcept;
     /// [audio thread] Reads a system exclusive message; ignores those that are not for tuning.
+    /// Neither allocates, locks nor throws.
     void retune(std::span<const juce::uint8> message) noexcept;
 
 private:

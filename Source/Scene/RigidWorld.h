@@ -43,8 +43,9 @@ public:
     std::size_t addAbsent();
     void remove(std::size_t body);
     BodyMotion motion(std::size_t body) const;      ///< of a body that has not been removed
-    Eigen::Vector3d centre(std::size_t body) const; ///< of mass of such a body
-    /// In m/s and rad/s, of such a body.
+    Eigen::Vector3d centre(std::size_t body) const; ///< of mass, of a body that has not been
+                                                    ///< removed
+    /// In m/s and rad/s, of a body that has not been removed.
     void
     setVelocity(std::size_t body, const Eigen::Vector3d& velocity, const Eigen::Vector3d& spin);
 
@@ -55,8 +56,8 @@ public:
     /// Returns whether the pairs of bodies, or of their parts, exceeded `maximumPairs`. The pairs
     /// beyond pass through each other, so that further steps are useless.
     bool isCrowded() const;
-    /// Returns the work of all steps so far, in units of about a microsecond: bodies and their
-    /// pairs.
+    /// Returns the work of all steps since construction, in units of about a microsecond: bodies
+    /// and their pairs.
     double work() const;
     std::span<const Impact> impacts() const; ///< of the last step, in order of time
     std::span<const Touch> touches() const;  ///< of the last step, in order of bodies

@@ -209,7 +209,7 @@ std::optional<SceneImpact> SceneSimulation::takeImpact(double beforeSeconds) {
 }
 
 bool SceneSimulation::finished() const {
-    // One more step, so that bodies due for removal are gone.
+    // Make one more step, so that bodies due for removal are removed.
     return isCrowded() || isCutShort() ||
            rigid.seconds() - leadSeconds > arrivals.lastsUntil + rigid.stepSeconds();
 }

@@ -57,9 +57,11 @@ public:
     /// Returns true if nothing more will happen: the scene and all notes are over, or it ended
     /// early.
     bool finished() const;
-    /// Returns whether it ended early because the world is crowded (`RigidWorld::isCrowded`).
+    /// Returns whether the simulation ended early because the world is crowded
+    /// (`RigidWorld::isCrowded`).
     bool isCrowded() const { return rigid.isCrowded(); }
-    /// Returns whether it ended early because of the setup's `maximumWork` or `isStopped`.
+    /// Returns whether the simulation ended early because of the setup's `maximumWork` or
+    /// `isStopped`.
     bool isCutShort() const;
 
     struct Figures {

@@ -13,7 +13,7 @@
 namespace idiophone {
 namespace {
 
-// Generous bounds, as in HandText.h.
+// The bounds are generous, as in HandText.h.
 constexpr double fastestMetresPerSecond = 100;
 constexpr double fastestTurnsPerSecond = 100;
 constexpr int maximumBodies = 10000;
@@ -29,7 +29,8 @@ constexpr std::array<std::pair<std::string_view, BodyForm>, 6> formNames{{
     {"ground", BodyForm::ground},
 }};
 
-/// Reads a member by a function of `JsonPlace` or of this file. Without it the value stays.
+/// Reads a member by a function of `JsonPlace` or of this file. If the member is missing, the value
+/// stays.
 template <class Value, class Function, class... Arguments>
 void read(const JsonPlace& place,
           const char* key,

@@ -57,7 +57,7 @@ public:
                     std::int64_t grid) noexcept {
         return join(energies, tauEnergy(), energies, allowance, duringContact, grid);
     }
-    /// Does the same for all audible modes.
+    /// Mixes all audible modes, like `joinStruck`.
     bool joinAll(std::int32_t allowance, bool duringContact, std::int64_t grid) noexcept {
         return join(bank.poles().audibleWeights(), 0, bank.energies(), allowance, duringContact,
                     grid);

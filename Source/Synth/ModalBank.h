@@ -80,7 +80,7 @@ public:
         renderStates(states, energy.data(), blocks, runs, scale, outputs, parts, partOutputs);
     }
 
-    /// Does the same with other states and moves those; stores no energies.
+    /// Renders other states in the same way and moves those. Stores no energies.
     void renderFrom(ModeStates& from,
                     std::span<const ModeRun> runs,
                     const ChannelOutputs& outputs) noexcept;

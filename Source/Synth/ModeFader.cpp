@@ -42,7 +42,7 @@ void ModeFader::take(const ModalBank& bank, std::int32_t mode, double share) noe
     }
 }
 
-/// Renders the saved states of these modes.
+/// Adds the saved states of `modes`, under the window, to the fades.
 void ModeFader::fade(ModalBank& bank, std::span<const std::int32_t> modes) noexcept {
     if (modes.empty())
         return;

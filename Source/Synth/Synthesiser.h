@@ -59,7 +59,8 @@ public:
 
     /// Moves on by one cell and overwrites `cell` with the sound of ringing modes.
     void beginCell(const CellOutput& cell) noexcept;
-    /// Does the same with a cell per slot, for listeners that place the slots apart.
+    /// Moves on by one cell with a separate cell for each slot, for listeners that place the slots
+    /// apart.
     void beginCell(std::span<const CellOutput> cellsOfSlots) noexcept;
 
     /// Strikes a slot at `sampleInCell` (0 ≤ s < 64, may be fractional) of the current cell and
@@ -93,11 +94,11 @@ public:
     struct SlotStatus {
         float amplitude = 0;            ///< summed amplitude of the modes, m/s
         std::int32_t modesRinging = 0;  ///< above τ
-        std::int32_t modesMixed = 0;    ///< of these, within its share of the budget
+        std::int32_t modesMixed = 0;    ///< modes within the slot's share of the budget
         std::int32_t channels = 0;      ///< channels of its sound; a single one goes to both
         std::int32_t share = 0;         ///< modes that the budget granted, at most the ringing ones
         std::int32_t groups = 0;        ///< groups of modes, after compression
-        std::int32_t groupsAudible = 0; ///< of these, those within the band and not silenced
+        std::int32_t groupsAudible = 0; ///< groups within the band and not silenced
     };
     /// Returns the status as of the current cell.
     std::span<const SlotStatus> status() const noexcept;

@@ -14,7 +14,7 @@ using Catch::Matchers::WithinRel;
 
 namespace {
 
-/// Returns a [3N×1] shape in which every vertex moves alike.
+/// Returns a [3N×1] shape that moves every vertex by the same vector.
 Eigen::MatrixXd translation(const Mesh& mesh, const Eigen::Vector3d& by) {
     return by.replicate(mesh.vertexCount(), 1);
 }

@@ -72,7 +72,7 @@ TEST_CASE("Striking at i and listening at j equals striking at j and listening a
     auto settings = barSettings();
     settings.thicknessMetres = 0.003;
     const auto object = analyse(mesh, settings);
-    // The same body with reversed vertex order.
+    // The second body has its vertices in reverse order.
     Mesh reversed{mesh.vertices.colwise().reverse(),
                   static_cast<int>(mesh.vertexCount()) - 1 - mesh.faces.array()};
     const auto other = analyse(reversed, settings);

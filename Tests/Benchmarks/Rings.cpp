@@ -24,7 +24,7 @@ const SynthesisSettings reduced{.tau = tau, .modeBudget = 1e9, .compression = 1,
 
 using PolesOf = std::vector<ModalPole> (*)(const ModalObject&);
 
-/// The paper's loop over every mode of all objects struck so far.
+/// The paper's loop over every mode of all objects that have been struck.
 class NaiveScene {
 public:
     NaiveScene(const RingScene& scene, PolesOf poles)

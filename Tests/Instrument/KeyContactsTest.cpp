@@ -102,7 +102,7 @@ TEST_CASE(
             }
 }
 
-TEST_CASE("A preset's own mallet drives neighbouring keys alike, and stays as even when soft") {
+TEST_CASE("A preset's own mallet drives neighbouring keys evenly, also when it is soft") {
     for (const auto& [preset, instrument] : struckPresets()) {
         const auto spanDb = [&](int velocity) {
             std::vector<double> levels;

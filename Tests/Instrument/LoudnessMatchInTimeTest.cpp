@@ -112,7 +112,7 @@ TEST_CASE("After a reset the first cell has the gain, whatever was prepared") {
             CHECK(match.gainDb() == gain);
         }
 
-        // The same during an unfinished prediction.
+        // A reset during an unfinished prediction has the same gain.
         const auto other = with(own, material, firstLibraryMaterial + 7);
         match.advance(other);
         match.reset();

@@ -277,7 +277,7 @@ TEST_CASE("Without the gain, mallets on a xylophone are more than 20 LU apart") 
 }
 
 TEST_CASE(
-    "The predicted loudness of struck presets is libebur128's within 0.6 LU at velocity 100") {
+    "The predicted loudness of struck presets matches libebur128's within 0.6 LU at velocity 100") {
     for (const auto& preset : keyedFactoryPresets()) {
         if (static_cast<int>(preset.parameters[contact]) != strikeContact)
             continue;

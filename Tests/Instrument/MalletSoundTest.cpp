@@ -71,7 +71,7 @@ void checkCentroidRises(const std::shared_ptr<const Instrument>& instrument,
         INFO(malletRack()[rackIndex].name << " on " << note << " at velocity " << velocity
                                           << ", size " << sizeRatio << ": " << centroid
                                           << " Hz after " << last);
-        CHECK(centroid > 0.99 * last); // brass soon excites all modes alike
+        CHECK(centroid > 0.99 * last); // brass soon excites all modes equally
         last = centroid;
         first = first == 0 ? centroid : first;
     }
@@ -171,7 +171,7 @@ TEST_CASE("A brass mallet sounds darker on a softer live material of the same fr
         return spectralCentroidHz(render(player, {midi(0, 0x90, 72, 100)}, 32768, 480, parameters));
     };
     const double firm = centroid();
-    // Y/ρ, and with it every frequency, stays.
+    // Y/ρ stays, and with it every frequency.
     parameters.set(youngsModulus, parameters[youngsModulus] / 50);
     parameters.set(density, parameters[density] / 50);
     CHECK(centroid() < 0.8 * firm);

@@ -107,7 +107,8 @@ TEST_CASE("The mallet meets the live material if one is chosen, otherwise the ob
     CHECK(surfaceCompliancePerPa(own, values) == Approx((1 - 0.35 * 0.35) / 5e9));
 }
 
-TEST_CASE("On something rigid the impulse is (1 + e) m v into it, and grows with velocity") {
+TEST_CASE(
+    "On something rigid the impulse is (1 + e) m v into the surface, and grows with velocity") {
     ParameterValues values;
     values.set(malletMass, 20);
     values.set(malletSpeed, 3);

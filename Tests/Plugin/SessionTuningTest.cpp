@@ -1,5 +1,5 @@
-// Effects of an MTS-ESP master on the keys. This program defines the client's functions itself, so
-// that it is its own session.
+// Tests how an MTS-ESP master tunes the keys. This program defines the client's functions itself,
+// so that it is its own session.
 #include "Plugin/RealTimeTrap.h"
 #include "Support/PoleFit.h"
 #include "Support/TestFolder.h"

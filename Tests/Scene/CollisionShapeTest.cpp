@@ -143,7 +143,8 @@ TEST_CASE("A rolling cylinder keeps its speed") {
     const auto body = world.add(1, rolling);
     while (world.seconds() < 1)
         world.step();
-    // Contacts lag by a fraction of a step. This drives a rolling body by a thousandth of gravity.
+    // Contacts lag by a fraction of a step. The lag drives a rolling body by a thousandth of
+    // gravity.
     const auto motion = world.motion(body);
     CHECK_THAT(motion.velocity.x(), WithinAbs(speed, 0.03 * speed));
     CHECK_THAT(motion.spin.y(), WithinAbs(motion.velocity.x() / radius, 0.1));
@@ -347,7 +348,7 @@ TEST_CASE("The work of a body on a surface grows with the faces near it") {
     };
     const double ofBall = workOf(ballKind(ballRadius), ballRadius);
     CHECK(ofBall > 500);
-    CHECK(workOf(cubeKind(2), 1) > 50 * ofBall); // its real cost grows likewise
+    CHECK(workOf(cubeKind(2), 1) > 50 * ofBall); // its real cost grows in the same way
     floor = floorOf(withFaceAt(10'000, sheet));
     CHECK(workOf(ballKind(ballRadius), ballRadius) == ofBall);
 }

@@ -70,8 +70,8 @@ Scraped scrape(const ModalObject& object, int cells, bool moving, double damping
     return result;
 }
 
-/// The same in double precision: an impulse at each sample, residues in steps of a sub-block. Half
-/// of an impulse sounds at its own sample, and a constant force is silent.
+/// Computes the force's sound in double precision: an impulse at each sample, residues in steps of
+/// a sub-block. Half of an impulse sounds at its own sample, and a constant force is silent.
 std::vector<double>
 reference(const ModalObject& object, const Scraped& scraped, bool moving, double damping) {
     const std::size_t modes = object.modeCount();

@@ -116,7 +116,7 @@ TEST_CASE("A live material and size click like an object analysed with them") {
         REQUIRE(sound[0][k] == Approx(expected[0][k]).margin(1e-6));
 }
 
-TEST_CASE("A strike with one direction clicks alike in both channels") {
+TEST_CASE("A strike with one direction makes the same click in both channels") {
     const auto ball = rigidBall(0.01, 7000);
     const auto sound = rendered(ball, {.radiation = 1}, {{.sample = 3, .radiationDirection = 1}});
     const auto usual = rendered(ball, {.radiation = 1}, {{.sample = 3}});

@@ -23,7 +23,7 @@ ModalObject barOverTube() {
     return bar;
 }
 
-/// Only the pair, and only the separate mode.
+/// Objects with only the pair, and with only the separate mode.
 ModalObject pairAlone() {
     ModalObject pair = ringingObject({sharedHz, higherSharedHz}, 10);
     pair.gains = {sharedGain, -sharedGain};
