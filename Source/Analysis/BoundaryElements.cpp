@@ -24,7 +24,7 @@ constexpr Index rowsAtOnce = 32;
 constexpr double airImpedance = speedOfSoundMetresPerSecond * airDensityKgPerM3;
 
 /// The edge of equilateral triangles with the same number and area. With a much larger edge, the
-/// errors of N, which converge slowest, would dominate K at low frequencies.
+/// errors of N would dominate K at low frequencies, because N converges slowest.
 double couplingMetresOf(const Mesh& surface) {
     return std::sqrt(4 / std::sqrt(3.0) * faceAreas(surface).mean());
 }

@@ -22,8 +22,8 @@ constexpr Index denseUpTo = 400; ///< rows; dense solves are faster below
 constexpr double workLimitBytes = 3e9;
 constexpr double countingShare = 0.05; ///< share of the counting phase in the progress
 /// A slice costs about three factorisations, and about 7 n products per mode for each mode in its
-/// basis. Fewer than 60 modes would waste work on modes outside. More than 220 would make one dense
-/// step too long to cancel.
+/// basis. Fewer than 60 modes would waste work on modes outside the slice. More than 220 would make
+/// one dense step too long to cancel.
 Index modesPerSlice(Index rows, double factorisationProducts) {
     return std::clamp(
         static_cast<Index>(std::sqrt(3 * factorisationProducts / (7 * static_cast<double>(rows)))),

@@ -13,7 +13,8 @@ namespace idiophone {
 /// Returns the names of all objects of FactoryBars and FactoryShapes.
 std::vector<std::string> factoryObjectNames();
 
-/// Analyses one of them, in seconds. Errors: an unknown name, or `cancelledMessage`.
+/// Analyses the object of that name, which takes seconds. Errors: an unknown name, or
+/// `cancelledMessage`.
 Result<ModalObject> makeFactoryObject(const std::string& name, const WorkControl& control = {});
 
 } // namespace idiophone

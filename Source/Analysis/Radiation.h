@@ -44,7 +44,7 @@ struct RadiationSettings {
     RadiationMethod method = RadiationMethod::quick;
     /// [P] points outside the body, in the mesh's coordinates, for pressures.
     std::vector<Eigen::Vector3d> nearPointsMetres = {};
-    unsigned threads = 0; ///< maximum; 0: all of the machine. The result does not depend on it
+    unsigned threads = 0; ///< maximum, with the same result for any; 0: all of the machine
 };
 
 struct Radiation {

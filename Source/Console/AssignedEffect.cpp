@@ -13,11 +13,11 @@ namespace {
 
 using enum ParameterId;
 
-/// A parameter that acts only under a condition on other values or on what is played.
+/// A parameter that acts only under a condition on other values or on the kind of playing.
 struct Condition {
     ParameterId parameter;
     bool (*acts)(const ParameterValues&, const Played&);
-    const char* saying; ///< why it does not act, or which values it needs
+    const char* saying; ///< why the parameter does not act, or which values it needs
 };
 
 bool isStruck(const ParameterValues& values, const Played&) {

@@ -45,7 +45,7 @@ std::string resolved(const std::string& object, const std::filesystem::path& imp
 struct StruckObject {
     Result<std::shared_ptr<const ModalObject>> object;
     std::shared_ptr<const ObjectSurface> surface; ///< null if there is no object
-    int firstLine = 0;                            ///< first line that names it
+    int firstLine = 0;                            ///< first line that names the object
 };
 
 /// One surface for each object, even if it has several names.

@@ -72,7 +72,7 @@ private:
     int lowest = 0, highest = 127;  ///< MIDI notes, of the drawn keys
     int baseNote = 0;               ///< MIDI note of the computer's first key
     juce::juce_wchar octaveKey = 0; ///< 'z' or 'x' while it is held
-    juce::MidiKeyboardState state;  // it locks, so the audio thread never uses it
+    juce::MidiKeyboardState state;  // locked by its functions, so never used on the audio thread
     Keys keyboard{*this};
 };
 

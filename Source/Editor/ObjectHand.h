@@ -15,8 +15,8 @@ public:
 
     explicit ObjectHand(ProcessorView& processor) : view(processor) {}
 
-    /// Strikes an object. Lower on the object (nearer to the player) or a faster mouse is harder.
-    /// On a stage, plays `stageNote` instead.
+    /// Strikes an object. A strike lower on the object (nearer to the player), or with a faster
+    /// mouse, is harder. On a stage, plays `stageNote` instead.
     void strike(const ScenePick& pick, double pixelsPerSecond, std::optional<int> stageNote);
     /// Scrapes from the last place to this one. An object entered on the way is struck. Without a
     /// pick the scrape ends.

@@ -36,10 +36,11 @@ struct SlotNow {
     int object = 0;                ///< index into InstrumentView::playedObjects
     int note = -1;                 ///< lowest MIDI note that plays it
     float amplitude = 0;           ///< sum over its modes, m/s
-    std::int32_t modesRinging = 0; ///< above τ, the request to the budget, in modes or groups
-    std::int32_t share = 0;        ///< granted by the budget, at most modesRinging
+    std::int32_t modesRinging = 0; ///< modes or groups above τ, which ask for the budget
+    std::int32_t share = 0;        ///< modes or groups that the budget granted, at most
+                                   ///< modesRinging
     std::int32_t modesMixed = 0;
-    float entitlement = 0; ///< modes, by its rank on the line of slope S
+    float entitlement = 0; ///< share of the budget in modes, by the rank on the line of slope S
 
     bool operator==(const SlotNow&) const = default;
 };

@@ -11,7 +11,8 @@ namespace idiophone {
 
 struct EdgePartner {
     int face = -1;              ///< −1 if the surface ends here
-    bool sameDirection = false; ///< both faces run along it the same way: one is turned over
+    bool sameDirection = false; ///< both faces run along the edge in the same direction, so one is
+                                ///< turned over
 };
 
 struct EdgePairing {

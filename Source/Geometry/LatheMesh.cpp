@@ -85,7 +85,7 @@ struct Circle {
 void stitch(const Circle& lower, const Circle& upper, MeshBuilder& mesh) {
     const int lowerSteps = lower.count > 1 ? lower.count : 0;
     const int upperSteps = upper.count > 1 ? upper.count : 0;
-    constexpr double tie = 1e-9; // without it, rounding would decide and sectors would differ
+    constexpr double tie = 1e-9; // with 0, rounding would decide and sectors would differ
     int i = 0, j = 0;
     while (i < lowerSteps || j < upperSteps) {
         const bool advanceLower =

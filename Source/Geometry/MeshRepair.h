@@ -18,7 +18,7 @@ struct RepairSettings {
     bool largestComponentOnly = false; ///< keep only the component with the largest area
     /// Cut the mesh where more than two faces meet at an edge, where several fans meet at a vertex,
     /// and where a one-sided surface closes, because remeshing needs a manifold. Parts connected
-    /// only there separate, so analysis leaves this off.
+    /// only at such places separate, so analysis leaves this setting off.
     bool cutIntoManifold = false;
     const std::atomic<bool>* cancelled = nullptr; ///< see WorkControl
 };
@@ -28,7 +28,7 @@ struct RepairReport {
     int weldedVertices = 0;
     int degenerateFaces = 0;      ///< dropped: two corners in one vertex, or no area
     int duplicateFaces = 0;       ///< dropped: the same three vertices as another face
-    int joinedVertices = 0;       ///< inserted into the edge of another face on which they lay
+    int joinedVertices = 0;       ///< inserted into the edge of another face
     int unreferencedVertices = 0; ///< dropped: no remaining face uses them
     int flippedFaces = 0;         ///< turned over to agree with neighbours or to look outward
     int cutVertices = 0;          ///< added to make the mesh a manifold

@@ -23,14 +23,17 @@ struct RemeshSettings {
 double remeshedTriangles(const Mesh& mesh, double edgeLengthMetres);
 
 /// Isotropic remeshing (Botsch & Kobbelt 2004, by CGAL). New vertices lie on the given mesh; its
-/// boundary stays in place. Most edges get 4/5 to 4/3 of the target length, and shorter ones where
-/// sharp edges are closer than that.
+/// boundary stays in place. Most edges get 4/5 to 4/3 of the target length. Edges are shorter where
+/// sharp edges lie closer together.
+///
 /// Decimates a mesh far denser than the target first: scans take a fifth of the time, and their
 /// noise does not pass for sharp edges. Repairs the mesh and cuts it where it is not a manifold
-/// (MeshRepair). Parts connected only there come apart: check RepairReport::nonManifoldEdges
-/// before.
+/// (MeshRepair). Parts connected only at such places come apart; RepairReport::nonManifoldEdges
+/// counts them.
+///
 /// The result is an oriented manifold without degenerate faces, but may intersect itself. Vertices
 /// and faces have a new order.
+///
 /// Fails with one sentence if repair fails, for settings outside their ranges, above
 /// `maximumTriangles`, if tens of thousands of faces meet in one vertex, or if cancelled. Never
 /// throws. Any thread except the audio thread.

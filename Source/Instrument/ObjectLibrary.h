@@ -45,7 +45,7 @@ private:
     ObjectLibrary* const behind = nullptr;
     std::mutex mutex;
     std::map<std::string, std::weak_ptr<const ModalObject>>
-        loaded; ///< objects still held by someone
+        loaded; ///< objects that somebody still holds
 };
 
 } // namespace idiophone

@@ -10,8 +10,8 @@
 
 namespace idiophone {
 
-/// None of these is for the audio thread. `surface` must be valid; keys that scrape or roll sound
-/// like it.
+/// These functions are not for the audio thread. `surface` must be valid; keys that scrape or roll
+/// sound like it.
 
 /// Returns the LUFS of PhrasePrediction's phrase at its middle velocity, before `level`.
 double predictedLufs(const std::shared_ptr<const Instrument>& instrument,

@@ -19,7 +19,7 @@ Result<std::string> readBytes(const std::filesystem::path& file, std::uintmax_t 
 std::string nameOf(const std::filesystem::path& file);
 
 /// Returns the path as part of a sentence: printable characters only, and the beginning of a long
-/// path. The path may come from a file by a stranger.
+/// path. The path may come from an untrusted file.
 std::string shownNameOf(const std::filesystem::path& file);
 /// Returns a name in UTF-8 as part of a sentence, like `shownNameOf`.
 std::string shownName(std::string_view name);

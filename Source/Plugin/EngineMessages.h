@@ -25,7 +25,8 @@ struct EngineMessages {
     WindowEvents window;                        ///< [message thread] keys and hands
     std::atomic<bool> stagePaused{false};       ///< [message thread; a new sound: session]
     std::atomic<bool> stageReset{false};        ///< [message thread] until the player is reset
-    std::atomic<bool> forgetsGivenBends{false}; ///< [session] until the player has forgotten them
+    std::atomic<bool> forgetsGivenBends{false}; ///< [session] until the player has forgotten the
+                                                ///< bends
     std::atomic<bool> reset{false};             ///< [host] until everything is silent
 };
 

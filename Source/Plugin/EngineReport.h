@@ -18,7 +18,7 @@ struct EngineReport {
 
     std::atomic<std::uint32_t> callbacks{0}; ///< one more for each `prepare`
     std::atomic<std::int64_t> notFinite{0};  ///< how often output that was not finite was silenced
-    std::atomic<float> peak{0};              ///< of the output; its reader sets it to 0
+    std::atomic<float> peak{0};              ///< of the output; the reader sets it to 0
     std::atomic<int> modulationWheel{HeldContacts::controllerAtRest};
     std::atomic<std::int64_t> modesMixed{0};
     std::atomic<std::int64_t> lateEvents{0};

@@ -1,4 +1,4 @@
-// Tells the history of the window what was loaded from outside it: by the host and by MIDI.
+// Reports loads by the host and by MIDI to the window's history.
 #pragma once
 
 #include "Plugin/Sound.h"

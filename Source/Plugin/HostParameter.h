@@ -63,7 +63,7 @@ private:
     const ParameterInfo& row;
     std::atomic<double> exact;
     std::atomic<bool> movedByController{
-        false};                  ///< was the last to set it, and the host does not know yet
+        false};                  ///< a controller set the value last, and the host was not told
     std::atomic<float> told{-1}; ///< last value sent to the host, normalised; −1: none
     std::atomic<std::uint32_t> timesSet{0};
     int openGestures = 0; ///< the message thread's

@@ -31,9 +31,9 @@ public:
     /// [message thread] Drops all further reports, before the host has asked for anything.
     void forget() noexcept;
 
-    /// [message thread] Reports the moves of controllers and what is left of `reportSound`. Do not
-    /// call it during an offline render: a late echo from the host would make the render depend on
-    /// time.
+    /// [message thread] Reports the moves of controllers and the remaining reports of
+    /// `reportSound`. Do not call it during an offline render: a late echo from the host would make
+    /// the render depend on time.
     void poll(MidiLearn& controllers);
 
 private:
@@ -41,7 +41,7 @@ private:
     HostParameters& parameters;
     std::function<void()> pollSoon;
     std::atomic<int> soundsToReport{0}; ///< further reports of the sound
-    int movesToReport = 0; ///< further reports of values that moved meanwhile; the message thread's
+    int movesToReport = 0; ///< further reports of moved values; only for the message thread
     std::atomic<int> restorings{0};
 };
 

@@ -199,7 +199,7 @@ PresetFolder::write(const Preset& preset, const std::string& folderName, bool re
         return failure("There is already a preset '" +
                        place->getFileNameWithoutExtension().toStdString() + "'.");
     return writePreset(preset, *place).map([&] {
-        known.erase(idOf(*place)); // file times are coarse, so read it again
+        known.erase(idOf(*place)); // read the file again, as file times are coarse
         return idOf(*place);
     });
 }
@@ -217,7 +217,7 @@ Result<void> PresetFolder::checkContent(const std::string& id, std::uint64_t con
     const auto text = readTextFile(pathOf(file), largestPresetBytes);
     if (text && hashOf(*text) == content)
         return {};
-    known.erase(id); // read it again even if its time and size are the same
+    known.erase(id); // read the file again, even with the same time and size
     return failure(id + " was changed elsewhere since this sound was loaded: load it again, or "
                         "save the sound by Save as in the list of presets.");
 }

@@ -33,7 +33,7 @@ struct SoundLabel {
     std::string description;
     std::vector<std::string> tags;
     std::string presetId;
-    bool isChanged = false; ///< a parameter outside the setup differs from the stored one
+    bool isChanged = false; ///< a parameter outside the setup differs from its stored value
 };
 
 /// Holds the current sound and plays others; SoundSession implements it. For the message thread.

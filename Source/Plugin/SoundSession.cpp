@@ -242,7 +242,7 @@ void SoundSession::goOn(std::unique_ptr<Player> player, const LoadValues& loadVa
 void SoundSession::handOver(std::unique_ptr<Player> player, const LoadValues& loadValues) {
     if (player != nullptr)
         player->setLabel(programs.label());
-    messages.players.collect(); // it may take a while, so do it before changing anything
+    messages.players.collect(); // first, because it may take a while
     // Send silences before the player: the player has its own and must not get older ones.
     sendSilences();
     ++messages.soundChanges;

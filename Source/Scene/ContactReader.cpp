@@ -64,12 +64,13 @@ void ContactReader::read(const btPersistentManifold& manifold, std::span<const B
     const auto secondNumber = static_cast<std::size_t>(manifold.getBody1()->getUserIndex());
     const Pair pair{firstNumber, secondNumber, bodies[firstNumber], bodies[secondNumber]};
     if (!moves(*pair.first.rigid) && !moves(*pair.second.rigid))
-        return; // the contact is stale: it is from the step in which both fell asleep
+        return; // the contact is from the step in which both bodies fell asleep
 
     Pressing pressing;
     for (int k = 0; k < manifold.getNumContacts(); ++k) {
         const auto& contact = manifold.getContactPoint(k);
-        // The solver handles overlapping points only. The impulse of other points is an old one.
+        // The solver handles overlapping points only. Other points still hold the impulse of an
+        // earlier step.
         if (contact.getDistance() > 0 || !(contact.getAppliedImpulse() > 0))
             continue;
         const auto point = pointOf(contact, pair);

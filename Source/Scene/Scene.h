@@ -130,7 +130,7 @@ struct Listener {
 struct Scene {
     std::string name;
     std::string description;
-    double seconds = 10; ///< minimum duration; then it lasts until it is silent
+    double seconds = 10; ///< minimum duration; the scene then lasts until it is silent
     std::uint32_t seed = 1;
     double stepsPerSecond = 2000; ///< of the rigid bodies, 1000 to 20000
     double gravityMetresPerSecond2 = 9.81;

@@ -40,7 +40,7 @@ struct SceneArrivals {
         double seconds = 0;
         std::size_t role = 0;
         std::size_t slot = 0;
-        BodyMotion motion; ///< at that time
+        BodyMotion motion; ///< at `seconds`
         double lastsUntil = 0;
     };
 

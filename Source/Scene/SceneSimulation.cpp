@@ -11,7 +11,7 @@ namespace idiophone {
 namespace {
 
 constexpr double lowestMetres = -100;         // bodies below are removed
-constexpr std::uint32_t firstKick = 1u << 25; // number of its random sequence
+constexpr std::uint32_t firstKick = 1u << 25; // number of the throw's random sequence
 
 std::vector<RigidWorld::Kind> kindsOf(const SceneAssets& assets) {
     std::vector<RigidWorld::Kind> kinds;
@@ -84,7 +84,7 @@ void SceneSimulation::placeSlots() {
             const auto slot = now.slots[side];
             if (slot != noSlot && slotPoses[slot])
                 from = radiationDirection(slot, *slotPoses[slot], slotPlaces[slot]);
-            else if (before.pair == now.pair) // the body was removed: it fades where it was
+            else if (before.pair == now.pair) // the body was removed: it fades at its last place
                 from = before.points[side].point.radiationDirection;
         }
     }

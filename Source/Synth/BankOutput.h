@@ -1,6 +1,6 @@
 // The path of a bank's sound into the cell: fades of modes, the damper, and a motor's discs in the
 // tubes. Sounds are rendered for open discs; the part that the discs block is taken out again. So
-// states know neither damper nor discs.
+// the states do not depend on damper and discs.
 #pragma once
 
 #include "Synth/CellOutput.h"
@@ -17,8 +17,8 @@ namespace idiophone {
 /// Memory is reserved by the constructor; every other member is for the audio thread.
 class BankOutput {
 public:
-    /// `tubeShares` [modes of the object], or empty: no tube (TubeShares.h). Bank and scratch
-    /// outlive this.
+    /// `tubeShares` [modes of the object], or empty: no tube (TubeShares.h). Bank and scratch must
+    /// outlive this object.
     BankOutput(ModalBank& bank,
                std::vector<float> tubeShares,
                double sampleRateHz,

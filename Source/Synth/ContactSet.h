@@ -18,7 +18,7 @@ class ContactSet {
 public:
     static constexpr std::size_t capacity = 64;
 
-    /// The arguments outlive this.
+    /// The arguments must outlive this object.
     ContactSet(const ModalObject& object,
                ModalBank& bank,
                BankOutput& output,

@@ -14,7 +14,7 @@ namespace idiophone {
 /// thread.
 class ForceResponses {
 public:
-    /// The arguments outlive this.
+    /// The arguments must outlive this object.
     ForceResponses(ModalBank& bank,
                    BankOutput& output,
                    ActiveModes& active,

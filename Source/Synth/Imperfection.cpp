@@ -9,7 +9,7 @@ namespace idiophone {
 std::vector<ModePair> modePairs(const ModalObject& object, std::uint32_t seed) {
     constexpr double pairRatio = 1.001; // of eigenvalues: 0.05 % in frequency
     std::vector<ModePair> pairs;
-    std::mt19937 random(seed); // its first numbers differ even between small seeds
+    std::mt19937 random(seed); // differs from the first number on, even for small seeds
     const auto drawn = [&random] { return static_cast<float>(random() / 4294967296.0); };
     for (std::size_t mode = 0; mode + 1 < object.modeCount(); ++mode) {
         const bool isShared = object.isShared(mode) || object.isShared(mode + 1);
@@ -29,7 +29,7 @@ void partPairs(std::span<const ModePair> pairs,
                double imperfection,
                std::span<double> eigenvalues) noexcept {
     for (const ModePair& pair : pairs) {
-        // Half of the splitting on either side, and twice that in eigenvalues.
+        // Each mode moves by half of the splitting in frequency, and by twice that in eigenvalue.
         const double change = imperfection * static_cast<double>(pair.part);
         eigenvalues[static_cast<std::size_t>(pair.first)] *= 1 - change;
         eigenvalues[static_cast<std::size_t>(pair.first) + 1] *= 1 + change;

@@ -26,7 +26,7 @@ public:
     StateIncrements emptyIncrements() const; ///< allocates
 
     /// Number of channels in use, at most the capacity. New channels start as copies of the first.
-    /// States passed in are read and written for this many.
+    /// Functions read and write passed states in this many channels.
     std::size_t channels() const noexcept { return channelCount; }
     void setChannels(std::size_t wanted) noexcept;
 

@@ -32,7 +32,7 @@ public:
     using ModeWeights = std::shared_ptr<const std::vector<double>>;
 
     /// Each mode begins as a group of its own. `weights` [M] are the object's `summedSquareShapes`.
-    /// `seed` draws the imperfection. Object and scratch outlive this.
+    /// `seed` draws the imperfection. Object and scratch must outlive this object.
     ModeGroups(const ModalObject& object,
                ModeWeights weights,
                std::uint32_t seed,

@@ -79,8 +79,8 @@ Body sphere(const std::function<Eigen::Vector3d(const Eigen::Vector3d& normal)>&
     return body;
 }
 
-/// From below the audible band's lower end at 20 Hz (ka = 0.0037) to near its upper end at 22 kHz
-/// (4.03).
+/// The ratios reach from below the audible band's lower end at 20 Hz (ka = 0.0037) to near its
+/// upper end at 22 kHz (4.03).
 const std::vector<double> sphereRatios{0.004, 0.02, 0.1, 0.5, 1, 1.5, 1.9, 2.5, 3.9};
 const std::vector<Eigen::Vector3d> alongZ{Eigen::Vector3d::UnitZ()};
 

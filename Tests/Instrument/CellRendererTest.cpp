@@ -58,7 +58,7 @@ struct Rig {
     CellRenderer renderer;
 };
 
-/// Mixes a constant to the ears and records its notes.
+/// A strategy that mixes a constant to the ears and records the notes.
 class ConstantStage final : public StagePlayer {
 public:
     using Note = std::tuple<int, int, std::int64_t, double>;

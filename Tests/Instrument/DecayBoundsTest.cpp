@@ -101,7 +101,7 @@ TEST_CASE("No mode decays more slowly than the bound under any settings") {
                                        .keepPitch = time % 4 >= 2};
             if (time % 8 < 4)
                 settings.thicknessRatio = 1;
-            if (time % 2 == 1) // light, and so heavy that modes creep
+            if (time % 2 == 1) // light, and so heavy that modes hardly oscillate
                 settings.material =
                     LiveMaterial{.youngsModulusPa = std::pow(10, between(7, 12)),
                                  .densityKgPerM3 = between(100, 10000),

@@ -166,7 +166,7 @@ TEST_CASE("A hand at rest on the surface is silent, and a hand that stops falls 
     CHECK(rms(moving) > 1e-6);
     const auto stopped = drag(player, x, 0, 0.5);
     CHECK(peak(std::span(stopped).last(12000)) < 1e-3f * peak(moving));
-    CHECK_FALSE(player.silent()); // it is still held
+    CHECK_FALSE(player.silent()); // the hand still holds the object
     CHECK(rms(drag(player, x, 0.5, 0.5)) > 0.3 * rms(moving));
 }
 

@@ -59,7 +59,7 @@ std::vector<Played> struckPresets() {
     std::vector<Played> played;
     for (Preset preset : factoryPresets())
         if (preset.keyMap.kind != KeyMapKind::scene && strikes(preset.parameters)) {
-            preset.keyMap.voicingDb.clear(); // it evens the radiation of bars, not contacts
+            preset.keyMap.voicingDb.clear(); // voicing evens the radiation of bars, not contacts
             auto instrument = Instrument::build(preset.keyMap, ObjectLibrary::shared()).value();
             played.push_back({std::move(preset), std::move(instrument)});
         }
@@ -82,7 +82,7 @@ double unevennessDb(const std::vector<double>& levelsDb) {
 } // namespace
 
 TEST_CASE(
-    "No fundamental lies 6 dB below its octave of the contact's spectrum, up to 16 periods long") {
+    "In contacts of up to 16 periods, no fundamental lies 6 dB below its octave of the spectrum") {
     for (const auto& [preset, instrument] : struckPresets())
         for (std::size_t i = 0; i < malletRack().size(); ++i)
             for (const int velocity : {20, 100}) {

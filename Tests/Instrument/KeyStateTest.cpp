@@ -78,7 +78,8 @@ TEST_CASE("A note has the maximum pressure of its keys until they go up") {
     CHECK(rig.keys.pressure(60) == 0);
 }
 
-TEST_CASE("A new key takes a pressure of its sample, also from before it, but not zero") {
+TEST_CASE("A new key takes the last pressure of its sample, even from before the key, unless it is "
+          "zero") {
     const auto pressureAfter = [](const std::vector<MidiEvent>& events) {
         Rig rig;
         rig.follow(events);

@@ -126,7 +126,7 @@ private:
             const double chance =
                 scatter(PhraseMeter::notes * take + static_cast<std::uint32_t>(note));
             const int late = static_cast<int>(0.015 * (1 + chance) * sampleRateHz);
-            events[2 * note - 1].sampleOffset += late; // note-off of the note before
+            events[2 * note - 1].sampleOffset += late; // the previous note's note-off
             events[2 * note].sampleOffset += late;
         }
         return events;

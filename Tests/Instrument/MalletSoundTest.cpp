@@ -153,7 +153,7 @@ TEST_CASE("A harder mallet of the rack makes the same strike on a bar brighter")
     const double yarn = centroids[0], soft = centroids[1], medium = centroids[2],
                  hard = centroids[3], wood = centroids[4], plastic = centroids[5],
                  brass = centroids[6];
-    CHECK(yarn > soft); // at 1 m/s their contact times are equal; this strike is faster
+    CHECK(yarn > soft); // their contact times are equal at 1 m/s, and this strike is faster
     CHECK(medium > yarn);
     CHECK(hard > 1.1 * medium);
     CHECK(wood > 1.5 * hard);

@@ -36,7 +36,7 @@ TEST_CASE("Without depth the gain is one, and a reset restarts the motor") {
 
 TEST_CASE("A motor takes a given phase at once, or without a step along the shorter way") {
     constexpr double cellSeconds = 64.0 / 48000, turnsPerSecond = 1;
-    const auto there = [](double turns) { // long after its start
+    const auto there = [](double turns) { // a motor long after its start
         Motor motor(cellSeconds);
         for (int k = 0; k < 1000; ++k)
             motor.advance(0, 1);

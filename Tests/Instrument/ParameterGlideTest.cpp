@@ -30,7 +30,7 @@ ParameterValues with(ParameterId parameter, double value, ParameterValues values
 
 } // namespace
 
-TEST_CASE("The first values act at once, later ones after a glide that ends exactly") {
+TEST_CASE("The first values act at once, and later ones glide until they are exact") {
     ParameterGlide glide(cellSeconds);
     const auto first = with(size, 2, with(malletMass, 50));
     glide.setGoal(first);

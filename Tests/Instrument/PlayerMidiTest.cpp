@@ -79,7 +79,7 @@ TEST_CASE("The sostenuto pedal holds only the keys that were down before it") {
         };
         return std::array{at(1000), at(9000), at(12500)};
     };
-    const auto caught = levels(69, 450); // still down at 500
+    const auto caught = levels(69, 450); // still down when the pedal goes down at 500
     CHECK(caught[1] > 0.3 * caught[0]);
     CHECK(caught[2] < 0.001 * caught[1]);
     const auto later = levels(69, 700);

@@ -213,7 +213,7 @@ TEST_CASE("Once old reverb has decayed, the level applies to the reverb again") 
     }
 }
 
-TEST_CASE("A sound before the first block, or into a silent room, is as in a new stage") {
+TEST_CASE("A change before the first block or in a silent room gives the output of a new stage") {
     PreparedStage fresh, changed, former;
     const auto input = sine(1000);
     const auto expected = processed(fresh, input, 100, valuesWith(-7.3));

@@ -54,7 +54,7 @@ TEST_CASE("A host's late echo of a controller change is ignored") {
     parameter.setValue(0.125f);
     CHECK(parameter.getValue() == 0.125f);
     pollOften(processor);
-    CHECK(host.heard == std::vector{first, second}); // the host already knows its own value
+    CHECK(host.heard == std::vector{first, second}); // the host knows the value that it has set
     turn(20);
     pollOften(processor);
     CHECK(host.heard == std::vector{first, second, first});

@@ -169,7 +169,7 @@ TEST_CASE("A pass that starts while something rings strikes at the same points a
             most = std::max(most, std::abs(both.left[i] - ring.left[i] - first.left[i]));
         return most / loudest(first);
     };
-    CHECK(farthest(16) < 0.2); // not 0, as other faint modes are dropped while something rings
+    CHECK(farthest(16) < 0.2); // not 0, because ringing sound changes which faint modes are dropped
     CHECK(farthest(17) > 0.4);
 }
 

@@ -193,7 +193,7 @@ TEST_CASE(
     CHECK(processor.getCurrentProgram() == 0);
 }
 
-TEST_CASE("Other formats have as many programs as factory presets") {
+TEST_CASE("Formats other than VST3 have as many programs as factory presets") {
     Processor processor;
     CHECK(processor.getNumPrograms() == static_cast<int>(factoryPresets().size()));
     restore(processor, testState());

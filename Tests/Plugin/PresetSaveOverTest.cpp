@@ -82,7 +82,7 @@ TEST_CASE("A preset that another window has saved is not overwritten without con
         // A rename does not lift the refusal.
         REQUIRE(otherShelf.renamePreset("Bell.json", "Gong"));
         CHECK_FALSE(otherShelf.saveChosenPreset());
-        // A confirmation lifts it, and so does a load or a kept audition.
+        // A confirmation, a load or a kept audition lifts the refusal.
         switch (GENERATE(0, 1, 2)) {
         case 0:
             REQUIRE(otherShelf.savePreset(called("Gong"), true));

@@ -104,8 +104,8 @@ TEST_CASE("No factory preset allocates, locks or calls the system, whatever note
         const auto music = testMusic(512, 30, host.processor.view().instrument.keyRange());
         for (int block = 0; block < 40; ++block)
             host.block(music, 512);
-        if (!host.processor.view()
-                 .stage.hasStage()) // its worker needs time; the next test waits for it
+        if (!host.processor.view().stage.hasStage()) // the worker of a scene needs time, so the
+                                                     // next test covers scenes
             host.checkHeard(leastStruck);
     }
 }
@@ -136,7 +136,7 @@ TEST_CASE("Strikes, scrapes and rolls with every controller stay real-time safe 
     for (int program = 0; program < host.processor.getNumPrograms(); ++program) {
         host.choose(program);
         if (host.processor.view().stage.hasStage())
-            continue; // its bodies make their own contacts
+            continue; // bodies of a scene make their own contacts
         const auto midi = heldKeys(host.processor.view().instrument.keyRange());
         for (const auto& way :
              {Way{strikeContact, 0, leastStruck}, Way{scrapeContact, 0, leastPressed},

@@ -34,8 +34,8 @@ RealTimeFaults faultsOf(Callback&& callback) {
     return endRealTimeWatch();
 }
 
-/// While it lives, `new` throws on this thread for more than `mostBytes` in one piece. Needs
-/// `realTimeTrapWorks`.
+/// While this object lives, `new` throws on this thread for more than `mostBytes` in one piece.
+/// Needs `realTimeTrapWorks`.
 class MemoryLimit {
 public:
     explicit MemoryLimit(std::size_t mostBytes);
@@ -44,7 +44,7 @@ public:
     ~MemoryLimit();
 };
 
-/// While it lives, this thread cannot start another. Needs `realTimeTrapWorks`.
+/// While this object lives, this thread cannot start another. Needs `realTimeTrapWorks`.
 class NoThreads {
 public:
     NoThreads();
@@ -53,9 +53,9 @@ public:
     ~NoThreads();
 };
 
-/// While it lives, calls `each` at every allocation and release of this thread, except those of
-/// `each` itself. It stands for another thread that acts at many reproducible moments. Needs
-/// `realTimeTrapWorks`.
+/// While this object lives, calls `each` at every allocation and release of this thread, except
+/// those of `each` itself. It stands for another thread that acts at many reproducible moments.
+/// Needs `realTimeTrapWorks`.
 class AtAllocations {
 public:
     explicit AtAllocations(std::function<void()> each);

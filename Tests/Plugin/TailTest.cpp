@@ -71,7 +71,7 @@ TEST_CASE("A key that resizes a bar lengthens the tail once it was played") {
     };
     const double told = processor.getTailLengthSeconds();
     CHECK(play(79) == told);
-    CHECK(play(67) > 1.5 * told); // a constant loss factor makes it twice as long
+    CHECK(play(67) > 1.5 * told); // a constant loss factor makes the tail twice as long
 }
 
 TEST_CASE("A bend range set by MIDI and a tuning that lowers keys lengthen the tail") {

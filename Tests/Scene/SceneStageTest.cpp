@@ -114,7 +114,7 @@ TEST_CASE("A scene instrument sounds the same for all block sizes and after a re
     CHECK(play(other, notes, 1.5, 37) == first);
 }
 
-TEST_CASE("In real time a stage sounds as offline if its simulation is waited for") {
+TEST_CASE("In real time a stage sounds as offline if the caller waits for the simulation") {
     const auto instrument = sceneInstrument("Cylinder off a table");
     const std::vector<Note> notes{{0, 60, 64}, {0.3, 60, 100}};
     Player offline(instrument, rate), player(instrument, rate);
@@ -126,7 +126,7 @@ TEST_CASE("In real time a stage sounds as offline if its simulation is waited fo
     CHECK(player.lateEvents() == 0);
 }
 
-TEST_CASE("Impacts and contacts that are not waited for are late, are counted and sound") {
+TEST_CASE("Impacts and contacts that come late are counted and still sound") {
     auto scraped = *findFactoryScene("Bell under a hand");
     scraped.hand->taps.clear();
     for (auto& moment : scraped.hand->path)

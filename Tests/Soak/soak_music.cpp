@@ -101,7 +101,7 @@ private:
     RandomSession oneLife{processor, RandomSession::Changes::parameters};
     RandomSession manyLives{processor};
     const PlayedPhrase first = manyLives.phraseAnew();
-    std::optional<Sounds> life; ///< of the current player, if it is one that lives on
+    std::optional<Sounds> life; ///< of the current player, if it plays for hours
 };
 
 void soak(const std::string& log, int wantedHours) {

@@ -209,7 +209,7 @@ TEST_CASE("A contact without speed, without normal force or below the minimum sp
           ContactMotion{notANumber, 1}, ContactMotion{1, notANumber}, ContactMotion{}}) {
         CHECK(contact.render({0.5, 1}, cell));
         CHECK_FALSE(isSilent(cell));
-        CHECK(contact.render(still, cell)); // still moving within this cell
+        CHECK(contact.render(still, cell)); // the motion ends within this cell
         cell.fill(1);
         CHECK_FALSE(contact.render(still, cell));
         CHECK(isSilent(cell));

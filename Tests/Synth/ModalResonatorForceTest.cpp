@@ -89,7 +89,7 @@ reference(const ModalObject& object, const Scraped& scraped, bool moving, double
         double rest = ringing.x / 2;
         for (int k = 0; k < 4000000 && std::abs(ringing.x) + std::abs(ringing.y) > 1e-13; ++k)
             rest -= (ringing = sample * ringing).x;
-        rest = isOscillating(pole) ? rest - 1 : 0.5; // heavy modes: whole first sample
+        rest = isOscillating(pole) ? rest - 1 : 0.5; // the whole first sample of heavy modes sounds
         ModalState state;
         for (std::size_t n = 0; n < output.size(); ++n) {
             const std::size_t cell = n / cellSamples;
@@ -123,7 +123,7 @@ TEST_CASE("A continuous force equals an impulse at every sample within -100 dB")
     const bool moving = GENERATE(false, true);
     const double damping = GENERATE(0.0, 40.0);
     const double viscoelastic =
-        GENERATE(1e-8, 2e-5); // the second one over-damps modes above 16 kHz
+        GENERATE(1e-8, 2e-5); // the second value over-damps modes above 16 kHz
     std::vector<double> frequencies;
     for (int i = 0; i < 30; ++i)
         frequencies.push_back(60 + 23.0 * i * i);

@@ -195,7 +195,7 @@ TEST_CASE("A second strike heard far leaves the ringing sound unchanged") {
     const Stereo alone = play(object, 80, [](int) { return 1.0; });
     for (std::size_t n = 0; n < 40 * 64; ++n)
         REQUIRE(sound.left[n] == near.left[n]);
-    // From the second strike on: the first one near, the second one far.
+    // Compare from the second strike on: the first one is heard near, the second one far.
     double worst = 0, peak = 0;
     for (std::size_t n = 40 * 64; n < sound.left.size(); ++n) {
         const double first = reference(object, 0, 0, double(n));
