@@ -66,7 +66,7 @@ class Drop:
         copy = self.atom("XdndActionCopy")
         self.send("XdndEnter", 3 << 24, self.uri_list)
         accepted = 0
-        for _ in range(3):  # the first one may find the window still asking for the data
+        for _ in range(3):  # the first reply may find the window still asking for the data
             self.send("XdndPosition", 0, place, X.CurrentTime, copy)
             accepted = self.wait_for("XdndStatus")[1] & 1
             time.sleep(0.1)

@@ -82,7 +82,7 @@ private:
     double cellSeconds;
     ReleaseFade releaseFade;
     std::vector<double> strengths;
-    std::vector<Contact> contacts; ///< two: one may fade out while the other one plays
+    std::vector<Contact> contacts; ///< two, so that one may fade out while the other plays
     std::size_t now = 0;           ///< index of the newest contact
 };
 

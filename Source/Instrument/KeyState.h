@@ -23,8 +23,8 @@ public:
     explicit KeyState(HeldContacts& contacts) : held(contacts) {}
 
     /// Call before the events of one sample. If one note ends and the next begins on a channel at
-    /// one sample, wheel and pressure events belong to the next note. They may come first: JUCE's
-    /// VST3 wrapper sends them before the notes of their sample.
+    /// one sample, wheel and pressure events belong to the next note. These events may come before
+    /// the note: JUCE's VST3 wrapper sends them first.
     void beginSample(std::span<const MidiEvent> events) noexcept;
     void follow(const MidiEvent& event) noexcept;
     /// Call after the events of one sample. A new key takes the last pressure of that sample, even

@@ -24,7 +24,7 @@ public:
 
     void prepare(double sampleRateHz, int maximumBlockSize);
 
-    /// Silences the stage. The next block starts at its values without a ramp.
+    /// Silences the stage. The next block starts at its parameter values without a ramp.
     void reset() noexcept;
 
     /// Starts another sound with the next block. Its level applies at once, because levels differ

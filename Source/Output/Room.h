@@ -31,7 +31,7 @@ public:
     /// `rampSeconds` is at most `earliestSeconds`.
     void prepare(double sampleRateHz, int maximumBlockSize, double rampSeconds);
 
-    /// Silences the room. The next block starts at its values without a ramp.
+    /// Silences the room. The next block starts at its parameter values without a ramp.
     void reset() noexcept;
 
     /// Fades the reverb over the ramp from the next sample on. The next `unanswered` samples get no

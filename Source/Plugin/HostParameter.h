@@ -43,7 +43,7 @@ public:
     /// [message thread] Reports the value if it differs from the last sent one. Does nothing after
     /// `forgetTold`.
     void tellListenersIfMoved();
-    /// [any thread] Forgets the last sent value, so that nothing counts as its echo.
+    /// [any thread] Forgets the last sent value, so that no value counts as an echo.
     void forgetTold() noexcept { told = -1; }
 
     const ParameterInfo& info() const noexcept { return row; }

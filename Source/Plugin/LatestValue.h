@@ -16,8 +16,8 @@ public:
     LatestValue(const LatestValue&) = delete;
     LatestValue& operator=(const LatestValue&) = delete;
 
-    /// [the writing thread] Returns the buffer that `publish` hands over. It holds some old value
-    /// first.
+    /// [the writing thread] Returns the buffer that `publish` hands over. At first the buffer holds
+    /// an old value.
     Value& next() noexcept { return values[writing]; }
     void publish() noexcept { writing = spare.exchange(writing | isNew) & index; }
 

@@ -30,8 +30,8 @@ public:
 
     /// [lock]
     const ScalaTuning& files() const noexcept { return scala; }
-    /// [lock] Sets the tuning of valid files. Moves their texts instead of copying, so that nothing
-    /// fails within a hand-over.
+    /// [lock] Sets the tuning of valid files. Moves their texts instead of copying, so that a
+    /// hand-over cannot fail.
     void tuneTo(ScalaTuning files, const KeyTuning& keys) noexcept;
 
 private:

@@ -61,8 +61,8 @@ public:
              const CellOutput& cell) const noexcept {
         add(outputsOf(sound), from, count, cell);
     }
-    /// Takes the part that the discs block out of the cell; overwrites `tube`, the tube's part of
-    /// a sound in the cell.
+    /// Removes from the cell the part that the discs block. Overwrites `tube`, the tube's part of a
+    /// sound in the cell.
     void closeTubes(CellSound& tube,
                     std::size_t from,
                     std::size_t count,

@@ -31,9 +31,9 @@ void gatherIncrements(const UnitContact& unit,
                       std::size_t channels,
                       StateIncrements& increments) noexcept;
 
-/// Sets the increments to those of a whole contact: the increment at its end minus the rest of the
-/// one at its start. For contacts much shorter than a period this difference is small, and still
-/// has the full single precision.
+/// Sets the increments to those of a whole contact: the increment at its end minus the remainder of
+/// the increment at its start. For contacts much shorter than a period this difference is small,
+/// and still has the full single precision.
 void finishIncrements(const PoleArrays& poles,
                       const UnitContact& end,
                       const BeforeSample& before,

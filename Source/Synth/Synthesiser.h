@@ -45,8 +45,8 @@ public:
     double frequencyRatio(std::size_t slot) const noexcept;
 
     /// Sets the material of one slot from the next `beginCell` on, instead of
-    /// `SynthesisSettings::material`; empty: use that one again. A material with a value out of
-    /// range is ignored.
+    /// `SynthesisSettings::material`. If empty, the settings' material applies again. A material
+    /// with a value out of range is ignored.
     void setMaterial(std::size_t slot, const std::optional<LiveMaterial>& material) noexcept;
 
     /// Mutes modes of one slot with values ≠ 0 from the next `beginCell` on ([modes of its object],

@@ -70,7 +70,7 @@ struct Run {
 };
 
 Run figuresOf(BenchScene& scene, const CellTimes& times) {
-    // Not all bodies have been struck in the first half second.
+    // Leave out the first half second, in which not all bodies have been struck.
     const std::size_t cells = cellsIn(sceneSeconds), first = cellsIn(0.5);
     const auto modes = scene.modesMixed(cells);
     const auto counted = std::span(modes).subspan(first);

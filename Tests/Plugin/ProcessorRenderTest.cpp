@@ -155,7 +155,7 @@ TEST_CASE("Events in a block without samples sound in the next block") {
 }
 
 TEST_CASE("Five thousand events on one sample are all played") {
-    // 4999 wheel moves come before the note. It must sound with the last wheel position.
+    // 4999 wheel moves come before the note. The note must sound with the last wheel position.
     juce::MidiBuffer crowded, sparse;
     for (int i = 0; i < 4999; ++i)
         crowded.addEvent(juce::MidiMessage::pitchWheel(1, i), 511);

@@ -53,7 +53,7 @@ TEST_CASE(
         REQUIRE(thinner[i] == Approx(2 * own[i]).margin(1e-6));
 }
 
-TEST_CASE("Modes that swap order as a shell thickens are struck clear of their periods") {
+TEST_CASE("When modes swap order as a shell thickens, contact times stay clear of their periods") {
     auto object = syntheticObject({200, 215});
     object.bending = {object.eigenvalues[0], 0};
     object.material.damping = {};

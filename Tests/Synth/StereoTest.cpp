@@ -75,8 +75,8 @@ TEST_CASE("Each channel hears its own direction's weights, at the requested shar
     }
 }
 
-TEST_CASE(
-    "A strike with a direction sounds alike in every channel and leaves later ones unaffected") {
+TEST_CASE("A strike with a direction sounds the same in every channel and does not affect later "
+          "strikes") {
     ModalObject object = radiatingObject();
     addThirdDirection(object);
     SynthesisSettings settings = exactSettings();
