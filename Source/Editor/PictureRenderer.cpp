@@ -165,7 +165,7 @@ GLuint PictureRenderer::attribute(const char* name) const {
     return static_cast<GLuint>(glGetAttribLocation(program->getProgramID(), name));
 }
 
-/// Reads the bound buffer from this vertex on.
+/// Binds the attributes to the vertices of the bound buffer, from vertex `first` on.
 void PictureRenderer::readVertices(std::size_t first) const {
     for (const auto& [name, part] : {std::pair("place", offsetof(SceneVertex, place)),
                                      {"normal", offsetof(SceneVertex, normal)}}) {

@@ -18,7 +18,7 @@
 namespace idiophone {
 
 enum class KeyMapKind {
-    bars,   ///< one object a key
+    bars,   ///< one object per key
     zones,  ///< one object; the strike moves along a path over it as the keys go up
     scaled, ///< one object, resized for each key to its pitch
     scene   ///< a scene of rigid bodies, which keys set in motion (Scene/SceneStage.h)

@@ -11,7 +11,7 @@ namespace {
 
 constexpr float faintEnergy = 1e-36f; // faintestVelocity²
 
-/// Far below hearing, far above the rounding error of sums of shares.
+/// This level is far below hearing and far above the rounding error of sums of shares.
 constexpr float smallestFade = 1e-6f;
 
 } // namespace

@@ -26,7 +26,7 @@ Eigen::SparseMatrix<double> chainMass(Index n) {
 
 } // namespace
 
-TEST_CASE("The kernel for this processor multiplies like Eigen for every remainder") {
+TEST_CASE("The kernel for this processor multiplies like Eigen for all sizes") {
     for (const Index rows : {1, 3, 4, 9, 18})
         for (const Index columns : {1, 3, 4, 5, 8, 13, 29})
             for (const Index inner : {0, 1, 7, 33}) {

@@ -129,7 +129,7 @@ Result<BenchSection> benchScale(const BenchContent& content) {
             {"bodies", bodies}, {"scaled", describe(budgeted)}, {"unscaled", describe(free)}};
         one["heap_bytes"] = nullptr;
         if (heapBefore && heapAfter) {
-            // The engine allocates only when it is constructed, so this is its peak.
+            // The engine allocates only when it is constructed, so its memory now is its peak.
             const auto bytes = *heapAfter - *heapBefore;
             one["heap_bytes"] = bytes;
             section.row(name + ", memory", figure(static_cast<double>(bytes) / 1e6) + " MB");

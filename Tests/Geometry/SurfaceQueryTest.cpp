@@ -133,7 +133,7 @@ TEST_CASE("A query still works after a move") {
     CHECK(second.firstHit({3, 0.1, 0.1}, {-1, 0, 0}));
 }
 
-TEST_CASE("A point too far away to measure gets some face at infinite distance") {
+TEST_CASE("A query from a point too far away returns a face at infinite distance") {
     const SurfaceQuery query(icosphereMesh(1, 1));
     const double nan = std::numeric_limits<double>::quiet_NaN();
     for (const Eigen::Vector3d& point :

@@ -145,7 +145,7 @@ TEST_CASE("A drag over the surface sounds with any key contact, and faster drags
     CHECK(fast > 1.3 * slow);
 }
 
-TEST_CASE("The contact force and the hand's pressure make it louder") {
+TEST_CASE("A higher contact force or hand pressure makes a scrape louder") {
     const auto levelAt = [&](double newtons) {
         auto parameters = quiet();
         parameters.set(ParameterId::contactForce, newtons);
@@ -348,7 +348,7 @@ TEST_CASE("All Notes Off lifts the hand, and a reset forgets it") {
     CHECK(player.silent());
 }
 
-TEST_CASE("A hand lifted by All Sound Off leaves nothing under the next note") {
+TEST_CASE("A hand lifted by All Sound Off is not heard under the next note") {
     Player player(shortSquare(), rateHz), alone(shortSquare(), rateHz);
     double x = 0.1;
     const auto scraped = drag(player, x, 1, 0.2);

@@ -33,7 +33,8 @@ TEST_CASE("A roll is darker than a scrape") {
     CHECK(centroidHz(rollContact) < 0.8 * centroidHz(scrapeContact));
 }
 
-TEST_CASE("A coupled roll is as loud as a scrape at the modes, and as dark as any roll between") {
+TEST_CASE(
+    "A coupled roll is as loud as a scrape at the modes and as dark as any roll between them") {
     const auto instrument = oneBar();
     const auto spectrum = [&](double kind, double coupling) {
         auto parameters = scraping(kind);

@@ -34,7 +34,7 @@ TEST_CASE("Without depth the gain is one, and a reset restarts the motor") {
         CHECK(motor.advance(3, 1) == fresh.advance(3, 1));
 }
 
-TEST_CASE("A motor takes a given phase at once, or without a step along the shorter way") {
+TEST_CASE("A motor jumps to a given phase, or moves there smoothly by the shorter way") {
     constexpr double cellSeconds = 64.0 / 48000, turnsPerSecond = 1;
     const auto there = [](double turns) { // a motor long after its start
         Motor motor(cellSeconds);

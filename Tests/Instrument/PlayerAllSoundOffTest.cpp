@@ -137,7 +137,7 @@ TEST_CASE("A player reports the silenced samples at the start of a block, up to 
     CHECK(player.takeSilenced() == Silenced());
 }
 
-TEST_CASE("A scrape that All Sound Off ends leaves nothing under the next key") {
+TEST_CASE("A scrape that All Sound Off ends is not heard under the next key") {
     const int off = GENERATE(9600, 9631), gap = GENERATE(0, 200);
     CAPTURE(off, gap);
     const auto instrument = keysOn(syntheticObject({300, 810}), KeyMapKind::scaled, 40, 80);

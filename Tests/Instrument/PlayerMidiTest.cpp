@@ -180,7 +180,7 @@ TEST_CASE("The pitch wheel bends by its range, and Reset All Controllers returns
     CHECK(std::abs(cents(back.frequencyHz, 440)) < 0.5);
 }
 
-TEST_CASE("Notes outside the keys and messages without a meaning here are silent") {
+TEST_CASE("Notes outside the keys and unknown messages are silent") {
     Player player(bars(), sampleRateHz);
     const auto sound = render(player,
                               {midi(0, 0x90, 20, 127), midi(1, 0xa0, 69, 127), midi(2, 0xd0, 99, 0),
@@ -269,7 +269,7 @@ TEST_CASE("Pressure at a key's sample belongs to that key in either order") {
     CHECK(rms(before) > 1.5 * rms(render(none, {key}, 9600, 256, parameters)));
 }
 
-TEST_CASE("Pressure 0 before a key does not replace its velocity, but after it does") {
+TEST_CASE("Pressure 0 replaces a key's velocity after the key, but not before it") {
     ParameterValues parameters;
     parameters.set(ParameterId::contact, scrapeContact);
     const auto pressure = midi(100, 0xd0, 0, 0), key = midi(100, 0x90, 69, 100);

@@ -82,7 +82,7 @@ TEST_CASE("A file's name is the path by which a preset finds it, if it can find 
     CHECK(name("n/Settings/Presets/x.json") == "Settings/Scenes/coins.json");
 }
 
-TEST_CASE("A file's name is normalised, and leads up from the preset only if it was written so") {
+TEST_CASE("A file's name is normalised, and leads up from the preset only if the given path does") {
     write("m/Pack/Scenes/d.json", "{}");
     write("m/Pack/Presets/Scenes/e.json", "{}");
     const auto preset = testFolder() / "m/Pack/Presets/a.json";

@@ -87,7 +87,7 @@ TEST_CASE("A scale repeats at its last note, whether it is an octave or not") {
     CHECK(hertz(scaled(thirteen), 60 + 13) == Approx(3 * middleCHz).epsilon(1e-6));
 }
 
-TEST_CASE("A mapping alone moves the reference") {
+TEST_CASE("A mapping without a scale moves the reference") {
     const ScalaTuning tuning{.scale = {},
                              .mapping = {.name = "a.kbm", .text = "0\n0\n127\n60\n69\n432\n0\n"}};
     CHECK(hertz(tuning, 69) == Approx(432));

@@ -137,7 +137,8 @@ TEST_CASE("Places beside the path move without steps too") {
     }
 }
 
-TEST_CASE("The path's direction is a unit vector in the surface, and the normal a unit vector") {
+TEST_CASE(
+    "The path's direction and the normal are unit vectors, and the direction lies in the surface") {
     const auto ring = ObjectLibrary::shared().find("ring").value();
     const auto strip = strikeStrip(*ring, mapAlong({{0, -1, 0}, {1, 0, 0}, {0, 1, 0}}));
     for (double along = 0.01; along < 1; along += 0.0313)

@@ -40,13 +40,13 @@ std::string slateWithout(const char* key) {
 
 } // namespace
 
-TEST_CASE("A surface survives its file to the last bit") {
+TEST_CASE("A surface is read back from its file to the last bit") {
     const auto read = parseSurface(encodeSurface(slate), "x.json");
     REQUIRE(read);
     CHECK(*read == slate);
 }
 
-TEST_CASE("A surface with the longest name survives its file, and a longer name is refused") {
+TEST_CASE("A surface with the longest name is read back, and a longer name is refused") {
     auto longest = slate;
     longest.name = std::string(Surface::longestNameBytes, '\x01'); // six bytes each in the file
     const auto read = parseSurface(encodeSurface(longest), "x.json");

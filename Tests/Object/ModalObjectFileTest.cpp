@@ -261,7 +261,7 @@ TEST_CASE("An empty radiation table with tensors is refused") {
     checkRefused(file, "directions x ratios x modes");
 }
 
-TEST_CASE("Invalid values are refused as by validation") {
+TEST_CASE("Invalid values are refused as validation refuses them") {
     auto object = syntheticObject({100, 200});
     object.eigenvalues[1] = std::numeric_limits<double>::quiet_NaN();
     checkRefused(encodeModalObject(object), "not a finite number");

@@ -20,7 +20,7 @@ ParameterValues inRoom(double levelDecibels) {
 
 } // namespace
 
-TEST_CASE("Another sound starts at its level, whatever the old level") {
+TEST_CASE("Another sound starts at its own level, whatever the old level") {
     const double before = GENERATE(-60.0, -41.0, 5.0, 24.0),
                  now = GENERATE(-60.0, -41.0, 5.0, 24.0);
     PreparedStage stage;
@@ -93,7 +93,7 @@ TEST_CASE("Reverb of an old sound keeps its level through automation and further
         REQUIRE_THAT(got.left[i], WithinAbs(wanted.left[i], 1e-7));
 }
 
-TEST_CASE("A level raised after a change does not raise old reverb and is reached") {
+TEST_CASE("A level raised after a change is reached and does not raise old reverb") {
     PreparedStage stage, alone;
     const Stereo burst{sine(4800), sine(4800, 700)};
     const Stereo nothing{std::vector<float>(9600), std::vector<float>(9600)};

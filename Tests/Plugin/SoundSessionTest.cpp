@@ -40,7 +40,8 @@ TEST_CASE("A session that is not prepared hands over no player until it is") {
     CHECK(parts.session.rateHz() == 44100);
 }
 
-TEST_CASE("A sound that differs in parameters goes on, unless its level changes by much") {
+TEST_CASE(
+    "A sound that differs only in parameters keeps its player, unless its level changes by much") {
     SessionParts parts;
     auto sound = testSound();
     parts.play(sound);

@@ -160,7 +160,7 @@ TEST_CASE("Impacts and contacts that come late are counted and still sound") {
     }
 }
 
-TEST_CASE("Keys of a scene without notes restart it") {
+TEST_CASE("Keys of a scene without notes restart the scene") {
     const auto instrument = sceneInstrument("Cylinder off a table");
     const double delay = instrument->stage()->delaySeconds();
     CHECK(delay > 0);
@@ -212,7 +212,7 @@ TEST_CASE("Rolling before All Sound Off does not ring on under the next note") {
     std::vector<float> left(64), right(64);
     const std::vector<MidiEvent> next{{0, {0xb0, 120, 0}}, {0, {0x90, 60, 1}}};
     player.process({left, right}, next, {});
-    // Before the next cylinder lands, and after the delay to the ears.
+    // Listen before the next cylinder lands and after the delay to the ears.
     const auto after = play(player, {}, 0.06, 128);
     CHECK(tailLevel(after, 0.025) < 1e-4f * tailLevel(before, 0.5));
 }

@@ -5,7 +5,7 @@
 using namespace idiophone;
 using namespace idiophone::test;
 
-TEST_CASE("The damper multiplies a cell by its decay, and the logarithm follows its changes") {
+TEST_CASE("The damper multiplies a cell by its decay, and its logarithm follows changes") {
     ResonatorParts parts(ringingObject({440}, 0.1));
     parts.output.setDamping(50, 10);
     parts.output.setDamping(0, 30);

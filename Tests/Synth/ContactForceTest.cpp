@@ -159,7 +159,7 @@ TEST_CASE("A coupled mode raises the roll around its frequency by d/√((ω − 
         }
 }
 
-TEST_CASE("Coupled modes add as much as the coupling says, for any number and damping") {
+TEST_CASE("Coupled modes add the level that the coupling sets, for any number and damping") {
     const Surface surface{.resonFrequencyHz = 4000, .resonDampingPerSecond = 20000};
     const CoupledMode modes[] = {{400, 30}, {1000, 60}, {2500, 250}};
     auto scraping = contactOn(surface);

@@ -139,7 +139,7 @@ TEST_CASE("Free motion is the same by cells, over any time and by samples within
 }
 
 TEST_CASE(
-    "State increments start and finish between samples and join after whole ones, at any damping") {
+    "State increments start and end between samples and join at whole samples, at any damping") {
     const TargetInTurn turn(GENERATE(Catch::Generators::from_range(targetsHere())));
     const double damping = GENERATE(10.0, 5000.0, 30000.0);
     const double hz = GENERATE(30.0, 3000.0, 19000.0);

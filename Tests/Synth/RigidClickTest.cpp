@@ -82,7 +82,7 @@ TEST_CASE("A struck ball with one silent mode sounds one cycle of a sine in each
     }
 }
 
-TEST_CASE("A contact microphone hears no click, and half the radiation gives half of it") {
+TEST_CASE("A contact microphone hears no click, and half the radiation gives half the click") {
     const auto ball = rigidBall(0.01, 7000);
     const std::vector<Impact> impacts{{.sample = 3}};
     CHECK(peak(rendered(ball, {.radiation = 0}, impacts)[0]) == 0);
