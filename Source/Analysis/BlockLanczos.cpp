@@ -16,8 +16,8 @@ using Eigen::VectorXd;
 
 constexpr double tolerance = 1e-9; ///< of a residual, relative to its eigenvalue 1/(λ − σ)
 
-/// Narrow blocks converge with fewer vectors. Wide blocks read a factor larger than the cache less
-/// often.
+/// Narrow blocks converge with fewer vectors. Wide blocks read the factor less often, which pays if
+/// it is larger than the cache.
 Index blockColumns(Index wanted, double factorEntries) {
     return wanted >= 24 && factorEntries > 1.5e6 ? 8 : 4;
 }

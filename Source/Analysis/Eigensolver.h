@@ -12,7 +12,7 @@ namespace idiophone {
 struct FrequencyBand {
     double lowestHz = lowestAnalysedHz;
     double highestHz = highestAnalysedHz;
-    Eigen::Index maximumModes = mostAnalysedModes; ///< more than this in the band is an error
+    Eigen::Index maximumModes = mostAnalysedModes; ///< more modes in the band are an error
 };
 
 /// M modes of n degrees of freedom.

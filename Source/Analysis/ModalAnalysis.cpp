@@ -172,9 +172,9 @@ nearestVertices(const Mesh& surface, const Mesh& repaired, const std::vector<int
     return nearest;
 }
 
-/// Solves the body in the band that its elements resolve. Stiff bodies such as a hollow ball may
-/// have no mode below the band of a preview's elements. Its band then extends: a mode that is some
-/// per cent off is better than none.
+/// Solves the body in the band that its elements resolve. A stiff body such as a hollow ball may
+/// have no mode in the band of a preview's elements. The band then extends, because a mode that is
+/// some per cent off is better than none.
 Result<ModalObject>
 solved(const BodyModel& body, const std::vector<int>& shapeVertices, const Task& task) {
     constexpr double lowestPreviewHz = 100;

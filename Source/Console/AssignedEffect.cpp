@@ -36,7 +36,7 @@ bool hasTubes(const ParameterValues&, const Played& played) {
 bool motorModulates(const ParameterValues& values, const Played&) {
     return values[motorDepth] > 0;
 }
-/// All other settings follow the host's tempo.
+/// Returns whether the motor runs freely. All other settings follow the host's tempo.
 bool isFree(const ParameterValues& values, const Played&) {
     return motorSyncBeats(static_cast<int>(values[motorSync])) == 0;
 }

@@ -11,7 +11,7 @@
 namespace idiophone {
 namespace {
 
-// Clock time: more than the limit of processor time.
+// A limit of clock time, above the limit of processor time.
 constexpr int patienceMilliseconds = 1000 * (2 * sofaPatienceSeconds);
 
 /// Returns the table that the other process wrote, or nothing. juce::ChildProcess has no exit code

@@ -25,8 +25,9 @@ struct MeshCheck {
     double areaM2 = 0;
     double volumeM3 = 0;            ///< enclosed, without hollows; 0 unless closed and oriented
     double meanThicknessMetres = 0; ///< see wallThicknessMetres; 0 if the volume is 0
-    /// √A / meanThickness: the width of the surface in mean thicknesses. A ball has 5.3, a cube
-    /// 7.3, a torus whose radius is 10 times its section's radius 20. Infinite without a volume.
+    /// √A / meanThickness: the width of the surface in mean thicknesses. It is 5.3 for a ball, 7.3
+    /// for a cube, and 20 for a torus whose radius is 10 times its section's. Infinite without a
+    /// volume.
     double slenderness = 0;
 
     /// Returns true if the surface encloses a volume that tetrahedra can fill.

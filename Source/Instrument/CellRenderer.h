@@ -39,7 +39,7 @@ public:
     bool cellIsOver() const { return position == cellSamples; }
     bool isWithinCell() const { return position > 0 && !cellIsOver(); }
     int samplesLeft() const { return cellSamples - position; }
-    /// Plays the strikes of the cell's next part and copies it to the output.
+    /// Plays the strikes of the cell's next part and copies this part to the output.
     void copyOut(const StereoSpan& output, StrikeScheduler& strikes);
 
     /// Returns the moment of a strike at the next sample.

@@ -23,7 +23,7 @@ struct RingingMode {
 
 /// Keeps the last few modes, with which the next one interferes. The term ∫ v_i v_j dt = Re(A_i
 /// A_j* (a + iΔ))/(a² + Δ²)/2, a = α_i + α_j, Δ = ω_i − ω_j, matters for close modes: the pairs of
-/// round objects, and all modes of soft ones. Add modes in ascending order. Does not allocate.
+/// round objects, and all modes of soft objects. Add modes in ascending order. Does not allocate.
 template <std::size_t levels>
 class NearModes {
 public:

@@ -155,7 +155,7 @@ void Player::beginCell(std::optional<double> beats) {
     renderer.moveGain(static_cast<float>(std::pow(10, loudness->gainDb() / 20)));
 }
 
-/// Strikes these notes, and before them those that came between two blocks.
+/// Strikes the notes that came between two blocks, then these notes.
 void Player::strike(std::span<const MidiEvent> notes) {
     if (notes.empty() && lateNotes.empty() && !scheduler.hasSurfaceStrikes())
         return;
@@ -170,8 +170,8 @@ void Player::strike(std::span<const MidiEvent> notes) {
         if (!event.isNoteOn() || !slotTuning.sounds(note))
             return;
         if (!renderer.hasMallets())
-            renderer.startNote(note,
-                         std::max(1, static_cast<int>(std::lround(keys.softness() * velocity))));
+            renderer.startNote(
+                note, std::max(1, static_cast<int>(std::lround(keys.softness() * velocity))));
         else if (strikes(values))
             scheduler.strikeKey(playedInstrument->key(note), velocity,
                                 held.placeController(event.channel()), moment);

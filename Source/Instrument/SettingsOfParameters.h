@@ -52,7 +52,7 @@ bool hasLiveThickness(std::span<const SynthesiserSlot> slots);
 bool hasPitch(std::span<const SynthesiserSlot> slots);
 
 /// Returns the values with that material as the custom one; ParameterValues::set clamps the
-/// figures. They do not include its Poisson ratio and contact figures. Any thread.
+/// figures. The values do not include its Poisson ratio and contact figures. Any thread.
 ParameterValues withCustomMaterial(ParameterValues values, const Material& material);
 
 /// Returns the values with that mallet as the custom one. Its contact has this modulus on any

@@ -1,4 +1,5 @@
-// The pitch of each of an instrument's objects: its key's pitch in the tuning, bent as its note is.
+// The pitch of each of an instrument's objects: its key's pitch in the tuning, plus the bend of its
+// note.
 #pragma once
 
 #include "Instrument/Instrument.h"

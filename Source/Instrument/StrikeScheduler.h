@@ -34,8 +34,8 @@ public:
     /// The seed decides how strikes spread and chatter.
     StrikeScheduler(const Instrument& instrument, std::uint64_t seed);
 
-    /// Schedules the impacts of a note's strike. `placeController`, 0 to 127, moves it along the
-    /// key (HeldContacts::placeMoved).
+    /// Schedules the impacts of a note's strike. `placeController`, 0 to 127, moves the strike
+    /// along the key (HeldContacts::placeMoved).
     void strikeKey(const Key& key, int velocity, int placeController, const StrikeMoment& moment);
 
     /// Keeps a strike until `strikeSurfaces`. Returns false if too many are kept.

@@ -7,7 +7,7 @@
 namespace idiophone {
 
 /// For the audio thread; neither allocates, locks nor throws. If the host reports nothing for a
-/// block, the last report goes on: LV2 hosts report only changes.
+/// block, the last report stays valid: LV2 hosts report only changes.
 class HostTransport {
 public:
     /// Call once per callback, with its number of samples; `host` is nullptr if there is no play

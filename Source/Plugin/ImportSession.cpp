@@ -176,8 +176,8 @@ void ImportSession::renewHistory(const ModalObject& preview, const Sound& whole)
 }
 
 /// Plays the wanted sound instead of the loaded one, and changes only the parameters that differ
-/// between the two. Returns the number of the load. Returns nothing if the loaded sound plays no
-/// more, or if memory does not suffice, which it reports.
+/// between the two. Returns the number of the load. Returns nothing if the loaded sound no longer
+/// plays, or if memory does not suffice, which it reports.
 std::optional<int> ImportSession::playInstead(const SoundSession::Loaded& now,
                                               const Sound& wanted) {
     int number;

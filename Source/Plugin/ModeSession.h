@@ -1,4 +1,4 @@
-// Shows the modes that sound to the window, mutes them and plays them alone.
+// Shows the modes that sound to the window, and mutes or solos them.
 #pragma once
 
 #include "Editor/SoundView.h"

@@ -99,7 +99,7 @@ TEST_CASE("A pitch that changes once a block sounds as a slide, not as steps") {
                                                  static_cast<std::size_t>(count)),
                        events, values);
     }
-    // Heterodyne, averaged over 5 ms.
+    // Heterodyne and average over 5 ms.
     std::vector<double> cents;
     std::complex<double> before;
     for (std::size_t at = 4800; at + 480 < 36000; at += 48) {

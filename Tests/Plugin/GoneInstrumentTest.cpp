@@ -32,7 +32,7 @@ private:
     alignas(Instrument) std::byte storage[sizeof(Instrument)];
 };
 
-/// Returns a new instrument each time, on the same object.
+/// Returns a new instrument of the same object at each call.
 std::shared_ptr<const Instrument> keys() {
     static ObjectLibrary library;
     static const auto kept = library.add("plate", syntheticObject({440}));

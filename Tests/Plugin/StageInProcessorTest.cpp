@@ -299,7 +299,8 @@ TEST_CASE("A missing file of a scene is named, and the rest of the state is rest
     restoreBytes(again, bytes);
     CHECK_FALSE(again.view().status.takeStatus().isError);
 
-    // A file that exists but cannot be used is an error, also a keyboard that names its own scene.
+    // A file that exists but cannot be used is an error, and so is a keyboard that names its own
+    // scene.
     for (const auto& text : {preset + R"(1}})", R"({"format":"idiophone-preset","version":1,)"
                                                 R"("name":"Bars","keyMap":{"kind":"scene",)"
                                                 R"("object":"mine.json"}})" +

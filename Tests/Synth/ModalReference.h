@@ -95,7 +95,7 @@ inline double pulseVelocity(const ReferenceMode& mode,
                        impulseVelocity(mode, seconds - at);
             }
     if (mode.residue.imag() != 0 && seconds < contactSeconds) {
-        // The force itself, as an impulse makes v̇ jump.
+        // Add the force itself, because an impulse makes v̇ jump.
         const double alpha = mode.damping / 2;
         sum += mode.residue.imag() / std::sqrt(mode.stiffness - alpha * alpha) *
                (1 - std::cos(omega * seconds)) / contactSeconds;
