@@ -230,7 +230,7 @@ EnergySurvey survey(const float* HWY_RESTRICT energies,
             std::uint8_t lanes[8] = {};
             hn::StoreMaskBits(f, rings, lanes);
             bits |= (lanes[0] | (std::uint32_t{lanes[1]} << 8)) << k;
-            // Decaying into denormals, or not finite.
+            // The group decays into denormals or is not finite.
             const auto fading = hn::And(hn::Lt(energy, faint), hn::Gt(energy, hn::Zero(f)));
             outside = hn::Or(outside, hn::Or(fading, hn::Not(hn::Lt(energy, largest))));
         }

@@ -68,7 +68,7 @@ struct SynthesisScratch {
     std::vector<ModePart> tubeParts; ///< tube parts of the current modes
     alignas(64) CellSound tubeSound; ///< sound of `tubeParts`
 
-    // For changes of groups.
+    // Scratch for changes of groups.
     std::vector<std::uint8_t> silencedGroups; ///< [G]
     std::vector<std::int32_t> groupStarts;    ///< [G+1] of the new groups
     std::vector<ModeShare> groupShares;       ///< shares that the new groups take over

@@ -321,7 +321,7 @@ TEST_CASE("A strike sounds the same for any basis of equal poles") {
 }
 
 TEST_CASE("A strike sounds the same for any basis of equal poles with weights in quadrature") {
-    // Even and odd modes along a sheet have imaginary and real weights. Put three on one pole.
+    // Even and odd modes along a sheet have imaginary and real weights. Give three modes one pole.
     auto body = analysed(sheetMesh(0.3, 0.1, 300), 0.01, 8000);
     body.centreMetres = {0.02, 0.01, 0.03};
     for (Eigen::Index mode = 0; mode < body.eigenvalues.size(); ++mode)

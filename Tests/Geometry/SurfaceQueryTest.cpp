@@ -127,7 +127,7 @@ TEST_CASE("A ray down onto a flat sheet hits everywhere, also at edges and verti
     CHECK_FALSE(query.firstHit({1, 0, 0.3}, {0, 0, -1}));
 }
 
-TEST_CASE("A query still works after a move") {
+TEST_CASE("A moved query still works") {
     SurfaceQuery first(icosphereMesh(1, 2));
     SurfaceQuery second = std::move(first);
     CHECK(second.firstHit({3, 0.1, 0.1}, {-1, 0, 0}));

@@ -24,7 +24,7 @@ struct KeyContact {
     ContactTrain train;
     double fundamentalHz = 0;
 
-    /// Returns 20 lg of the motion that it leaves at a frequency, for a residue of 1.
+    /// Returns 20 lg of the motion that the contact leaves at a frequency, for a residue of 1.
     double levelDb(double hz) const {
         return 20 * std::log10(std::abs(ringingVelocity(train, 1e-3, 2 * std::numbers::pi * hz)));
     }

@@ -135,7 +135,7 @@ TEST_CASE("A mapping repeats at its formal octave, which may differ from the sca
     CHECK(hertz(wide, 69) == Approx(440));
     CHECK(hertz(wide, 70) == Approx(440 * std::exp2(2 / 12.0)));
     CHECK(hertz(wide, 81) == Approx(1760));
-    // Twelve of nineteen steps; without a formal octave the scale's own holds.
+    // Twelve of nineteen steps. Without a formal octave the mapping repeats at the scale's own.
     const auto nineteen =
         mapped(equalSteps(19),
                "12\n0\n127\n60\n60\n261.6255653\n0\n0\n1\n3\n5\n6\n8\n9\n11\n12\n14\n16\n17\n");

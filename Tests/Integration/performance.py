@@ -26,7 +26,7 @@ def seconds(sample):
 
 
 class Performance:
-    """Notes in the order of their strikes. Simultaneous ones keep the file's order, because each
+    """Notes in the order of their strikes. Simultaneous notes keep the file's order, because each
     strike draws a random position on the bar."""
 
     def __init__(self, notes):

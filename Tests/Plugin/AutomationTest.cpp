@@ -268,7 +268,7 @@ const std::vector<Jump> switchesWhileRinging{
     {bypass, 0, 1, asLevel},
 };
 
-/// Their effect is measured as a level in decibels.
+/// The effect of these parameters is measured as a level in decibels.
 const std::vector<Jump> jumpsWhilePressed{
     {contactForce, 1, 30, asLevel},
     {contactSpeed, 0.25, 1, asLevel},
@@ -280,7 +280,7 @@ const std::vector<Jump> jumpsWhilePressed{
     {thickness, 100, 200, asLevel},
 };
 
-/// Differences remove what is far below the mode's frequency.
+/// Differences remove frequencies far below the mode's.
 double energyOfSteps(const std::vector<float>& samples) {
     double sum = 0;
     for (std::size_t n = 1; n < samples.size(); ++n)

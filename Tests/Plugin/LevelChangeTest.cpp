@@ -68,7 +68,7 @@ int programOf(const std::string& name) {
     return program;
 }
 
-/// 3 dB, for beats and the room.
+/// The margin of 3 dB is for beats and the room.
 constexpr float margin = 1.4f;
 
 } // namespace

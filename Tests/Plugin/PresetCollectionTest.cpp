@@ -106,7 +106,7 @@ TEST_CASE("A preset saved while foreign objects play opens later and elsewhere")
     REQUIRE(shelf.loadPreset("Found/Stones.json"));
     CHECK(firstSecond(processor) == expected);
 
-    // A project saved from it does not need the preset any more.
+    // A project saved from the preset does not need the preset any more.
     const auto project = saved(processor);
     CHECK(project.find(user.folder().string()) == std::string::npos);
     std::filesystem::remove_all(user.folder() / "Presets");

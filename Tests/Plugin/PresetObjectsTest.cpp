@@ -77,7 +77,7 @@ TEST_CASE("A foreign object is written once and comes back byte for byte") {
     REQUIRE(built);
     CHECK(sameObjects(*built->instrument, *played.instrument));
     CHECK(built->instrument->keyMap() == *stored);
-    // Saving it again gives the same file.
+    // Saving the objects again gives the same file.
     CHECK(writePresetObjects(*stored, *built->instrument, folder).value() == *stored);
     CHECK(objectFiles(folder) == 1);
 }

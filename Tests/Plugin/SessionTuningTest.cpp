@@ -28,7 +28,7 @@ struct Session {
     int clients = 0;
 } session;
 
-/// A session with a master while it lives.
+/// The session has a master while this object lives.
 struct Master {
     Master() { begin(true); }
     ~Master() { begin(false); }

@@ -39,7 +39,7 @@ void checkRefused(const Outcome& outcome, const juce::File& file) {
     CHECK_THAT(outcome.error().message, EndsWith("."));
 }
 
-/// Counts all files below the folder, hidden ones too.
+/// Counts all files below the folder, including hidden ones.
 int files(const juce::File& folder) {
     return folder.findChildFiles(juce::File::findFiles, true).size();
 }

@@ -93,7 +93,7 @@ TEST_CASE("A thickness that moves and returns leaves the pitch unchanged") {
 }
 
 TEST_CASE("A slot that was silent while its thickness moved sounds as if it had started there") {
-    // Close modes, so that groups merge and split on the way.
+    // The modes are close, so that groups merge and split on the way.
     std::vector<double> hz;
     for (int k = 0; k < 60; ++k)
         hz.push_back(400 * std::pow(1.03, k));

@@ -331,7 +331,7 @@ TEST_CASE("Weights that move during a contact cause no step") {
     }
 }
 
-TEST_CASE("Fades in two channels stay in both when the object is struck in a new tuning") {
+TEST_CASE("A two-channel fade stays in both channels when the object is struck in a new tuning") {
     ModalObject object = radiatingObject();
     object.radiation.weights = {1, 1, 1, 1, 1, 1, 1, 1, 1, -1, -1, -1, -1, -1, -1, -1, -1, -1};
     Synthesiser synthesiser({slotOf(object)}, sampleRate, 2);

@@ -107,7 +107,7 @@ TEST_CASE("A tube's share is its part of a shared mode's radiation, and 0 for ot
     for (const float share : radiate(0, {0.5f, -0.2f}))
         CHECK((share == 0 || std::abs(share - 1) < 1e-6f));
     CHECK(std::abs(radiate({0.4f, 0.3f}, 0)[0]) < 1e-6f);
-    // In phase with the bar's radiation.
+    // The tube radiates in phase with the bar.
     const auto half = radiate(1.0f / gain, 1);
     CHECK_THAT(half[0], Catch::Matchers::WithinAbs(0.5, 1e-6));
     CHECK(half[2] == 0);
