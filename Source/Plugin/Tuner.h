@@ -18,13 +18,13 @@ namespace idiophone {
 
 class Player;
 
-/// Construct and destroy off the audio thread. Registered as a client of MTS-ESP while it lives.
+/// Construct and destroy off the audio thread. While it lives, a tuner is a client of MTS-ESP.
 class Tuner {
 public:
     Tuner();
 
-    /// [message side, one at a time] Sets the own tuning from the next callback on; nothing leaves
-    /// the tuning to the session.
+    /// [message side, one at a time] Sets the own tuning from the next callback on. Without an own
+    /// tuning, that of the session acts.
     void setOwn(const std::optional<KeyTuning>& tuning) noexcept;
 
     /// [any thread but the audio thread] Returns whether a master tunes the session's plugins.

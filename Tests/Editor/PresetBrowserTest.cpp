@@ -280,8 +280,8 @@ TEST_CASE("A broken preset is listed and does not change the sound") {
     CHECK(b.part<juce::TextButton>("Delete").isEnabled());
 }
 
-TEST_CASE(
-    "The browser's parts fit from its minimum size on and do not overlap, with or without form") {
+TEST_CASE("The browser's parts fit from its minimum size on and do not overlap, also while it asks "
+          "for a name") {
     Browser b;
     for (const auto& [width, height] : {std::pair(640, 300), {776, 354}, {3800, 1900}}) {
         b.browser.setSize(width, height);

@@ -36,7 +36,8 @@ TEST_CASE("A preset file is read whole, and the error for a bad file names it") 
     }
 }
 
-TEST_CASE("Objects beside a preset are found in its folder and those above, the nearest first") {
+TEST_CASE(
+    "A preset's objects are found in its own folder and the folders above, the nearest first") {
     const auto top = write("b/Objects/bowl.modal", "top");
     const auto near = write("b/Bells/Objects/bowl.modal", "near");
     write("b/Objects/stones/60.modal", "stone");

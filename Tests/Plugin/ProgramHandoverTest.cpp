@@ -385,7 +385,8 @@ TEST_CASE(
         CHECK(loaded(allocations / part, program).second == moved);
 }
 
-TEST_CASE("Undo after a program change restores the values before it, not those set after it") {
+TEST_CASE(
+    "Undo after a program change restores the values from before the change, not later ones") {
     constexpr int volume = 7, program = 3;
     Processor processor;
     processor.prepareToPlay(rateHz, blockSize);
