@@ -75,7 +75,8 @@ BarSpecification padaukBar(double frequencyHz, double share) {
     return xylophoneBar("Padauk", frequencyHz, share);
 }
 
-/// Three tuned partials in the low octave, then two, and one at the top, as on real marimbas.
+/// The bars have three tuned partials in the low octave, then two, and one at the top, as on real
+/// marimbas.
 BarSpecification marimbaBar(double frequencyHz, double share) {
     constexpr double lastTuned = 84, lastOfThreePartials = 56;
     const double note = noteOf(frequencyHz);

@@ -50,7 +50,8 @@ struct SharedMode {
     /// The bar's modal velocity after a modal impulse of 1, over that of a single mode with this
     /// pole.
     std::complex<double> gain;
-    /// The volume velocity into the tube after the same impulse, over the same [m³/s].
+    /// The volume velocity into the tube after a modal impulse of 1, over the same modal velocity
+    /// of a single mode [m³/s].
     std::complex<double> flow;
 };
 

@@ -14,7 +14,7 @@ namespace idiophone {
 enum class PlayedBy {
     mallets,  ///< keys strike, scrape and roll
     stage,    ///< keys start simulations of a scene
-    scene,    ///< bodies move without keys
+    scene,    ///< bodies move, and keys do nothing
     impulses, ///< contacts of a list
 };
 

@@ -10,7 +10,7 @@ namespace idiophone {
 /// Fails if `file` is a directory or no file can be created beside it.
 Result<void> checkWritable(const std::filesystem::path& file);
 
-/// Creates the directory if it does not exist. The error names it.
+/// Creates the directory if it does not exist. The error names the directory.
 Result<void> makeDirectory(const std::filesystem::path& directory);
 
 } // namespace idiophone

@@ -129,7 +129,7 @@ void addSofaTable(CLI::App& program, Action& chosen) {
         int sampleRateHz = 0;
     };
     auto* command = program.add_subcommand("sofa-table", "Reads a SOFA file for another process");
-    command->group(""); // hides it from the list
+    command->group(""); // hides the command from the list
     auto options = std::make_shared<Options>();
     command->add_option("FILE", options->file)->required();
     command->add_option("RATE", options->sampleRateHz)

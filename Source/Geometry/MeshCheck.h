@@ -1,5 +1,5 @@
-// Judges a mesh: closed or open, self-intersecting or not, chunky or thin. Analysis uses it to
-// choose between tetrahedra and shells. It changes nothing.
+// Judges a mesh: closed or open, self-intersecting or not, thick or thin. Analysis uses the result
+// to choose between tetrahedra and shells. The mesh does not change.
 #pragma once
 
 #include "Geometry/Mesh.h"

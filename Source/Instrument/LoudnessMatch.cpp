@@ -16,7 +16,7 @@ namespace {
 using enum ParameterId;
 
 constexpr double largestGainDb = 40;
-// The tolerance is 2 LU; the prediction's own error uses up the rest.
+// The tolerance is 2 LU, and the prediction's own error may be the remaining 0.5 LU.
 constexpr double farthestFromMiddleDb = 1.5;
 
 void copyInto(ParameterValues& to,

@@ -35,10 +35,10 @@ public:
     std::size_t advance(std::size_t modes) noexcept;
     bool complete() const noexcept { return phrase == nullptr; }
 
-    /// Returns the loudness once it is complete; −infinity if nothing sounds. It leaves out
-    /// `spread`, `imperfection`, and modes that τ and the mode budget drop. For keys that scrape or
-    /// roll it lacks a constant that depends on speed, force and roughness, and is the same for all
-    /// velocities.
+    /// Returns the loudness of a complete prediction; −infinity if nothing sounds. The prediction
+    /// leaves out `spread`, `imperfection`, and modes that τ and the mode budget drop. For keys
+    /// that scrape or roll it lacks a constant that depends on speed, force and roughness, and is
+    /// the same for all velocities.
     Loudness lufs() const noexcept;
 
 private:
@@ -62,7 +62,7 @@ private:
     std::array<PhraseMeter, levels> meters;
 
     // The object being processed.
-    std::size_t firstNote = 0, endNote = 0; ///< the notes that play it
+    std::size_t firstNote = 0, endNote = 0; ///< the notes that play this object
     std::size_t nextMode = 0;
     LiveConditions conditions;
     double thicknessRatio = 1;

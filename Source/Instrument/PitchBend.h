@@ -88,8 +88,8 @@ private:
     };
 
     struct Zones {
-        int lowerMembers = 0; ///< channels 1 to this
-        int upperMembers = 0; ///< channels 15 − this to 14
+        int lowerMembers = 0; ///< channels 1 to `lowerMembers`
+        int upperMembers = 0; ///< channels 15 − `upperMembers` to 14
         bool any() const noexcept { return lowerMembers > 0 || upperMembers > 0; }
     };
 

@@ -201,7 +201,7 @@ void Player::scrapeSurface(const SurfaceTouch& touch) {
 
 void Player::takeControllersOf(const Player& former) noexcept {
     keys.takeControllersOf(former.keys);
-    if (former.renderer.isSilenced()) // the room behind the player fades under it too
+    if (former.renderer.isSilenced()) // the room behind this player fades too
         renderer.silence();
 }
 

@@ -82,7 +82,7 @@ std::optional<std::string> nameBeside(const std::filesystem::path& file,
     const auto& plain = isSame(normal) ? normal : file;
     for (const auto& folder : folders) {
         if (folder == folder.root_path())
-            break; // the whole disk lies below it
+            break; // the whole disk lies below this folder
         const auto name = plain.lexically_relative(folder);
         // Skip the name if a file of that name nearer to the preset would be found first.
         if (!name.empty() && *name.begin() != ".." && folderWith(name, presetFile) == folder)

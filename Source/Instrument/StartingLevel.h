@@ -27,15 +27,15 @@ double loudestStrikePeak(const std::shared_ptr<const Instrument>& instrument,
                          const ParameterValues& parameters);
 
 /// Returns the values, with another mallet of the rack if theirs leaves the instrument almost
-/// silent, as yarn does a small ball of steel. It is the softest audible mallet, or else the
-/// loudest.
+/// silent, as yarn leaves a small ball of steel. The other mallet is the softest audible one, or
+/// else the loudest.
 ParameterValues withAudibleMallet(const std::shared_ptr<const Instrument>& instrument,
                                   const Surface& surface,
                                   double sampleRateHz,
                                   const ParameterValues& values);
 
 /// Returns the `level` in dB at which about eight of the hardest strikes at once stay below full
-/// scale (docs/decisions/0005); infinity if nothing sounds. For keys that strike.
+/// scale (docs/decisions/0005); infinity if nothing sounds. Only for keys that strike.
 double highestLevel(const std::shared_ptr<const Instrument>& instrument,
                     const Surface& surface,
                     double sampleRateHz,

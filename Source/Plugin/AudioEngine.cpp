@@ -130,7 +130,7 @@ void AudioEngine::render(const StereoSpan& rendered, std::span<const MidiEvent> 
 }
 
 /// Moves the parameters of the MPE zones and bend ranges that MIDI sets, as learned controllers do.
-/// They are shown and saved.
+/// The window shows these values, and the project keeps them.
 void AudioEngine::followGivenBends(Player& player) noexcept {
     using enum ParameterId;
     const auto given = player.takeGivenBends();

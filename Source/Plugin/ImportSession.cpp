@@ -107,7 +107,7 @@ bool ImportSession::playsPreview() const {
     const auto object = imported.lock();
     if (!importedIsPreview || object == nullptr || !plays(session.instrument(), *object))
         return false;
-    const auto stage = workshop.status().stage; // when it is done, the whole object follows
+    const auto stage = workshop.status().stage; // the whole object of a finished import follows
     return stage == ImportStatus::Stage::previewed || stage == ImportStatus::Stage::done;
 }
 

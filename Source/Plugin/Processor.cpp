@@ -52,7 +52,7 @@ void Processor::processBlock(juce::AudioBuffer<float>& buffer, juce::MidiBuffer&
 void Processor::poll() {
     window.poll();
     if (!isNonRealtime()) {
-        host.followRequest(); // offline the callback does this
+        host.followRequest(); // offline, the callback follows the request
         reporter.poll(messages.controllers);
     }
     session.poll();

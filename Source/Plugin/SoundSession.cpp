@@ -110,7 +110,7 @@ bool SoundSession::playSound(const Sound& wanted) {
             const bool sameModes = wanted.preset.mutedModes == current.preset.mutedModes;
             current = wanted;
             playingProgram = factoryProgram(current.presetId);
-            if (!sameModes && *player == nullptr) // a new player starts with its silences
+            if (!sameModes && *player == nullptr) // a new player starts with its silenced modes
                 sendSilences();
             goOn(std::move(*player), [&] {
                 parameters.load(wantedNow());
@@ -242,8 +242,8 @@ void SoundSession::goOn(std::unique_ptr<Player> player, const LoadValues& loadVa
 void SoundSession::handOver(std::unique_ptr<Player> player, const LoadValues& loadValues) {
     if (player != nullptr)
         player->setLabel(programs.label());
-    messages.players.collect(); // first, because it may take a while
-    // Send silences before the player: the player has its own and must not get older ones.
+    messages.players.collect(); // first, because collecting may take a while
+    // Send the silenced modes before the player, which has its own and must not get older ones.
     sendSilences();
     ++messages.soundChanges;
     loadValues();

@@ -29,7 +29,7 @@ public:
     /// Adds the next cell of the fades and moves on by a cell.
     void addCell(const ChannelOutputs& cell) noexcept;
 
-    /// Multiplies the rest of the fades.
+    /// Multiplies the remaining fades by `factor`.
     void scale(float factor) noexcept;
 
     /// Copies the first channel's fades to the second.

@@ -41,7 +41,7 @@ Mesh twoCrossedBoxes() {
 
 } // namespace
 
-TEST_CASE("Closed chunky meshes are analysed as solids, thin or open ones as shells") {
+TEST_CASE("Closed thick meshes are analysed as solids, thin or open ones as shells") {
     CHECK(choiceFor(boxMesh({0.35, 0.05, 0.02}, {14, 2, 1})).method == AnalysisMethod::tetrahedra);
     CHECK(choiceFor(icosphereMesh(0.1, 2)).method == AnalysisMethod::tetrahedra);
     CHECK(choiceFor(torusMesh(0.1, 0.01, 40, 10)).method == AnalysisMethod::tetrahedra);

@@ -168,7 +168,7 @@ TEST_CASE("Saving under a new name adds a preset; overwriting another one asks f
     b.click("Save");
     CHECK(b.shelf.soundIsChanged());
     b.fill("Name", "Other");
-    b.fill("Name", "Mine"); // after typing it asks again
+    b.fill("Name", "Mine"); // typing makes Save ask again
     b.click("Save");
     CHECK(b.shelf.soundIsChanged());
     b.click("Replace");
@@ -185,7 +185,7 @@ TEST_CASE("The save shortcut does not overwrite the old preset while the form is
     CHECK(b.browser.keyPressed(save));
     CHECK(b.shelf.soundIsChanged());
     b.click("Cancel");
-    CHECK_FALSE(b.browser.keyPressed(save)); // the window handles it
+    CHECK_FALSE(b.browser.keyPressed(save)); // the key is left to the window
 }
 
 TEST_CASE("The form refuses an invalid file name and stays open") {

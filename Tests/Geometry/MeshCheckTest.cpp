@@ -15,7 +15,7 @@ using namespace idiophone::test;
 using Catch::Approx;
 using Catch::Matchers::WithinRel;
 
-TEST_CASE("Bars, cubes, balls, rings and rods are chunky solids") {
+TEST_CASE("Bars, cubes, balls, rings and rods are thick solids") {
     const Mesh rod = boxMesh({1, 0.01, 0.01}, {100, 1, 1});
     for (const auto& mesh : {boxMesh({0.35, 0.05, 0.02}, {35, 5, 2}), boxMesh({1, 1, 1}, {4, 4, 4}),
                              icosphereMesh(0.05, 4), torusMesh(0.1, 0.01, 60, 12), rod}) {
@@ -37,7 +37,7 @@ TEST_CASE("A bowl with a 2 mm wall and a plate of 0.3 x 0.2 x 0.003 are thin sol
     CHECK(plateCheck.slenderness == Approx(119.8).epsilon(0.01));
 }
 
-TEST_CASE("A hollow ball is thin although each of its surfaces alone is chunky") {
+TEST_CASE("A hollow ball is thin although each of its surfaces alone is thick") {
     const auto repaired = repairMesh(joined(icosphereMesh(0.1, 4), icosphereMesh(0.098, 4)));
     const auto check = checkMesh(repaired->mesh);
     CHECK(check.isSolid());

@@ -57,7 +57,7 @@ TEST_CASE("Vertices within the weld tolerance become one at any position") {
     auto soup = soupOf(sphere);
     const double toleranceMetres = 1e-7 * boundingDiagonalMetres(sphere);
     std::mt19937 random(6);
-    for (double& coordinate : soup.vertices.reshaped()) // at most 0.87 of it apart
+    for (double& coordinate : soup.vertices.reshaped()) // at most 0.87 of the tolerance apart
         coordinate += 0.25 * toleranceMetres * (static_cast<double>(random() % 2001) / 1000 - 1);
     const auto repaired = repairMesh(soup);
     REQUIRE(repaired);

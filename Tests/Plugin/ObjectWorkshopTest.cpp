@@ -125,7 +125,7 @@ TEST_CASE("Impossible settings are refused in a sentence, and the mesh stays for
     CHECK_THAT(workshop.status().error, ContainsSubstring("Finite elements need a body to fill"));
 }
 
-TEST_CASE("Another analysis works without the file and takes its own material and thickness") {
+TEST_CASE("A second analysis works without the file, with its new unit, material and thickness") {
     const auto file = smallPlateFile("gone.obj", 1);
     ObjectWorkshop workshop;
     workshop.open(file, {});

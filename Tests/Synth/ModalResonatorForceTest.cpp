@@ -89,7 +89,7 @@ reference(const ModalObject& object, const Scraped& scraped, bool moving, double
         double rest = ringing.x / 2;
         for (int k = 0; k < 4000000 && std::abs(ringing.x) + std::abs(ringing.y) > 1e-13; ++k)
             rest -= (ringing = sample * ringing).x;
-        rest = isOscillating(pole) ? rest - 1 : 0.5; // the whole first sample of heavy modes sounds
+        rest = isOscillating(pole) ? rest - 1 : 0.5; // heavy modes keep the whole first sample
         ModalState state;
         for (std::size_t n = 0; n < output.size(); ++n) {
             const std::size_t cell = n / cellSamples;
