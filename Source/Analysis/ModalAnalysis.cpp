@@ -121,7 +121,7 @@ Result<BodyModel> bodyBy(AnalysisMethod method, const Mesh& mesh, const Task& ta
     }
 }
 
-/// Counts the parts that move separately. A hollow is not one.
+/// Counts the parts that move separately. A hollow does not count.
 int componentsOf(const BodyModel& body, const RepairReport& report) {
     const int surfaces = connectedComponents(body.surface).count;
     return body.body == BodyKind::solid ? std::max(1, surfaces - report.hollows) : surfaces;

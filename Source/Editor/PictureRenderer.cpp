@@ -30,8 +30,8 @@ void main()
 }
 )";
 
-// Two lamps, a gloss and a rim; both sides of a sheet are lit. `glow` marks the struck place,
-// `light` shows the loudness of the object.
+// The shader has two lamps, a gloss and a rim, and lights both sides of a sheet. `glow` marks the
+// struck place, `light` shows the loudness of the object.
 constexpr const char* fragmentShader = R"(
 uniform vec3 colour;
 uniform vec3 eye;

@@ -1,5 +1,5 @@
-// The motion of modes between their resonances under a continuous force. They follow the force at
-// once: by their stiffness below their frequency, by their mass above.
+// The motion of modes between their resonances under a continuous force. Such modes follow the
+// force at once: by their stiffness below their frequency, by their mass above.
 #pragma once
 
 #include "Instrument/HeldForceSpectrum.h"

@@ -49,7 +49,7 @@ private:
     float gain = 1;
     std::size_t holdSamples = 0, heldSamples = 0;
     float releasePerSample = 1;          ///< factor of the gain
-    float share = 1, sharePerSample = 1; ///< of the reduction in effect; 0: off
+    float share = 1, sharePerSample = 1; ///< share of the reduction in effect; 0: off
     bool startsAtTarget = true;
 };
 

@@ -21,9 +21,9 @@ struct EngineMessages {
     std::atomic<std::uint32_t> soundChanges{0};
     ModeSilencer silencer;                      ///< [session] muted modes
     Tuner tuner;                                ///< [session] the instance's own tuning
-    MidiLearn controllers;                      ///< [message thread; a state: session]
+    MidiLearn controllers;                      ///< [message thread; session for a state]
     WindowEvents window;                        ///< [message thread] keys and hands
-    std::atomic<bool> stagePaused{false};       ///< [message thread; a new sound: session]
+    std::atomic<bool> stagePaused{false};       ///< [message thread; session for a new sound]
     std::atomic<bool> stageReset{false};        ///< [message thread] until the player is reset
     std::atomic<bool> forgetsGivenBends{false}; ///< [session] until the player has forgotten the
                                                 ///< bends

@@ -71,13 +71,13 @@ private:
     std::atomic<Request> requested{none}, refused{none};
     LatestValue<Moment> moments{{}};
 
-    // The audio thread owns these.
+    // Members of the audio thread.
     PendingKeys keys;
     Moment atLastChange;
     Request requests = 0;      ///< number of requests
     Request unanswered = none; ///< the last request
 
-    // The session owns these.
+    // Members of the session.
     Request answered = none;
     Moment newest;
 };

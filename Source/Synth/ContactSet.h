@@ -47,7 +47,8 @@ public:
     /// Adds the sound of all contacts and clicks, and ends those that end in this cell.
     void mix(PendingIncrements& increments, std::int64_t index, const CellOutput& cell) noexcept;
 
-    /// Starts the click of the rigid body, which is only heard far. `size` is over the reference.
+    /// Starts the click of the rigid body, which is only heard from afar. `size` is over the
+    /// reference.
     void startClick(const Contact& contact,
                     double size,
                     std::size_t outputChannels,

@@ -174,7 +174,7 @@ void ModalResonator::prepareBank() noexcept {
         movePoles();
 }
 
-/// Opens the second channel at the first strike that is heard far.
+/// Opens the second channel at the first strike that is heard from afar.
 void ModalResonator::widen(double farShare) noexcept {
     if (!(farShare > 0) || outputChannels == 1 || bank.channels() == maximumChannels)
         return;

@@ -25,9 +25,9 @@ namespace idiophone {
 class ModalResonator {
 public:
     /// `channels` is the channel count of the cells, 1 or 2. A resonator sounds in stereo from the
-    /// first far-heard strike (`SynthesisSettings::radiation`) until it is silent again. Weights
-    /// and seed: see ModeGroups. `scratch` has room for this object and outlives it; resonators on
-    /// one thread share it.
+    /// first strike heard from afar (`SynthesisSettings::radiation`) until it is silent again.
+    /// Weights and seed: see ModeGroups. `scratch` has room for this object and outlives it;
+    /// resonators on one thread share it.
     ModalResonator(SynthesiserSlot slot,
                    ModeGroups::ModeWeights modeWeights,
                    std::uint32_t seed,

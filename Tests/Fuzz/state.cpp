@@ -103,7 +103,7 @@ State withOneObject(State state, std::string_view behind) {
 }
 
 /// Returns one prepared processor for all inputs, like a host that opens one project after another.
-/// It lives as long as the process.
+/// The processor lives as long as the process.
 Processor& sharedProcessor() {
     static Processor& processor = []() -> Processor& {
         // Read no files of the user.

@@ -122,7 +122,7 @@ TEST_CASE("Automated level moves the gain without steps") {
         CHECK(std::abs(output[i] - output[i - 1]) <= largest);
 }
 
-TEST_CASE("Bypass is silent after its ramp, and leaving it restores the level") {
+TEST_CASE("Bypass is silent after its ramp, and its end restores the level") {
     PreparedStage stage;
     const std::vector<float> ones(2000, 1.0f);
     processed(stage, ones, 2000, valuesWith(0));

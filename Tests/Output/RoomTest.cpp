@@ -200,7 +200,7 @@ TEST_CASE("A hushed room fades within the ramp, and then responds again") {
     CHECK(power(inRoom(room, nothing, values, 480).left) == 0);
     CHECK(power(inRoom(room, sound, values, 480).left) > 0.9 * power(sound.left));
     CHECK_FALSE(room.silent());
-    // A room that is off has nothing to hush, and works when it is turned on later.
+    // `hush` does nothing in a room that is off, and the room works when it is turned on later.
     Room shut;
     shut.prepare(48000, maximumBlock, rampSeconds);
     inRoom(shut, sound, roomOf(0, 1), 480);

@@ -222,7 +222,7 @@ TEST_CASE("A hand taps with (1 + e) times its tool's momentum and rubs at its ow
     CHECK(std::abs(impacts[1].seconds - 0.25) < 1e-9);
     const auto& impulse = impacts[1].strike.impulseNewtonSeconds;
     CHECK(std::abs(std::hypot(impulse[0], impulse[1], impulse[2]) - 1.5 * tool * 2) < 1e-5);
-    CHECK(impulse[1] > 0); // positive y is into the wall that faces -y
+    CHECK(impulse[1] > 0); // +y points into the wall that faces -y
     const auto touching = std::ranges::find_if(
         motion.touches(), [](const TouchState& state) { return state.forceNewtons > 0.1; });
     REQUIRE(touching != motion.touches().end());

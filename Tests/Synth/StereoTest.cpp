@@ -187,7 +187,7 @@ TEST_CASE("An object heard near sounds the same in both channels as in mono") {
     CHECK(sound.left == render(mono, {{0, unitStrike()}, {40 * 64, unitStrike(0.003)}}, 60));
 }
 
-TEST_CASE("A second strike heard far leaves the ringing sound unchanged") {
+TEST_CASE("A second strike heard from afar leaves the ringing sound unchanged") {
     const ModalObject object = radiatingObject();
     const auto later = [](int cell) { return cell < 20 ? 0.0 : 1.0; };
     const Stereo sound = play(object, 80, later);
@@ -208,7 +208,7 @@ TEST_CASE("A second strike heard far leaves the ringing sound unchanged") {
     CHECK(sound.left != sound.right);
 }
 
-TEST_CASE("A contact sounds its force at once and its motion through complex weights") {
+TEST_CASE("A contact's force sounds at once, and its motion sounds through complex weights") {
     const ModalObject object = radiatingObject();
     for (const double milliseconds : {0.4, 3.0, 20.0}) {
         Synthesiser synthesiser({slotOf(object)}, sampleRate, 2);
@@ -238,7 +238,7 @@ TEST_CASE("A contact sounds its force at once and its motion through complex wei
     }
 }
 
-TEST_CASE("A constant force is silent when heard far, as pressure follows acceleration") {
+TEST_CASE("A constant force is silent from afar, as pressure follows acceleration") {
     const ModalObject object = radiatingObject();
     Synthesiser synthesiser({slotOf(object)}, sampleRate, 2);
     SynthesisSettings settings = exactSettings();
