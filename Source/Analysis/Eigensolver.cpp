@@ -154,8 +154,8 @@ void BandSolver::split(const Slice& slice, std::vector<Slice>& slices) {
 
 EigenBlock
 BandSolver::solveSlice(const Slice& slice, const Vectors& deflated, const Vectors& before) {
-    // The `count` eigenvalues nearest to the shift are exactly those of the slice. The shift is its
-    // middle. For the lowest slice, whose zero modes are deflated, it lies below.
+    // The `count` eigenvalues nearest to the shift are exactly those of the slice. The shift is the
+    // middle of the slice, but lies below the lowest slice, whose zero modes are deflated.
     factoriseAndCount(slice.below == zeroModes_ ? -lambdaOf(band_.lowestHz)
                                                 : (slice.low + slice.high) / 2);
     Vectors found = deflated;

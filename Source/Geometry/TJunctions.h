@@ -9,13 +9,13 @@ namespace idiophone {
 inline constexpr int mostOpenEdges = 200'000;
 
 /// Splits every edge of a single face at the boundary vertices on it, so that the faces on its
-/// other side can join. A vertex is on the edge if it is closer than the tolerance, and farther
-/// than that from its ends. The edge then runs through the vertices, which stay in place. Returns
+/// other side can join. A vertex is on the edge if it is closer to the edge than the tolerance, but
+/// not as close to an end. The edge then runs through the vertices, which stay in place. Returns
 /// the number of insertions.
 ///
 /// Stops if insertions exceed twice the boundary edges (plus 1,000), because the mesh then has no
 /// clear edges. Does nothing if more than `mostOpenEdges` edges have a single face. Drop degenerate
-/// and duplicate faces before and after: new ones may appear.
+/// and duplicate faces before the call and again after it, because the call may make some.
 int splitTJunctions(Mesh& mesh, double toleranceMetres);
 
 } // namespace idiophone

@@ -35,9 +35,9 @@ private:
 
 /// Returns a hard strike as a first collision and two to five more. Each one is weaker than the one
 /// before and follows sooner. All end within 15 ms of the start (15 s ms for a mallet scaled by s <
-/// 1). Their impulses sum to the strike's. At `chatterPercent` 100 and zero contact time, half of
-/// it goes to the further collisions. Contacts of 1 ms (s ms) and longer do not chatter: the train
-/// is then the strike itself.
+/// 1). Their impulses sum to the strike's. At `chatterPercent` 100 and zero contact time, the
+/// further collisions get half of this sum. Contacts of 1 ms (s ms) and longer do not chatter: the
+/// train is then the strike itself.
 ///
 /// `strikeNumber` seeds the number, times and impulses. Any thread.
 ContactTrain contactTrain(const Strike& strike,

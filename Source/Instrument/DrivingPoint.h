@@ -15,7 +15,7 @@ namespace idiophone {
 /// The body that hits an object.
 struct Striker {
     double massKg = 0;      ///< > 0
-    double restitution = 1; ///< 0 to 1: rebound over approach on something rigid and heavy
+    double restitution = 1; ///< 0 to 1: rebound over approach on a rigid, heavy object
     ContactLaw law;
 };
 

@@ -1,4 +1,4 @@
-// Models a hand that drags something hard over an object, for example over its picture: its place,
+// Models a hand that drags a hard tool over an object, for example over its picture: its place,
 // speed and pressure. Synth/ContactForce makes the force.
 #pragma once
 

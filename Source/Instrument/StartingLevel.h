@@ -43,7 +43,7 @@ double highestLevel(const std::shared_ptr<const Instrument>& instrument,
 
 /// Returns the `level` in dB at which the instrument is as loud as the factory presets, but at most
 /// `highestLevel`: short high sounds peak far above their loudness. Returns the values' own level
-/// if nothing sounds. For keys that strike.
+/// if nothing sounds. Only for keys that strike.
 double startingLevel(const std::shared_ptr<const Instrument>& instrument,
                      const Surface& surface,
                      double sampleRateHz,

@@ -26,7 +26,7 @@ public:
     using PlayerResult = Result<std::unique_ptr<Player>>;
 
     /// The sound that plays and the number of its load. A sound made from it is played only if no
-    /// other thread has loaded something since.
+    /// other thread has loaded a sound since.
     struct Loaded {
         Sound sound;
         int number = 0;

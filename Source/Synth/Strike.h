@@ -1,4 +1,4 @@
-// A strike between something hard and an object: place, impulse and duration.
+// The strike of a hard body on an object: place, impulse and duration.
 #pragma once
 
 #include <array>

@@ -108,7 +108,7 @@ TEST_CASE("The mallet meets the live material if one is chosen, otherwise the ob
 }
 
 TEST_CASE(
-    "On something rigid the impulse is (1 + e) m v into the surface, and grows with velocity") {
+    "On a rigid object the impulse is (1 + e) m v into the surface, and grows with velocity") {
     ParameterValues values;
     values.set(malletMass, 20);
     values.set(malletSpeed, 3);

@@ -26,8 +26,8 @@ constexpr int cellSize = 64;
 // At one turn a second the motor has closed the discs after a quarter of a second.
 constexpr int struckCell = 150, releasedCell = 160, jumpCell = 188, endCell = 260;
 // Largest allowed distance after the first and second 64 samples, as a fraction of the largest
-// distance. A 10 ms glide has covered an eighth and a quarter by then, a jump all of it. Modes that
-// leave or return together are faded over 3 ms, which is 2.25 cells.
+// distance. A 10 ms glide has covered an eighth and a quarter by then, a jump the whole distance.
+// Modes that end or return together are faded over 3 ms, which is 2.25 cells.
 constexpr double mostAtOnce = 0.3, mostFaded = 0.8;
 // Largest allowed sample above 14 kHz, as a fraction of the largest sample. No mode lies there, and
 // a step leaves a hundredth or more. Rooms echo a strike's noise.

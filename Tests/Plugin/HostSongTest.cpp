@@ -136,7 +136,7 @@ TEST_CASE("A bounce equals the live sound at the same song position") {
     CHECK((bounce.passFrom(4, chords()) == heard));
 }
 
-TEST_CASE("Without a song position or while stopped, the strike counter runs on") {
+TEST_CASE("Without a song position, or while the host is stopped, the strike counter runs on") {
     const bool tellsPlace = GENERATE(true, false);
     CAPTURE(tellsPlace);
     PlayedSong played, alone;

@@ -129,7 +129,7 @@ TEST_CASE("If there are more pairs than voices, the loudest get voices and keep 
     touches.push_back(loudest);
     rig.follow(touches, 10);
     CHECK(rig.of(loudest) == nullptr);
-    touches.erase(touches.end() - 2); // removes the loudest before it
+    touches.erase(touches.end() - 2); // the loudest of the earlier pairs ends
     rig.follow(touches, 40);
     CHECK(rig.of(loudest) != nullptr);
 }
