@@ -11,9 +11,9 @@ namespace idiophone {
 /// two-layer method. The band ends where the elements no longer resolve it. Every vertex carries
 /// shapes.
 ///
-/// It reads name, source, material, method, thickness, `weldTolerance`, `largestComponentOnly` and
-/// the band from the settings. Errors: those of `analyse`, and a mesh that cannot be decimated. Any
-/// thread but the audio thread may call it.
+/// Reads name, source, material, method, thickness, `weldTolerance`, `largestComponentOnly` and the
+/// band from the settings. Errors: those of `analyse`, and a mesh that cannot be decimated. Any
+/// thread but the audio thread may call this function.
 Result<ModalObject>
 analysePreview(const Mesh& mesh, const AnalysisSettings& settings, const WorkControl& control = {});
 

@@ -45,7 +45,7 @@ struct Mode {
     Complex flow = 0; ///< into the tube, per unit modal velocity
 };
 
-/// Returns a mode away from the resonances. It drives the tube's impedance at its frequency.
+/// Returns a mode far from the resonances, which drives the tube's impedance at its own frequency.
 Mode drivingMode(const ModalObject& bar, std::size_t mode, const Tube& tube, double mouthKgPerM2) {
     const double omega = std::sqrt(bar.eigenvalues[mode]);
     const Complex pressure(0, omega * mouthKgPerM2); // per unit modal velocity

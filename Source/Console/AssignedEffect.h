@@ -37,7 +37,7 @@ struct AssignedEffect {
 AssignedEffect
 assignedEffect(ParameterValues values, std::span<const ParameterId> assigned, const Played& played);
 
-/// Prints one line each to standard error.
+/// Prints each warning as one line to standard error.
 void print(std::span<const std::string> warnings);
 
 } // namespace idiophone

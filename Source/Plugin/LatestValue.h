@@ -36,7 +36,7 @@ private:
     std::array<Value, 3> values;
     unsigned writing = 0;           ///< the writing thread's
     unsigned reading = 1;           ///< the reading thread's
-    std::atomic<unsigned> spare{2}; ///< in neither thread; `isNew`: not read yet
+    std::atomic<unsigned> spare{2}; ///< held by neither thread; with `isNew` if unread
     static_assert(std::atomic<unsigned>::is_always_lock_free);
 };
 

@@ -21,7 +21,7 @@ struct ForcedMotion {
 /// The forced part of a strike's response. The free part is in the states of the modes.
 struct Contact {
     Strike strike;       ///< duration kept clear of resonances
-    Listening listening; ///< as at its start
+    Listening listening; ///< at the start of the contact
     std::int64_t startCell = 0;
     double startSample = 0;
     ForcedMotion mixed{}; ///< of the mixed modes

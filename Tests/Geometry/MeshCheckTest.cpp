@@ -90,7 +90,7 @@ TEST_CASE("Meshes with inconsistent faces or edges of many faces are not solids"
 }
 
 TEST_CASE(
-    "Mean thickness is the wall of a plate and of a hollow sphere, and a third of a cube's side") {
+    "Mean thickness is that of a plate or a hollow sphere's wall, and a third of a cube's side") {
     CHECK_THAT(checkMesh(extrudedMesh(sheetMesh(1, 1, 100), 0.01)).meanThicknessMetres,
                WithinRel(0.01, 0.03));
     CHECK_THAT(checkMesh(hollowSphereMesh(1, 0.02, 3)).meanThicknessMetres, WithinRel(0.02, 0.02));

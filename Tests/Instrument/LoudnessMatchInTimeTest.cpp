@@ -178,7 +178,7 @@ TEST_CASE("A song that starts as before has its gain at once and the same gains 
         quieter.set(level, -40); // the level changes no gain
         CHECK((pass({quieter, second, own, second}) == expected));
 
-        // A song with other values is followed, and its gains become the known ones.
+        // A song with other values is followed, and its gains replace the known ones.
         const auto other = pass({second, first});
         CHECK((pass({second, first}) == other));
         CHECK(other.back() == expected.front());

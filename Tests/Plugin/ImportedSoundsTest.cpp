@@ -364,7 +364,7 @@ TEST_CASE("A processor can be destroyed while its workshop works, without a mess
     }
 }
 
-TEST_CASE("A state that the host loads while an object is prepared is not replaced by it") {
+TEST_CASE("A state that the host loads during an import is not replaced by the imported object") {
     const auto file = smallPlateFile("raced.obj", 1);
     const auto bytes = encodeState(testState());
     for (int part = 0; part < 10; ++part) {

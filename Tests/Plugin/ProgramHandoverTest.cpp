@@ -193,7 +193,7 @@ TEST_CASE("If a program cannot be built, keys that already sound are not struck 
             CHECK(processor.getCurrentProgram() == 0);
         }
         sound.append(render(processor, 24000, blockSize, {}));
-        if (asks) { // and not later either
+        if (asks) { // a failed program is not loaded later either
             processor.setCurrentProgram(vibraphone);
             render(processor, 96000, blockSize, {}); // the room rings on
             CHECK(loudest(render(processor, 4800, blockSize, {})) == 0);

@@ -41,7 +41,7 @@ TEST_CASE("A session that is not prepared hands over no player until it is") {
 }
 
 TEST_CASE(
-    "A sound that differs only in parameters keeps its player, unless its level changes by much") {
+    "A sound that differs only in parameters keeps its player, unless its level differs too much") {
     SessionParts parts;
     auto sound = testSound();
     parts.play(sound);

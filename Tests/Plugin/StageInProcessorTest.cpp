@@ -178,7 +178,8 @@ TEST_CASE("The impacts of a scene are captured as notes and as impulses") {
     CHECK(processor.view().status.takeStatus().isError);
 }
 
-TEST_CASE("A preset opens a scene file beside it, and opens again from a project elsewhere") {
+TEST_CASE(
+    "A preset finds a scene file in its folder, and a project elsewhere opens the same file") {
     const auto folder = testFolder() / "scene-preset";
     std::filesystem::create_directories(folder);
     std::ofstream(folder / "mine.json") << mine;

@@ -122,7 +122,7 @@ TEST_CASE("SIMD targets agree within -110 dB, and each repeats bit for bit") {
     }
 }
 
-TEST_CASE("Free motion is the same by cells, over any time and by samples within a cell") {
+TEST_CASE("Free motion is the same in cells, over any time and in samples within a cell") {
     const TargetInTurn turn(GENERATE(Catch::Generators::from_range(targetsHere())));
     const double damping = GENERATE(10.0, 5000.0, 30000.0);
     ModalBank bank(40, 1, 44100);
