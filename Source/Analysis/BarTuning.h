@@ -36,7 +36,7 @@ struct TunedBar {
     std::vector<double> partialsHz = {};
     std::vector<Eigen::Index> bendingModes = {};
     Mesh surface = {}; ///< the whole bar, closed, in metres
-    /// Its mesh is the bar's outline. The outline's top vertices carry the shapes.
+    /// The object's mesh is the bar's outline. The outline's top vertices carry the shapes.
     ModalObject object = {};
 };
 

@@ -30,7 +30,7 @@ double greater(double a, double b) noexcept {
     return std::max(a, b);
 }
 
-/// Returns a bound of the modes of both bounds. Decay grows with every figure and falls with the
+/// Returns one bound for the modes of two bounds. Decay grows with every figure and falls with the
 /// specific stiffness, so each figure is bounded separately.
 ModeBound boundOfBoth(const ModeBound& a, const ModeBound& b) noexcept {
     return {.eigenvalue = std::min(a.eigenvalue, b.eigenvalue),

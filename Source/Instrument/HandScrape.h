@@ -41,8 +41,8 @@ public:
                std::uint64_t seed,
                std::vector<double> strengths);
 
-    /// Moves the hand. On another object it lifts and touches again. The slot and the rows must
-    /// exist.
+    /// Moves the hand. If the object changes, the hand lifts and touches the other one. The slot
+    /// and the rows must exist.
     void touch(const SurfaceTouch& touch) noexcept;
     /// Fades the force out; the object rings on.
     void lift() noexcept;

@@ -11,8 +11,8 @@
 namespace idiophone {
 namespace {
 
-/// [dB] A ringing sound ramps to the new level while a new strike starts at the former one. A
-/// larger change could make either a burst.
+/// [dB] A ringing sound ramps to the new level while a new strike starts at the former one. After a
+/// larger change, one of the two could be a burst.
 constexpr double maximumLevelChange = 12;
 
 bool sharesObject(const std::shared_ptr<const Instrument>& one,

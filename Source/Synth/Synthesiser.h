@@ -64,10 +64,10 @@ public:
     void beginCell(std::span<const CellOutput> cellsOfSlots) noexcept;
 
     /// Strikes a slot at `sampleInCell` (0 ≤ s < 64, may be fractional) of the current cell and
-    /// adds the sound to the rest of it. Modes that the strike lifts above τ sound at once, if the
-    /// budget permits: the slot's share, an equal share, or the unused rest. During a contact its
-    /// modes stay mixed. A contact time within 1 % of a lightly damped mode's period changes by up
-    /// to 3 %.
+    /// adds the sound to the rest of the cell. Modes that the strike lifts above τ sound at once,
+    /// if the budget permits: the slot's share, an equal share, or the unused rest. During a
+    /// contact its modes stay mixed. A contact time within 1 % of a lightly damped mode's period
+    /// changes by up to 3 %.
     ///
     /// Returns false and does nothing if 64 contacts that outlast this cell are under way in this
     /// slot; if the slot, a shape row or the far direction does not exist; if `sampleInCell` or the

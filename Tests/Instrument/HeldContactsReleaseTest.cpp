@@ -11,7 +11,8 @@
 using namespace idiophone;
 using namespace idiophone::test;
 
-TEST_CASE("The force ends 10 ms after the key, and silence follows, at every sample rate") {
+TEST_CASE(
+    "The force ends 10 ms after the key's release, and silence follows, at every sample rate") {
     const double rateHz = GENERATE(8000, 11025, 48000, 96000, 192000);
     const auto instrument = shortBars();
     const auto samples = [rateHz](double seconds) { return static_cast<int>(seconds * rateHz); };

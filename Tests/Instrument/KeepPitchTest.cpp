@@ -215,7 +215,7 @@ TEST_CASE("Objects without pitched keys follow the material with the switch on o
     }
 }
 
-TEST_CASE("Automation of material, size and the switch is the same for all block sizes") {
+TEST_CASE("Automation of material, size and keep pitch is the same for all block sizes") {
     const auto* preset = findFactoryPreset("Vibraphone");
     REQUIRE(preset != nullptr);
     const auto instrument = instrumentOf(*preset);

@@ -170,7 +170,7 @@ TEST_CASE("The numbers of a ratio may be of any size") {
           Approx(middleCHz * 19073486328125.0 / 8796093022208.0));
 }
 
-TEST_CASE("A key with an inaudible pitch has none") {
+TEST_CASE("A key whose pitch would be inaudible has no pitch") {
     const auto keys = keyTuning(scaled("Octaves\n1\n2/1\n"));
     REQUIRE(keys);
     CHECK_FALSE(keys->unmapped[60]);

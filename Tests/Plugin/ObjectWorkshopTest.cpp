@@ -199,7 +199,7 @@ TEST_CASE("If a second job follows quickly, only its products arrive") {
     }
 }
 
-TEST_CASE("A workshop can close at any stage of its work") {
+TEST_CASE("A workshop can be destroyed at any stage of its work") {
     const auto file = meshFile("ball.obj", icosphereMesh(0.1, 4));
     for (const double progress : {0.0, 0.01, 0.03, 0.1}) { // 0.1 is in the preview
         ObjectWorkshop workshop;

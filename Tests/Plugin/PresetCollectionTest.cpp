@@ -141,7 +141,7 @@ TEST_CASE("A folder made by idiophone tune plays from inside the preset folder")
         CHECK(processor.soundSession().instrument()->hasOwn(note) == (note == 60 || note == 61));
 }
 
-TEST_CASE("A preset saved with loudness matching is as loud when it is loaded") {
+TEST_CASE("A preset saved with loudness matching is equally loud when it is loaded") {
     const UserSettings user;
     Processor processor;
     restore(processor, testState());

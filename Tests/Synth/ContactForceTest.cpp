@@ -233,7 +233,8 @@ TEST_CASE("A contact begins and ends without a step") {
     }
 }
 
-TEST_CASE("The same calls give the same bits, and another seed another place on the surface") {
+TEST_CASE(
+    "The same calls give the same bits, and another seed gives another place on the surface") {
     const auto profile = profileOf(Surface{});
     const auto play = [&](std::uint64_t seed, bool resetFirst) {
         ContactForce contact(profile, seed);
