@@ -37,7 +37,7 @@ class Drop:
         self.display.flush()
 
     def wait_for(self, name):
-        """Serves the data meanwhile. Returns the words of the message that came."""
+        """Waits for a message and serves the data meanwhile. Returns the words of the message."""
         until = time.monotonic() + PATIENCE_SECONDS
         while time.monotonic() < until:
             while self.display.pending_events():

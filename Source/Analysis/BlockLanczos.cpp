@@ -130,7 +130,7 @@ bool BlockLanczos::hasConverged(Index i) const {
 }
 
 /// Returns the number of vectors to add before the next check. Returns 0 if all wanted modes have
-/// converged, or if the missing ones cannot converge. They cannot if modes outside have converged
+/// converged, or if the missing modes cannot converge. They cannot if modes outside have converged
 /// and none inside is converging, as with surplus copies of a degenerate mode.
 Index BlockLanczos::vectorsToGo() const {
     Index inside = 0, underWay = 0, outside = 0;

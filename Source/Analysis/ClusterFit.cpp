@@ -13,7 +13,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// Keeps divisions by a value that may be 0 from overflowing.
+// Prevents overflow in divisions by a value that may be 0.
 constexpr double nothing = 1e-300;
 
 /// Returns the variance of one part of complex values that are mostly noise. It is half their mean

@@ -21,7 +21,7 @@ public:
     std::complex<double> at(const std::complex<double>& conjugateBin) const {
         return (1.0 - last) / (1.0 - z * conjugateBin);
     }
-    /// Its derivative with respect to the pole, in seconds.
+    /// The transform's derivative with respect to the pole, in seconds.
     std::complex<double> slopeAt(const std::complex<double>& conjugateBin) const;
 
 private:

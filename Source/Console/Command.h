@@ -15,7 +15,8 @@ namespace idiophone {
 /// and an exit code other than 0.
 using Action = std::function<Result<void>()>;
 
-/// Adds a subcommand and its options' values. If it is given, Main runs `run` with them.
+/// Adds a subcommand and its options' values. If the subcommand is given, Main runs `run` with
+/// these values.
 template <class Options>
 std::pair<CLI::App*, std::shared_ptr<Options>> addCommand(CLI::App& program,
                                                           Action& chosen,

@@ -18,7 +18,7 @@ public:
     virtual void copyToOther() = 0;
 
     /// Plays a random variation of the current sound, within musical bounds. `strength` is 0 to 1;
-    /// smaller stays nearer. The same seed gives the same sound.
+    /// a smaller one changes the sound less. The same seed gives the same sound.
     virtual void mutate(double strength, std::uint32_t seed) = 0;
 };
 

@@ -58,7 +58,8 @@ struct SoundFrame {
     int instrumentNumber = 0; ///< InstrumentView::instrumentNumber
     int object = -1; ///< index into playedObjects of the object that has `modes`; −1: none
     int note = -1;   ///< MIDI note of the slot that has `modes`; −1: several keys
-    std::vector<ModeNow> modes;    ///< ascending in frequency, unless own damping shifts one
+    std::vector<ModeNow> modes;    ///< ascending in frequency, unless a mode's own damping shifts
+                                   ///< it
     std::int32_t modesOmitted = 0; ///< further modes of the object, too many to show
     std::vector<SlotNow> slots;    ///< sounding slots, loudest first
 

@@ -130,7 +130,7 @@ void ContactReader::addTouch(const Pressing& pressing, const Pair& pair) {
 void ContactReader::addImpact(const Point& point, const Pair& pair) {
     const auto& [firstNumber, secondNumber, first, second] = pair;
     const double speed = point.approach > slowestStrike ? point.approach : point.speedChange();
-    // Since they met, the bodies have approached by the depth.
+    // Since the bodies met, they have approached by the depth.
     const double sinceSeconds =
         point.approach > 0 ? std::min(point.depthMetres / point.approach, stepSeconds) : 0;
     Impact impact{.seconds = std::max(startSeconds - sinceSeconds, 0.0),

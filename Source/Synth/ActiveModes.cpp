@@ -38,8 +38,8 @@ bool ActiveModes::holdsAboveTau() const noexcept {
                        [&](float energy) { return energy > tauEnergy(); });
 }
 
-// The amplitude decays as e^{−αt} and reaches τ at t_c. Comparing the two at every grid point finds
-// it without a logarithm per struck mode.
+// The amplitude decays as e^{−αt} and reaches τ at t_c. A comparison at every grid point finds t_c
+// without a logarithm per struck mode.
 void ActiveModes::survey(Change allowed) noexcept {
     const EnergySurvey found =
         surveyEnergies(bank.energies(), bank.poles().audibleWeights(), tauEnergy(), faintEnergy,

@@ -36,7 +36,8 @@ public:
 
     double tau() const noexcept { return tauPascals; }
     void setTau(double pascals) noexcept { tauPascals = pascals; }
-    /// Returns whether any mode is above τ, audible or not. With other poles it may be heard.
+    /// Returns whether any mode is above τ, audible or not. An inaudible mode may be heard with
+    /// other poles.
     bool holdsAboveTau() const noexcept;
 
     /// How a survey may change the set of ringing modes.

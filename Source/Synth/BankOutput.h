@@ -1,5 +1,5 @@
 // The path of a bank's sound into the cell: fades of modes, the damper, and a motor's discs in the
-// tubes. Sounds are rendered for open discs; the part that the discs block is taken out again. So
+// tubes. Sounds are rendered for open discs, and then the part that the discs block is removed. So
 // the states do not depend on damper and discs.
 #pragma once
 

@@ -196,7 +196,7 @@ void ContactSet::move(Forced become, std::int64_t grid) noexcept {
     bank.join(scratch.increments, {});
 }
 
-/// Does so for one contact, whose residues are `factor` times the current ones.
+/// Moves the forced parts of one contact, whose residues are `factor` times the current ones.
 void ContactSet::move(Contact& contact, double factor, Forced become, std::int64_t grid) noexcept {
     const std::complex<double> phase = contact.phaseAt(grid, 0, output.sampleRateHz());
     scratch.contact.setForced(bank.poles(), {.contactSeconds = contact.strike.durationSeconds,

@@ -51,8 +51,8 @@ public:
     std::span<const ModePair> pairs() const noexcept { return modePairs; }
 
     const GroupConditions& conditions() const noexcept { return current; }
-    /// Requests modes with values ≠ 0 to be silenced ([M], or empty: none). Returns whether this is
-    /// new.
+    /// Requests modes with values ≠ 0 to be silenced ([M], or empty: none). Returns whether the
+    /// request changes the silenced modes.
     bool requestSilenced(std::span<const std::uint8_t> silenced) noexcept;
     /// Returns whether `set` would change anything.
     bool differFrom(const GroupConditions& wanted) const noexcept {

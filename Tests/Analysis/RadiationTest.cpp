@@ -312,7 +312,7 @@ TEST_CASE("A strike sounds the same for any signs of the shapes") {
 TEST_CASE("A strike sounds the same for any basis of equal poles") {
     const auto mesh = GENERATE(hoopMesh(0.07, 0.015, 48, 4), icosphereMesh(0.05, 2));
     auto body = analysed(mesh, 0.004, 30000);
-    // Makes pairs equal that mesh and solver leave a rounding error apart.
+    // Makes the eigenvalues of pairs equal. Mesh and solver leave a rounding error between them.
     for (Eigen::Index mode = 1; mode < body.eigenvalues.size(); ++mode)
         if (body.eigenvalues(mode) < body.eigenvalues(mode - 1) * (1 + 1e-7))
             body.eigenvalues(mode) = body.eigenvalues(mode - 1);

@@ -178,7 +178,7 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "An instrument lies as far below equal temperament as its lowest key with an own object") {
+    "An instrument lies as far below equal temperament as its lowest key that has its own object") {
     ObjectLibrary library;
     std::vector<std::shared_ptr<const ModalObject>> kept;
     for (int note = 60; note < 64; ++note)

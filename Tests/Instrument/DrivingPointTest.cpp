@@ -138,7 +138,7 @@ TEST_CASE("A free body struck off its centre yields by its rotation too") {
           Approx(expected).epsilon(1e-6));
 }
 
-TEST_CASE("A mode far slower than the contact acts as a free mass, a far faster one is rigid") {
+TEST_CASE("A mode far slower than the contact acts as a free mass, and a far faster one is rigid") {
     const auto striker = head(0.03, 1e-3);
     const auto impactOn = [&](double hz) {
         return DrivingPoint(object(0, {hz}, {20}), onVertex, {}).struckBy(striker, 1);

@@ -53,7 +53,7 @@ TEST_CASE("A key is held while any channel or the sustain pedal holds it") {
     CHECK(rig.keys.heldKeys().none());
 }
 
-TEST_CASE("The sostenuto pedal catches the keys that are down, and no later ones") {
+TEST_CASE("The sostenuto pedal holds the keys that are down, and no later ones") {
     Rig rig;
     rig.follow({noteOn(60)});
     rig.follow({control(midi::sostenutoPedal, 127)});

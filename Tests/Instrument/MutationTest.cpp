@@ -31,7 +31,7 @@ ParameterValues mutatedRosewood(double strength, std::uint32_t seed) {
 
 } // namespace
 
-TEST_CASE("The same seed gives the same mutation, another seed gives another") {
+TEST_CASE("The same seed gives the same mutation, and another seed gives another") {
     CHECK(mutatedRosewood(0.5, 7) == mutatedRosewood(0.5, 7));
     CHECK_FALSE(mutatedRosewood(0.5, 7) == mutatedRosewood(0.5, 8));
 }

@@ -104,7 +104,7 @@ TEST_CASE("All Sound Off before a note at the same sample is the same for all bl
     CHECK(peak(sound.left) > 0.001f);
 }
 
-TEST_CASE("A note before All Sound Off at the same sample is silent, one after it sounds") {
+TEST_CASE("A note before All Sound Off at the same sample is silent, and one after it sounds") {
     const int at = GENERATE(0, 100);
     const auto before = midi(at, 0x90, 69, 127), after = midi(at, 0x90, 60, 20);
     Player player(bars(), sampleRateHz), alone(bars(), sampleRateHz);

@@ -42,8 +42,8 @@ TEST_CASE("Strikes beyond the number rendered separately are together as loud as
         INFO(keys << " keys: " << rms(all) / rms(one) / keys);
         CHECK(rms(all) > 0.95 * keys * rms(one));
         CHECK(rms(all) < 1.25 * keys * rms(one));
-        // Nothing changes at low frequencies, which get most of the impulse: the phase is that of
-        // the pulses.
+        // Low frequencies, which get most of the impulse, do not change, because their phase is
+        // that of the pulses.
         CHECK(std::abs(phasorAt(all, 200, sampleRateHz) / phasorAt(one, 200, sampleRateHz) -
                        double(keys)) < 0.02 * keys);
     }

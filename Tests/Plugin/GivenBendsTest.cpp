@@ -151,7 +151,7 @@ TEST_CASE(
     for (int block = 0; block < 10; ++block)
         later.send({});
     later.send({});
-    for (int block = 0; block < 4; ++block) // up to a grid point, like the other
+    for (int block = 0; block < 4; ++block) // up to a grid point, like the other processor
         atOnce.send({});
     CHECK(render(atOnce.processor, 9600, blockSize, notes) == later.playBent());
 }

@@ -289,8 +289,8 @@ TEST_CASE("A pass goes on through changes of tempo and block size and through em
     CHECK_FALSE(goesOn(6.6, samplesPerBeat)); // expected: 7
 }
 
-TEST_CASE(
-    "A song position that stands still is ignored: strikes count on, the motor follows the tempo") {
+TEST_CASE("A song position that stands still is ignored: strikes count on, and the motor follows "
+          "the tempo") {
     Song song;
     HostTransport transport;
     song.plays = true;

@@ -97,7 +97,7 @@ TEST_CASE("A program change in real time loads at the next poll of the message t
     }
 }
 
-TEST_CASE("Offline only the callback loads the program, in real time only the message thread") {
+TEST_CASE("Offline only the callback loads the program, and in real time only the message thread") {
     Processor processor;
     processor.prepareToPlay(rateHz, blockSize);
     render(processor, blockSize, blockSize, programChange(2));

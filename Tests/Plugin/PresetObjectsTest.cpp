@@ -130,7 +130,7 @@ TEST_CASE("A moved preset folder opens with its objects, and instances share the
     CHECK(first->instrument->slots()[0].object == second->instrument->slots()[0].object);
 }
 
-TEST_CASE("A damaged object is an error that names it, a missing one is replaced and named") {
+TEST_CASE("A damaged object is an error that names it, and a missing one is replaced and named") {
     const auto folder = freshFolder();
     const auto played = bowl("bowl.obj", 300);
     const auto stored = writePresetObjects(played.keyMap, *played.instrument, folder).value();

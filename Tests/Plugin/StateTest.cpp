@@ -116,7 +116,8 @@ TEST_CASE("A tuning file of the largest size comes back, whatever its bytes") {
     CHECK(encodeState(*read) == encodeState(state));
 }
 
-TEST_CASE("A missing parameter gets its default, one out of range the nearest valid value") {
+TEST_CASE(
+    "A missing parameter gets its default, and one out of range gets the nearest valid value") {
     const auto bytes = encodeState(testState());
     const auto without = parseState(replaced(bytes, "\"tune\":0.0,", ""));
     REQUIRE(without);

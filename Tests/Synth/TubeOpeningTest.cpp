@@ -156,7 +156,7 @@ TEST_CASE("Discs multiply the shared modes of a continuous force by their openin
           }) < -105);
 }
 
-TEST_CASE("From afar, discs close the tube's radiation and leave the bar's radiation") {
+TEST_CASE("From afar, discs block the tube's radiation and leave the bar's radiation unchanged") {
     const double contactSeconds = GENERATE(0.0, 0.03);
     auto bar = barOverTube();
     const std::complex<float> gain{0.7f, 0.2f}, otherGain = 1.0f - gain;
