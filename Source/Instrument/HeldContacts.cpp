@@ -51,7 +51,7 @@ HeldContacts::Contact* HeldContacts::find(int channel, int note) noexcept {
 }
 
 /// Returns an inactive contact, from the first half if possible. Otherwise returns the released one
-/// that has faded most; one exists, as there are twice as many contacts as keys.
+/// that has faded most; one exists, because there are twice as many contacts as keys.
 HeldContacts::Contact& HeldContacts::freeContact() noexcept {
     const auto rank = [this](const Contact& contact) {
         const bool takesOver = &contact - contacts.data() >= std::ptrdiff_t{capacity};

@@ -47,7 +47,7 @@ json parseUntrusted(std::string_view text) {
     FaultFinder finder;
     finder.deepest = 64;
     if (!json::sax_parse(text, &finder))
-        return json(json::value_t::discarded); // parentheses, as braces would make a list
+        return json(json::value_t::discarded); // parentheses, because braces would make a list
     return json::parse(text, nullptr, false);
 }
 

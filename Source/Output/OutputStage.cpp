@@ -74,7 +74,8 @@ float OutputStage::changeSound(const ParameterValues& values, double fadeSeconds
         forgetChanges();
     level.setCurrentAndTargetValue(now / ownLevelAtChange);
     ownLevel.setCurrentAndTargetValue(ownLevelAtChange);
-    highestLevel = level.getCurrentValue(); // in a silent room too, as the fade may reverberate
+    highestLevel = level.getCurrentValue(); // in a silent room too, because the fade may
+                                            // reverberate
     heldSamples = static_cast<std::size_t>(fadeSeconds * samplesPerSecond) + 1;
     return before / now;
 }

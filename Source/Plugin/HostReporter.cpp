@@ -55,7 +55,7 @@ void HostReporter::poll(MidiLearn& controllers) {
     if (restorings > 0)
         return;
     if (soundsToReport > 0) {
-        --soundsToReport; // before the report, as another sound may arrive meanwhile
+        --soundsToReport; // before the report, because another sound may arrive meanwhile
         reportSound();
     } else if (movesToReport > 0) {
         --movesToReport;

@@ -199,7 +199,7 @@ PresetFolder::write(const Preset& preset, const std::string& folderName, bool re
         return failure("There is already a preset '" +
                        place->getFileNameWithoutExtension().toStdString() + "'.");
     return writePreset(preset, *place).map([&] {
-        known.erase(idOf(*place)); // read the file again, as file times are coarse
+        known.erase(idOf(*place)); // read the file again, because file times are coarse
         return idOf(*place);
     });
 }

@@ -51,7 +51,7 @@ public:
 
     /// Mixes the modes that increments of these energies [padded size] lift above τ, at most
     /// `allowance` modes in all. During a contact, ringing modes that the budget left out cannot
-    /// join, as their forced part would step. Returns whether modes have joined: `joined`.
+    /// join, because their forced part would step. Returns whether modes have joined: `joined`.
     bool joinStruck(const float* energies,
                     std::int32_t allowance,
                     bool duringContact,

@@ -45,7 +45,7 @@ public:
         return {from, std::ranges::lower_bound(from, modes.end(), end, {}, &HeavyMode::mode)};
     }
 
-    /// Makes residues real with the same magnitude, as these modes have no phase.
+    /// Makes residues real with the same magnitude, because these modes have no phase.
     void makeReal(ModeResidues& residues, std::size_t channels) const noexcept;
 
     void setForced(const PulseInstant& pulse, UnitContact& unit) const noexcept;

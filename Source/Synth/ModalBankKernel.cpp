@@ -115,9 +115,9 @@ void advanceBatch(const ModeRotations& rotations,
         advance<true>(rotations, count, scale, x, y, energies, ahead);
 }
 
-/// Mixes sub-blocks `Start` to `Start + Count − 1`. The sums stay in registers, as the loops over
-/// them are fully unrolled. With few sub-blocks each sum is split into `Ways` partial sums: one sum
-/// takes one product in the time in which the CPU can compute eight.
+/// Mixes sub-blocks `Start` to `Start + Count − 1`. The sums stay in registers, because the loops
+/// over them are fully unrolled. With few sub-blocks each sum is split into `Ways` partial sums:
+/// one sum takes one product in the time in which the CPU can compute eight.
 template <std::size_t Start, std::size_t Count, std::size_t Ways>
 HWY_INLINE void mixSubBlocks(const float* HWY_RESTRICT table,
                              const float* HWY_RESTRICT x,

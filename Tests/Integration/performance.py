@@ -7,8 +7,8 @@ import numpy
 
 PRESET = "Rosewood Xylophone"
 SAMPLE_RATE = 48000
-# A quarter of a sample late, so that hosts find the intended sample whether they round or truncate
-# times in seconds.
+# Notes are a quarter of a sample late, so that hosts find the intended sample whether they round or
+# truncate times in seconds.
 SAFELY_INSIDE = 0.25
 IDENTICAL = -math.inf  # for assert_equal_sound
 

@@ -261,7 +261,7 @@ TEST_CASE("An empty radiation table with tensors is refused") {
     checkRefused(file, "directions x ratios x modes");
 }
 
-TEST_CASE("Invalid values are refused as validation refuses them") {
+TEST_CASE("The reader refuses the same invalid values as the validation") {
     auto object = syntheticObject({100, 200});
     object.eigenvalues[1] = std::numeric_limits<double>::quiet_NaN();
     checkRefused(encodeModalObject(object), "not a finite number");

@@ -62,7 +62,7 @@ TEST_CASE("A forgotten controller, or one that arrives after learning has stoppe
     CHECK(processor.view().parameters.value(density) == moved);
 }
 
-TEST_CASE("Bank selection and channel modes are not learned, as hosts send them unasked") {
+TEST_CASE("Bank selection and channel modes are not learned, because hosts send them unasked") {
     Processor processor;
     processor.prepareToPlay(48000, 64);
     auto& learn = processor.windowSession().controllers;

@@ -104,8 +104,7 @@ TEST_CASE("No factory preset allocates, locks or calls the system, whatever note
         const auto music = testMusic(512, 30, host.processor.view().instrument.keyRange());
         for (int block = 0; block < 40; ++block)
             host.block(music, 512);
-        if (!host.processor.view().stage.hasStage()) // the worker of a scene needs time, so the
-                                                     // next test covers scenes
+        if (!host.processor.view().stage.hasStage()) // the next test covers scenes
             host.checkHeard(leastStruck);
     }
 }

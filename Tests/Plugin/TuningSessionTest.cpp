@@ -34,7 +34,7 @@ TEST_CASE("An opened scale tunes the player, can be undone, and is forgotten") {
     CHECK(tuning.tuningStatus().source == Source::equal);
 }
 
-TEST_CASE("A file that is no scale leaves the tuning and is reported") {
+TEST_CASE("A file that is no scale leaves the tuning unchanged and is reported") {
     SessionParts parts;
     TuningSession tuning(parts.session, parts.tail, parts.messages.tuner, parts.reporter,
                          parts.history);

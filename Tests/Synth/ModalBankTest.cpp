@@ -357,7 +357,7 @@ public:
         return true;
     }
 
-    /// Compares mode by mode, as adding up all modes would round.
+    /// Compares mode by mode, because adding up all modes would round.
     bool soundAlike() {
         for (std::size_t g = 0; g < count; ++g) {
             std::array<std::array<float, cellSize>, 2 * channels> output{};

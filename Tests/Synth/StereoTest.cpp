@@ -238,7 +238,7 @@ TEST_CASE("A contact's force sounds at once, and its motion sounds through compl
     }
 }
 
-TEST_CASE("A constant force is silent from afar, as pressure follows acceleration") {
+TEST_CASE("A constant force is silent from afar, because pressure follows acceleration") {
     const ModalObject object = radiatingObject();
     Synthesiser synthesiser({slotOf(object)}, sampleRate, 2);
     SynthesisSettings settings = exactSettings();
