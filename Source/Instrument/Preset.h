@@ -86,8 +86,8 @@ struct Preset {
 inline constexpr int presetFormatVersion = 1;
 inline constexpr std::size_t largestPresetBytes = 1 << 20;
 inline constexpr std::size_t maximumTags = 1000;
-/// Longer texts are cut, because the browser draws and searches them all. A state must open
-/// with any name of its preset.
+/// Longer texts are cut, because the browser draws and searches them all. A state must open with
+/// any name of its preset.
 inline constexpr std::size_t longestNameBytes = 500; ///< limit of a name, an author and each tag
 inline constexpr std::size_t longestDescriptionBytes = 4000;
 inline constexpr std::size_t longestTagsBytes = 4000; ///< together; later tags are dropped

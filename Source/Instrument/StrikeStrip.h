@@ -14,7 +14,7 @@ namespace idiophone {
 
 struct StripPlace {
     StrikePoint point;
-    /// Direction of the path along the surface: unit, or zero if it has none.
+    /// Direction of the path along the surface: unit, or zero if the path has no direction.
     std::array<float, 3> direction{};
 };
 

@@ -30,8 +30,8 @@ public:
     /// Plays `next`, now owned, with pedals and controllers where they are; the old player fades
     /// out under it at the values `former`. A second change within a fade cuts the player that has
     /// just begun and lets the older one finish its fade. The fading player goes through the
-    /// current output level; `levelBefore`, the old level divided by the new one, compensates this.
-    /// Ignores nullptr.
+    /// current output level; `levelBefore`, the old level divided by the new one, compensates for
+    /// that level. Ignores nullptr.
     void changeTo(Player* next, const ParameterValues& former, float levelBefore = 1) noexcept;
 
     /// Renders the next samples, at most `BlockPieces::maximumSamples`; see `Player::process`.

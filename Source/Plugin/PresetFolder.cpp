@@ -48,8 +48,8 @@ struct FoundFile {
     juce::Time written;
 };
 
-/// Returns the folder's own files first, by depth, then files behind links, as a link may lead to a
-/// whole disk.
+/// Returns the folder's own files first, by depth, then files behind links, because a link may lead
+/// to a whole disk.
 std::vector<FoundFile> presetFilesBelow(const juce::File& root, int mostEntries) {
     struct Place {
         juce::File folder;

@@ -15,8 +15,8 @@ namespace idiophone {
 
 class ProgramChanges {
 public:
-    /// The program, with a serial number in the upper bits, as MIDI may ask for the same program
-    /// again.
+    /// The program, with a serial number in the upper bits, because MIDI may ask for the same
+    /// program again.
     using Request = std::int64_t;
     static constexpr Request none = -1;
     static constexpr int programOf(Request request) { return int(request % programsOfMidi); }

@@ -23,8 +23,8 @@ struct OtherVariant {
 };
 
 /// For the message thread. A state or program loaded by the host clears all steps and the other
-/// variant. Programs that MIDI asks for are a step. Consecutive ones
-/// are one step, as a song may change them all the time.
+/// variant. Programs that MIDI asks for are a step. Consecutive ones are one step, because a song
+/// may change them all the time.
 class SoundHistory final : public EditHistory {
 public:
     /// Does not call the holder yet.

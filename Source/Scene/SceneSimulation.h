@@ -65,7 +65,7 @@ public:
     bool isCutShort() const;
 
     struct Figures {
-        std::int64_t bodies = 0; ///< present now, with fixed ones
+        std::int64_t bodies = 0; ///< present now, including fixed ones
         std::int64_t impacts = 0;
     };
     const Figures& figures() const { return counted; }

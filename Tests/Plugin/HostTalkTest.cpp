@@ -270,7 +270,8 @@ TEST_CASE("While no callbacks come, strikes and scrapes are ignored, but release
     }
 }
 
-TEST_CASE("The message thread shows a program that another thread chose, after its values") {
+TEST_CASE("If another thread chooses a program, the message thread reports its values and then the "
+          "program") {
     struct Host final : juce::AudioProcessorListener {
         void audioProcessorParameterChanged(juce::AudioProcessor*, int, float) override {
             valuesTold += juce::MessageManager::existsAndIsCurrentThread() ? 1 : 0;
