@@ -56,9 +56,9 @@ struct SpectrumPiece {
 };
 
 struct ClusterFit {
-    double cost = 0;           ///< sum of squared residuals
-    Eigen::MatrixXd curvature; ///< second derivative of half the cost over (ω, ln α) of each mode,
-                               ///< after Kaufman (1975)
+    double cost = 0; ///< sum of squared residuals
+    /// Second derivative of half the cost over (ω, ln α) of each mode, after Kaufman (1975).
+    Eigen::MatrixXd curvature;
     Eigen::VectorXd slope;                                     ///< descent direction
     std::vector<std::vector<std::complex<double>>> amplitudes; ///< [modes][pieces]
     /// [modes] the energy that only this mode explains, over the noise energy of one value.

@@ -19,8 +19,7 @@ constexpr int patienceMilliseconds = 1000 * (2 * sofaPatienceSeconds);
 std::optional<std::string> tableOf(const std::filesystem::path& file, int sampleRateHz) {
     const juce::TemporaryFile table(".table");
     const auto self = juce::File::getSpecialLocation(juce::File::currentExecutableFile);
-    const auto path = juceFile(file).getFullPathName(); // absolute, so that no name looks like an
-                                                        // option
+    const auto path = juceFile(file).getFullPathName(); // so that no name looks like an option
     juce::ChildProcess reader;
     if (!reader.start({self.getFullPathName(), "sofa-table", path, juce::String(sampleRateHz),
                        table.getFile().getFullPathName()},

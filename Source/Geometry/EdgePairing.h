@@ -11,8 +11,7 @@ namespace idiophone {
 
 struct EdgePartner {
     int face = -1;              ///< −1 if the surface ends here
-    bool sameDirection = false; ///< both faces run along the edge in the same direction, so one is
-                                ///< turned over
+    bool sameDirection = false; ///< both faces run along the edge in one direction
 };
 
 struct EdgePairing {

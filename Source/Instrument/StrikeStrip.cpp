@@ -63,7 +63,7 @@ PathPlace placeOnPath(const std::vector<Point>& path, double fraction) {
 
 using Vector = std::array<float, 3>;
 
-/// Scales to unit length; returns zero if it is too short to have a direction.
+/// Scales to unit length. Returns zero if the vector is too short to have a direction.
 Vector normalised(const Point& a) {
     const double norm = length(a);
     if (norm < 1e-6)

@@ -74,8 +74,7 @@ float OutputStage::changeSound(const ParameterValues& values, double fadeSeconds
         forgetChanges();
     level.setCurrentAndTargetValue(now / ownLevelAtChange);
     ownLevel.setCurrentAndTargetValue(ownLevelAtChange);
-    highestLevel = level.getCurrentValue(); // in a silent room too, because the fade may
-                                            // reverberate
+    highestLevel = level.getCurrentValue(); // the fade may reverberate in a silent room
     heldSamples = static_cast<std::size_t>(fadeSeconds * samplesPerSecond) + 1;
     return before / now;
 }

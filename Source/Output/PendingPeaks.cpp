@@ -47,10 +47,8 @@ double autocorrelation(std::size_t lag) {
 } // namespace
 
 struct PendingPeaks::Tables {
-    std::array<float, count> ofNext{}; ///< contribution of the next sample to each value, for a
-                                       ///< sample of 1
-    std::array<std::array<float, count>, taps / 2> ofFuture{}; ///< contributions of the samples
-                                                               ///< after it
+    std::array<float, count> ofNext{}; ///< weights of the next sample in the values
+    std::array<std::array<float, count>, taps / 2> ofFuture{}; ///< weights of later samples
     std::array<float, count> shareToCome{};                    ///< see Bounds
     /// The weights of `next` and the remembered samples, newest first, for each predicted sample.
     std::array<std::array<float, remembered>, taps / 2> prediction{};

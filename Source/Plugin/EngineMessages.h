@@ -25,8 +25,7 @@ struct EngineMessages {
     WindowEvents window;                        ///< [message thread] keys and hands
     std::atomic<bool> stagePaused{false};       ///< [message thread; session for a new sound]
     std::atomic<bool> stageReset{false};        ///< [message thread] until the player is reset
-    std::atomic<bool> forgetsGivenBends{false}; ///< [session] until the player has forgotten the
-                                                ///< bends
+    std::atomic<bool> forgetsGivenBends{false}; ///< [session] until the bends are forgotten
     std::atomic<bool> reset{false};             ///< [host] until everything is silent
 };
 

@@ -30,7 +30,7 @@ std::string HostSession::save() {
         state.controllers = messages.controllers.assignments();
         state.tuning = tuning.files();
     }
-    // Pack without the lock: objects never saved before take a while.
+    // Pack without the lock: objects never saved before take a while to pack.
     state.parameters = sound.parameters;
     state.preset = std::move(sound.preset);
     if (sound.missing != nullptr) {

@@ -33,10 +33,10 @@ private:
 
     double beatsPerMinute = 0;
     std::optional<double> placeNow;
-    std::optional<double> told;     ///< position reported for the last callback
-    std::optional<double> reckoned; ///< position of the last callback while the song plays,
-                                    ///< extrapolated if not reported
-    double secondsSince = 0;        ///< length of the last callback
+    std::optional<double> told; ///< position reported for the last callback
+    /// Position of the last callback while the song plays, extrapolated if not reported.
+    std::optional<double> reckoned;
+    double secondsSince = 0; ///< length of the last callback
     bool beginsNow = false;
 };
 

@@ -42,10 +42,9 @@ public:
     /// Reserves a number that never has a rigid body, for example for a hand.
     std::size_t addAbsent();
     void remove(std::size_t body);
-    BodyMotion motion(std::size_t body) const;      ///< of a body that has not been removed
-    Eigen::Vector3d centre(std::size_t body) const; ///< of mass, of a body that has not been
-                                                    ///< removed
-    /// In m/s and rad/s, of a body that has not been removed.
+    BodyMotion motion(std::size_t body) const;      ///< not of a removed body
+    Eigen::Vector3d centre(std::size_t body) const; ///< of mass; not of a removed body
+    /// In m/s and rad/s; not of a removed body.
     void
     setVelocity(std::size_t body, const Eigen::Vector3d& velocity, const Eigen::Vector3d& spin);
 

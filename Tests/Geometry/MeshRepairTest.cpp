@@ -290,7 +290,8 @@ TEST_CASE("Two cubes that share a vertex are cut apart") {
     CHECK(isOrientedManifold(cut->mesh));
 }
 
-TEST_CASE("A sphere inside a sphere bounds a hollow, and a third inside that is solid again") {
+TEST_CASE("A sphere inside a sphere bounds a hollow, and a third sphere inside the hollow is solid "
+          "again") {
     const auto outer = icosphereMesh(1, 3), middle = icosphereMesh(0.5, 2),
                inner = icosphereMesh(0.25, 2);
     const auto hollow = repairMesh(joined(middle, outer));

@@ -22,7 +22,7 @@ std::shared_ptr<const Instrument> crowdedBar(const std::vector<double>& frequenc
 
 } // namespace
 
-TEST_CASE("Strikes beyond the number rendered separately are together as loud as their sum") {
+TEST_CASE("Strikes too many to be rendered separately are together as loud as their sum") {
     const auto instrument = crowdedBar({200, 540, 1070, 1800, 2500});
     ParameterValues parameters;
     parameters.set(ParameterId::strikeSpread, 0);

@@ -210,7 +210,7 @@ TEST_CASE("A hushed room fades within the ramp, and then responds again") {
     CHECK_FALSE(shut.silent());
 }
 
-TEST_CASE("Input at a hush or soon after it gets reverb as in a silent room") {
+TEST_CASE("Input at or soon after a hush gets reverb as in a silent room") {
     const auto values = roomOf(100, 5);
     const auto rings = noiseBurst(48000, 0.2, 0.2), burst = noiseBurst(48000, 0.01, 0.5);
     for (const std::size_t later : {0u, 240u, 480u, 960u}) {

@@ -360,8 +360,7 @@ TEST_CASE("Random files in the folder never crash the reader") {
         root.createDirectory();
         root.getChildFile("f" + juce::String(i) + ".json")
             .replaceWithData(damaged.data(),
-                             1 + random() % damaged.size()); // at least one byte, because zero
-                                                             // bytes would delete the file
+                             1 + random() % damaged.size()); // zero bytes would delete the file
     }
     CHECK(folder.read().size() == 200);
 }

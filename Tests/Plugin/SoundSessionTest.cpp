@@ -85,7 +85,7 @@ TEST_CASE("Key maps of one object keep the sound's origin; another preset name d
     CHECK(parts.session.origin() == parts.session.number());
 }
 
-TEST_CASE("The status shows the sound, then the last error, and an output that was not finite") {
+TEST_CASE("The status shows the sound, and after an error or invalid output a sentence about it") {
     SessionParts parts;
     auto sound = testSound();
     sound.preset.description = "Thirteen bars.";

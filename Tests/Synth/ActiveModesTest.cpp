@@ -42,7 +42,7 @@ TEST_CASE("A survey keeps the ringing modes as long as a contact or a force need
     CHECK(parts.active.demand().modes == 2);
 }
 
-TEST_CASE("A block rests when nothing in it rings and wakes at its current state") {
+TEST_CASE("A block rests when nothing in it rings, and becomes active at its current state") {
     ResonatorParts parts(fourModes());
     parts.ring();
     parts.active.setTau(10);
