@@ -62,7 +62,7 @@ class WorkshopView {
 public:
     virtual ~WorkshopView() = default;
 
-    /// Whether the extension is readable, in any case.
+    /// Whether files with this extension, in upper or lower case, can be read.
     virtual bool canOpen(const std::filesystem::path& file) const = 0;
     /// The patterns of these files, separated by semicolons: "*.obj;*.modal".
     virtual std::string openPatterns() const = 0;

@@ -27,8 +27,8 @@ struct RingingMode {
 template <std::size_t levels>
 class NearModes {
 public:
-    /// Returns powers, mean of the channels, for each excitation and note. Powers that decay as the
-    /// mode does carry its energy and the energy of its interference with earlier modes.
+    /// Returns powers, mean of the channels, for each excitation and note. If such a power decays
+    /// with the mode, it carries the energy of the mode and of its interference with earlier modes.
     std::array<PhraseMeter::NoteFigures, levels>
     add(const RingingMode<levels>& mode, std::size_t firstNote, std::size_t endNote) noexcept {
         std::array<PhraseMeter::NoteFigures, levels> powers{};

@@ -1,4 +1,4 @@
-// Names the kinds of files that the plugin opens, by extension in any case.
+// Names the kinds of files that the plugin opens, by extension in upper or lower case.
 #pragma once
 
 #include <filesystem>

@@ -22,7 +22,7 @@ public:
     /// Returns the number of loads. Does not count refused states or programs that MIDI asked for.
     int counted() const noexcept { return loads; }
 
-    /// Keeps the sound before a program that MIDI asked for, unless one is kept.
+    /// Keeps the sound before a program that MIDI asked for, unless one is kept already.
     void keepBeforePrograms(const std::function<Sound()>& sound) {
         const std::scoped_lock lock(mutex);
         if (!before)

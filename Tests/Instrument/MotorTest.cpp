@@ -65,7 +65,8 @@ TEST_CASE("A motor jumps to a given phase, or moves there smoothly by the shorte
     }
 }
 
-TEST_CASE("A motor that starts, stops or deepens never steps by more than a fifth in a cell") {
+TEST_CASE(
+    "A motor that starts, stops or changes its depth never steps by more than a fifth in a cell") {
     Motor motor(64.0 / 48000);
     float before = 1;
     for (int k = 0; k < 4000; ++k) {

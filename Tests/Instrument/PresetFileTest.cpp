@@ -98,7 +98,7 @@ TEST_CASE("A file's name is normalised, and leads up from the preset only if the
     CHECK(again("./Scenes/e.json", preset) == "Scenes/e.json");
 }
 
-TEST_CASE("A file's name finds it again through folders that are links") {
+TEST_CASE("A file's name leads back to the file through folders that are links") {
     const auto linked = write("l/Cloud/Scenes/d.json", "the linked folder's");
     write("l/Idiophone/Scenes/d.json", "the own folder's");
     std::filesystem::create_directories(testFolder() / "l/Cloud/Presets/Bells");
