@@ -34,8 +34,8 @@ class BoundaryElements {
 public:
     /// `surface` is closed and oriented outward, with F faces, none degenerate. `symmetry` is that
     /// of `surface`. If there are more orbits than `maximumUnknowns`, neighbouring triangles with
-    /// similar normals share an unknown (SharedUnknowns). The velocity keeps its detail, the
-    /// pressure does not.
+    /// similar normals share an unknown (SharedUnknowns). The pressure then loses detail, but the
+    /// velocity does not.
     BoundaryElements(const Mesh& surface,
                      SurfaceSymmetry symmetry,
                      Eigen::Index maximumUnknowns = std::numeric_limits<Eigen::Index>::max());

@@ -15,8 +15,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Distances between centroids in longest edges of the source. Near panels need closed forms,
-/// panels at middle distance three points.
+/// Distances between centroids in longest edges of the source. Near panels need closed forms, and
+/// panels at middle distance need three points.
 constexpr double nearDistance = 2.5, middleDistance = 6;
 /// The longest edge, in radians of a wave, above which all panels need three points.
 constexpr double longEdgeRadians = 1;

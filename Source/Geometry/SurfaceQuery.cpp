@@ -52,7 +52,7 @@ struct Triangle {
         const double determinant = u.dot(p);
         if (std::abs(determinant) <= 1e-14 * u.norm() * v.norm() * direction.norm())
             return std::nullopt;
-        // A little slack, so that a ray along a shared edge hits one of the two faces.
+        // A small tolerance, so that a ray along a shared edge hits one of the two faces.
         constexpr double slack = 1e-12;
         const Eigen::Vector3d w = origin - a, q = w.cross(u);
         const double s = w.dot(p) / determinant, t = direction.dot(q) / determinant;

@@ -61,7 +61,7 @@ public:
     Loaded loaded() const;
     /// Returns the playing instrument, or null if none could be loaded.
     std::shared_ptr<const Instrument> instrument() const;
-    /// Returns the prepared rate, or a usual one before.
+    /// Returns the prepared rate, or before preparation a usual one.
     double rateHz() const;
     /// Changes with each load.
     int number() const noexcept { return loads; }

@@ -161,7 +161,7 @@ TEST_CASE("After silence the old sound fades out over one cell and never returns
     CHECK(rig.renderer.silent());
 }
 
-TEST_CASE("A reset renderer plays as a new one") {
+TEST_CASE("A reset renderer plays like a new one") {
     const auto play = [](Rig& rig) {
         rig.press(69);
         rig.beginCell();

@@ -101,8 +101,8 @@ TEST_CASE("The soft pedal halves the mallet's speed when it is fully down") {
     CHECK(rig.keys.softness() == 1);
 }
 
-TEST_CASE(
-    "All Notes Off releases pedalled keys too, and Reset All Controllers keeps pressed ones") {
+TEST_CASE("All Notes Off releases keys held by pedals too, and Reset All Controllers keeps pressed "
+          "ones") {
     Rig rig;
     rig.follow({control(midi::sustainPedal, 127), noteOn(60), noteOn(62)});
     rig.follow({noteOff(62), control(midi::modulation, 9)});

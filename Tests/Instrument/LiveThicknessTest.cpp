@@ -95,7 +95,7 @@ TEST_CASE("The predicted loudness at live thickness 2 is that of a sheet of twic
     }
 }
 
-TEST_CASE("valuesThatMatter does not change a prediction, and thickness matters") {
+TEST_CASE("valuesThatMatter keeps all values that a prediction uses, including thickness") {
     const auto instrument = shellUnderKeys();
     for (const int kind : {strikeContact, scrapeContact, rollContact}) {
         ParameterValues own;

@@ -7,7 +7,7 @@ using namespace idiophone;
 using namespace idiophone::test;
 using Source = TuningStatus::Source;
 
-TEST_CASE("An opened scale tunes the player, can be undone, and is forgotten") {
+TEST_CASE("An opened scale tunes the player, can be undone, and can be forgotten") {
     SessionParts parts;
     parts.play();
     TuningSession tuning(parts.session, parts.tail, parts.messages.tuner, parts.reporter,
