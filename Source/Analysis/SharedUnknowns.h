@@ -11,7 +11,7 @@
 namespace idiophone {
 
 /// Maximum number of equations per unknown. With one, weak modes of plates are off by up to 24 dB,
-/// with three by 4 dB.
+/// and with three by up to 4 dB.
 inline constexpr Eigen::Index mostCollocations = 3;
 
 /// An orbit whose first face has an equation, and its weight in the mean for its unknown.

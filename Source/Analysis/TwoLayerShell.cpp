@@ -10,8 +10,8 @@ namespace idiophone {
 namespace {
 
 /// Returns the shear stiffness κ G t of the sheet in N/m, softened by the bending within one edge
-/// (MacNeal's residual bending flexibility, L²/12D). Without this, coarse meshes of thin shells
-/// lock.
+/// (MacNeal's residual bending flexibility, L²/12D). Without this softening, coarse meshes of thin
+/// shells lock.
 double shearStiffness(const Material& material, double thicknessMetres, double lengthMetres) {
     const double nu = material.poissonRatio, y = material.youngsModulusPa;
     const double kappa = 10 * (1 + nu) / (12 + 11 * nu); // Cowper 1966, rectangular section

@@ -57,8 +57,8 @@ TEST_CASE("A symmetric matrix given by its lower triangle multiplies like the fu
     CHECK((symmetricTimes(lower, x) - whole * x).cwiseAbs().maxCoeff() < 1e-14);
 }
 
-TEST_CASE(
-    "Orthonormal columns times their triangle give the vectors back, even near-parallel ones") {
+TEST_CASE("Orthonormal columns times their triangle give the vectors back, even if these are "
+          "near-parallel") {
     const auto mass = chainMass(300);
     const MassSpace space(mass);
     Vectors block = fixedRandomBlock(300, 8, 4);

@@ -26,7 +26,7 @@ std::shared_ptr<const Instrument> synthetic(std::size_t modes) {
 
 } // namespace
 
-TEST_CASE("The gain takes at most 16 modes a cell, and two predictions in all") {
+TEST_CASE("The match processes at most 16 modes a cell, and two predictions in all") {
     for (const std::size_t modes : {200u, 5000u}) {
         ParameterValues own;
         own.set(matchLoudness, 1);

@@ -360,7 +360,7 @@ TEST_CASE("A two-channel fade stays in both channels when the object is struck i
     CHECK(loudest > 0.01);
 }
 
-TEST_CASE("An object that fell silent returns to one channel when a strike is heard near") {
+TEST_CASE("An object that has fallen silent returns to one channel when a strike is heard near") {
     std::vector<double> frequencies;
     for (int k = 0; k < 1000; ++k)
         frequencies.push_back(100 + 20 * k);
