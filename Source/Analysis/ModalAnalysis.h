@@ -1,5 +1,5 @@
-// Analyses a mesh with a material into a modal object: repair, model, modes. Meshes dropped on the
-// window go through here.
+// Analyses a mesh with a material into a modal object: repair, model, modes. Also serves meshes
+// dropped on the window.
 #pragma once
 
 #include "Analysis/AnalysedBand.h"

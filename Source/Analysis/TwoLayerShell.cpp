@@ -47,8 +47,9 @@ void addBraces(SpringAssembly& springs,
 }
 
 /// Adds the plane-stress triangle of one strain as three springs, each acting on all three corners.
-/// One resists the change of area, two the change of shape. On an equilateral triangle with ν = 1/3
-/// they equal three springs along the edges, which are not isotropic on other triangles.
+/// One resists the change of area, and two resist the change of shape. On an equilateral triangle
+/// with ν = 1/3 they equal three springs along the edges, which are not isotropic on other
+/// triangles.
 void addTriangle(SpringAssembly& springs,
                  const Eigen::MatrixXd& points,
                  const Eigen::RowVector3i& corners,

@@ -22,7 +22,7 @@ struct UndercutBar {
     double centreHeightMetres = 0.02; ///< in the middle of the arch; ≤ height
     double endHeightMetres = 0.02;    ///< at both ends
     double archHalfLengthShare = 0.3; ///< of the length, 0.1 to 0.49
-    double archExponent = 2; ///< ≥ 1; 2 is a parabola, higher values are steeper at the edges
+    double archExponent = 2;          ///< ≥ 1; 2 is a parabola; higher is steeper at the edges
 
     bool operator==(const UndercutBar&) const = default;
 };

@@ -1,4 +1,4 @@
-// A button for captured notes: a drag exports them as a file, a click saves them.
+// A button for captured notes: a drag exports them as a file, and a click saves them.
 #pragma once
 
 #include "Editor/ProcessorView.h"

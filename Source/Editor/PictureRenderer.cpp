@@ -31,7 +31,7 @@ void main()
 )";
 
 // The shader has two lamps, a gloss and a rim, and lights both sides of a sheet. `glow` marks the
-// struck place, `light` shows the loudness of the object.
+// struck place, and `light` shows the loudness of the object.
 constexpr const char* fragmentShader = R"(
 uniform vec3 colour;
 uniform vec3 eye;

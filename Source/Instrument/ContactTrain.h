@@ -1,6 +1,6 @@
-// Splits a strike into the contacts it consists of: hard bodies touch several times before they
-// part (van den Doel, Kry & Pai 2001, impacts). MalletStrike.h decides which mallet strikes and how
-// hard.
+// Splits a strike into the contacts that it consists of: hard bodies touch several times before
+// they part (van den Doel, Kry & Pai 2001, impacts). MalletStrike.h decides which mallet strikes
+// and how hard.
 #pragma once
 
 #include "Synth/Strike.h"

@@ -13,7 +13,7 @@ namespace {
 
 using enum ParameterId;
 
-// The hand's forces have the places after those of the keys.
+// The indices of the hand's forces follow those of the keys.
 constexpr std::size_t firstForce = 2 * HeldContacts::capacity, contactCount = 2;
 static_assert(firstForce + contactCount <= forceCapacity);
 

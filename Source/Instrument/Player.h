@@ -101,8 +101,9 @@ public:
 
     /// Sets the host's tempo from the next cell on; 0 if it gives none.
     void setTempo(double beatsPerMinute) { tempo = beatsPerMinute; }
-    /// Sets the song position at the next sample, in beats, while the host plays and gives one. It
-    /// advances with the tempo. A motor in that tempo follows it.
+    /// Sets the song position at the next sample, in beats, while the host plays and gives a
+    /// position. The position advances with the tempo. A motor that follows the tempo follows the
+    /// position too.
     void setSongPlace(std::optional<double> beats) { songPlace = beats; }
     /// Marks that the transport started or looped. Reseeds the strike counter from the song
     /// position, so that every pass renders the same samples. If nothing sounds or moves, it also

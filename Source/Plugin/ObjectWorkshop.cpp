@@ -188,7 +188,7 @@ Result<void> ObjectWorkshop::make(const Job& job) {
     {
         const std::scoped_lock lock(mutex);
         if (!job.cancelled)
-            mesh = source; // it was empty: `start` cleared it
+            mesh = source; // `start` has left it empty
     }
     return makeFromMesh(job, *source);
 }

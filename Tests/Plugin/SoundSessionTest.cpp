@@ -28,7 +28,7 @@ TEST_CASE("A sound without an instrument does not play") {
     CHECK(parts.session.instrument() == nullptr);
 }
 
-TEST_CASE("A session that is not prepared hands over no player until it is") {
+TEST_CASE("A session hands over no player until it is prepared") {
     SessionParts parts;
     REQUIRE(parts.session.playSound(testSound()));
     CHECK(parts.takePlayer() == nullptr);

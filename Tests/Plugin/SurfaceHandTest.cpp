@@ -92,7 +92,7 @@ TEST_CASE("A lifted hand or a hand on another instrument starts a new drag") {
     Player onPlate(plate, sampleRateHz), onOther(other, sampleRateHz);
     play(events, &onOther);
     CHECK(onPlate.silent());
-    CHECK(peak(renderStereo(onOther, {}, 9600, 480).left) == 0); // the contact arrived and rests
+    CHECK(peak(renderStereo(onOther, {}, 9600, 480).left) == 0); // the contact rests
     hand.scrape(other, 0, {0.1, 0, 0.1}, 0);
     hand.scrape(other, 0, {-0.1, 0, 0.1}, 1);
     play(events, &onOther);
