@@ -1,4 +1,4 @@
-// Reads and writes surfaces as JSON text; `idiophone surface` saves them, docs/surfaces.md
+// Reads and writes surfaces as JSON text. `idiophone surface` saves them, and docs/surfaces.md
 // specifies them.
 #pragma once
 

@@ -212,7 +212,7 @@ bool ModalResonator::strike(const Strike& asked,
     if (active.joinStruck(increments.energies(), allowance, !contacts.empty(), cellIndex + 1)) {
         contacts.join(active.joined());
         if (isPulse && !contacts.empty())
-            contacts.compute(contact); // needed again, as the other contacts used the scratch
+            contacts.compute(contact); // needed again, because the other contacts used the scratch
     }
 
     int from = firstSampleFrom(sampleInCell);

@@ -69,7 +69,7 @@ TEST_CASE(
     CHECK(found(none, "b/x.json").empty());
 }
 
-TEST_CASE("A file's name is the path by which a preset finds it, if it can find it") {
+TEST_CASE("A file's name is the path by which a preset finds the file, if there is one") {
     const auto scene = write("n/Settings/Scenes/coins.json", "{}");
     const auto name = [&](const char* preset) { return nameBeside(scene, testFolder() / preset); };
     CHECK(name("n/Settings/Presets/x.json") == "Scenes/coins.json");

@@ -82,7 +82,7 @@ TEST_CASE("Lowering tau brings a mode back at its current state") {
     CHECK(synthesiser.status()[0].modesMixed == 2);
 }
 
-TEST_CASE("Modes that leave and return for the budget make no broadband sound above -80 dB") {
+TEST_CASE("Modes that the budget drops and restores make no broadband sound above -80 dB") {
     const ModalObject object = ringingObject({200, 300, 410}, 0.1, {1.0f, 0.9f, 0.8f});
     const auto play = [&](int smallest) {
         Synthesiser synthesiser({slotOf(object)}, sampleRate);

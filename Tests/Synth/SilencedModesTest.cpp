@@ -92,7 +92,7 @@ TEST_CASE("A silenced mode rings on and returns at its current state") {
     CHECK(errorDb(between, always, 125 * cellSamples) < (settings.compression > 0 ? -25 : -105));
 }
 
-TEST_CASE("Modes leave and return without a broadband sound, even during a contact") {
+TEST_CASE("Modes are silenced and return without a broadband sound, even during a contact") {
     const double contactSeconds = GENERATE(0.0, 0.025);
     const ModalObject object = ringingObject({200, 203, 310, 505, 812, 1230}, 4);
     SynthesisSettings settings = exactSettings();

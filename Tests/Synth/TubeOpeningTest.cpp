@@ -205,7 +205,7 @@ TEST_CASE("Open discs, or an object without a tube, change no bit") {
     CHECK(forced(open, openingOf) == forcedAlone);
 }
 
-TEST_CASE("Shared modes that leave and return under closed discs stay silent") {
+TEST_CASE("Shared modes that are dropped and restored under closed discs stay silent") {
     const std::vector<TimedStrike> strikes{{5.5, unitStrike(0.001)}};
     const auto pair = pairAlone();
     const auto loudest = [&](const TubeOpening& opening, const auto& changeBefore) {
