@@ -17,7 +17,7 @@ using Eigen::VectorXd;
 constexpr double tolerance = 1e-9; ///< of a residual, relative to its eigenvalue 1/(λ − σ)
 
 /// Narrow blocks converge with fewer vectors. Wide blocks read the factor less often, which pays if
-/// it is larger than the cache.
+/// the factor is larger than the cache.
 Index blockColumns(Index wanted, double factorEntries) {
     return wanted >= 24 && factorEntries > 1.5e6 ? 8 : 4;
 }
@@ -79,7 +79,7 @@ void BlockLanczos::projectOut(Vectors& block) const {
     basis_.projectOut(image, block);
 }
 
-/// Appends `next_` to the basis and makes the next block. Returns false if none is left.
+/// Appends `next_` to the basis and makes the next block. Returns false if no block is left.
 bool BlockLanczos::extend() {
     const Index size = basis_.size();
     Vectors image = factor_.solve(nextImage_);

@@ -51,8 +51,8 @@ struct PartialTargets {
 
 /// Changes the length, the centre height and the arch's exponent, as far as the targets need. By
 /// Timoshenko's theory, the partials then lie within a hundredth of a cent of the targets. All
-/// other dimensions stay. Without a second ratio the arch stays too. Errors: targets or dimensions
-/// out of range, a ratio that no arch reaches.
+/// other dimensions are kept, and without a second ratio the arch's exponent too. Errors: targets
+/// or dimensions out of range, a ratio that no arch reaches.
 Result<UndercutBar>
 tunedArch(const UndercutBar& start, const BeamMaterial& material, const PartialTargets& targets);
 

@@ -32,7 +32,7 @@ struct AssignedEffect {
 };
 
 /// Returns the values with which `assigned` act. If one is a figure of the custom material or
-/// mallet, the selected material or mallet becomes custom. The other figures stay, as in the
+/// mallet, the selected material or mallet becomes custom. The other figures are kept, as in the
 /// window. Objects of several materials keep their own figures.
 AssignedEffect
 assignedEffect(ParameterValues values, std::span<const ParameterId> assigned, const Played& played);

@@ -65,7 +65,7 @@ public:
 
     void takeWheelsOf(const PitchBend& other) noexcept;
     void takeSetupOf(const PitchBend& other) noexcept; ///< zones and ranges
-    void reset() noexcept; ///< wheels at rest, no notes; zones and ranges stay
+    void reset() noexcept; ///< wheels at rest, no notes; zones and ranges are kept
 
 private:
     /// A parameter in semitones that MIDI may replace, also with fractions and beyond its range.

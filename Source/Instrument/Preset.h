@@ -93,9 +93,9 @@ inline constexpr std::size_t longestDescriptionBytes = 4000;
 inline constexpr std::size_t longestTagsBytes = 4000; ///< together; later tags are dropped
 inline constexpr std::size_t mostPathPoints = 1000;   ///< of KeyMap::strikePath
 
-/// Parses a preset file; `name` stands for it in errors. It fails if the file is too large, not
-/// JSON, or lacks a value or has a wrong one. It does not look for the objects and scenes. Not for
-/// the audio thread.
+/// Parses a preset file; `name` stands for it in errors. Fails if the file is too large or not
+/// JSON, or if a value is missing or wrong. Does not look for the objects and scenes. Not for the
+/// audio thread.
 Result<Preset> parsePreset(std::string_view text, std::string_view name);
 
 /// Parses a preset in a saved state, which may have any length and no name.

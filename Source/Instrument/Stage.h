@@ -69,7 +69,7 @@ public:
     virtual bool silent() const noexcept = 0;
     virtual std::int64_t lateEvents() const noexcept = 0;
     /// Returns the impacts since the last call, in seconds since the first cell. The next `sound`
-    /// forgets them.
+    /// drops them.
     virtual std::span<const PlacedImpact> takeImpacts() noexcept = 0;
     /// Returns a number unique in the process, which changes with every `stop` and `reset`. Times
     /// of impacts are comparable only under the same number.

@@ -65,7 +65,7 @@ std::string placeOfJsonFault(std::string_view text) {
         return {};
     const auto before = text.substr(0, *fault);
     const auto line = 1 + std::ranges::count(before, '\n');
-    const auto lineStart = before.rfind('\n') + 1; // 0 if there is none
+    const auto lineStart = before.rfind('\n') + 1; // 0 in the first line
     return " (line " + std::to_string(line) + ", column " +
            std::to_string(before.size() - lineStart + 1) + ")";
 }

@@ -61,7 +61,7 @@ private:
     int quietSamples = 0;       ///< silent samples before that cell
     bool isSilent = true;       ///< of the active network
     int fadeSamples = 0;        ///< length of the ramp
-    int fadeLeft = 0;           ///< samples left of the fade
+    int fadeLeft = 0;           ///< remaining samples of the fade
     std::size_t unanswered = 0; ///< samples that get no reverb
     bool startsAtTarget = true;
 };

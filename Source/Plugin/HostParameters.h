@@ -48,7 +48,7 @@ public:
     /// [any thread] Calls `forgetTold` on every parameter.
     void forgetTold() const noexcept;
 
-    /// [audio thread] Brings the values up to date, or leaves them alone during a `load`.
+    /// [audio thread] Brings the values up to date, or leaves them unchanged during a `load`.
     void read(ParameterValues& values) const noexcept;
 
 private:

@@ -123,7 +123,7 @@ void HostSession::chooseProgram(int index, ProgramChanges::Request request) {
 }
 
 /// Call with the lock. Values moved since MIDI's request are kept, as in an offline render, where
-/// the program is there at once. Returns false if MIDI has asked for another program meanwhile.
+/// the program loads at once. Returns false if MIDI has asked for another program meanwhile.
 Result<bool> HostSession::loadProgram(int index, ProgramChanges::Request request) {
     const auto& preset = factoryPresets()[static_cast<std::size_t>(index)];
     auto built = buildInstrument(preset.keyMap, {});

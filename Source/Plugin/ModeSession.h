@@ -33,7 +33,7 @@ public:
 
 private:
     /// Changes the modes of an object, by its key in mode sets and its number of modes. Returns
-    /// whether there was something to change.
+    /// whether any mode changed.
     using Change = std::function<bool(const std::string& key, std::size_t modeCount)>;
     bool change(std::size_t object, const Change& changeModes);
     bool record(const std::string& step, std::size_t object, const Change& changeModes);

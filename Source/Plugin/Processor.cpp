@@ -29,7 +29,7 @@ Processor::Processor()
       window(hostParameters, messages, report, tail, reporter, loads, session),
       host(hostParameters, messages, programs, reporter, loads, session, window.tuning) {
     setCurrentProgram(0);
-    reporter.forget(); // the host has not asked yet
+    reporter.forget(); // the host reads the values after construction
     polls.emplace(pollMilliseconds, [this] { poll(); });
 }
 

@@ -9,8 +9,8 @@
 namespace idiophone {
 namespace {
 
-/// Slower approaches belong to a lasting contact: 5 mm/s is a fall of 1.3 µm. The speed that two
-/// steps of gravity add belongs to it too.
+/// Slower approaches belong to a lasting contact: 5 mm/s is a fall of 1.3 µm. So do approaches
+/// below the speed that two steps of gravity add.
 constexpr double slowestStrikeMetresPerSecond = 0.005;
 constexpr double stepsOfRest = 2;
 /// An impact passed on through bodies in contact changes their speed by at least this many steps of

@@ -30,7 +30,7 @@ constexpr std::array<std::pair<std::string_view, BodyForm>, 6> formNames{{
 }};
 
 /// Reads a member by a function of `JsonPlace` or of this file. If the member is missing, the value
-/// stays.
+/// is kept.
 template <class Value, class Function, class... Arguments>
 void read(const JsonPlace& place,
           const char* key,

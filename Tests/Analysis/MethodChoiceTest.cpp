@@ -122,7 +122,7 @@ TEST_CASE("Vertices chosen for shapes are found again on a remeshed surface") {
     REQUIRE(object->shapeVertices.size() == 2);
     for (const std::int32_t vertex : object->shapeVertices) {
         const auto* at = object->vertices.data() + 3 * static_cast<std::size_t>(vertex);
-        CHECK_THAT(std::abs(at[0]), WithinRel(0.175f, 1e-5f)); // corners stay
+        CHECK_THAT(std::abs(at[0]), WithinRel(0.175f, 1e-5f)); // corners are kept
         CHECK_THAT(std::abs(at[1]), WithinRel(0.025f, 1e-5f));
     }
 }

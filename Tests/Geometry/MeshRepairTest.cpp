@@ -307,7 +307,7 @@ TEST_CASE("A sphere inside a sphere bounds a hollow, and a third sphere inside t
 }
 
 TEST_CASE("Closed surfaces all look outward if a search for hollows would take too long") {
-    // Pleated blankets, each around the centres of all narrower ones.
+    // Folded plates, each of which encloses the centres of all narrower ones.
     constexpr int pleats = 100, blankets = 300;
     const auto blanket = [&](int number) {
         Mesh mesh = boxMesh({1, 1 - 1e-4 * number, 0.02}, {pleats, 1, 1});

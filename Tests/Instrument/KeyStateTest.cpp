@@ -12,7 +12,7 @@ using namespace idiophone::test;
 
 namespace {
 
-/// Keys that follow events of one sample each time.
+/// The state of keys. Each call of `follow` gives the events of one sample.
 struct Rig {
     void follow(const std::vector<MidiEvent>& events) {
         keys.beginSample(events);

@@ -87,7 +87,7 @@ TEST_CASE("The wheel changes the gain of scrapes but not of strikes") {
     }
 }
 
-TEST_CASE("After a reset the first cell has the gain, whatever was prepared") {
+TEST_CASE("After a reset the first cell has its final gain, whatever gain was prepared") {
     const auto instrument = synthetic(500);
     ParameterValues own;
     own.set(matchLoudness, 1);

@@ -57,7 +57,7 @@ TEST_CASE("A mutation changes the sound's shape and leaves pitch, quality and by
             CHECK(next[info.parameter] == rosewood().parameters[info.parameter]);
     }
     // The custom material replaces the bars' own with its stiffness and density, so the pitch
-    // stays.
+    // stays the same.
     const auto& own = built(rosewood())->slots().front().object->material;
     CHECK(next[material] == double{customMaterial});
     CHECK(next[youngsModulus] == Approx(own.youngsModulusPa / 1e9));

@@ -133,7 +133,7 @@ TEST_CASE("A file written to disk is read back, and an unwritable place gives on
     CHECK_FALSE(readModalObject(directory));
 }
 
-TEST_CASE("Writing an object leaves the files beside it alone, whatever their names") {
+TEST_CASE("Writing an object leaves the files beside it unchanged, whatever their names") {
     const auto directory = test::testFolder() / "beside";
     std::filesystem::remove_all(directory);
     std::filesystem::create_directories(directory);

@@ -90,7 +90,7 @@ TEST_CASE("Zones and bend ranges set by MIDI are sent to the host only if they c
             instance.processor.poll();
     }
     const std::vector<std::pair<int, float>> once{{static_cast<int>(ParameterId::mpe), 1.0f}};
-    CHECK(host.heard == once); // the members' range was 48 already, the other range is the preset's
+    CHECK(host.heard == once); // the members' range was 48 before; the other is the preset's
     instance.processor.removeListener(&host);
 }
 

@@ -239,15 +239,15 @@ TEST_CASE("While no callbacks come, strikes and scrapes are ignored, but release
     const auto soundFor = [&](double seconds, const juce::MidiBuffer& midi = {}) {
         return loudest(render(processor, static_cast<int>(seconds * rateHz), blockSize, midi));
     };
-    const auto ringsOn =
-        [&] { // another channel taps the key: its bar rings on only if some channel holds it
-            juce::MidiBuffer tap;
-            tap.addEvent(juce::MidiMessage::noteOn(2, key, juce::uint8{100}), 0);
-            tap.addEvent(juce::MidiMessage::noteOff(2, key), 100);
-            const float tapped = soundFor(0.1, tap);
-            soundFor(1);
-            return soundFor(0.1) > 0.05f * tapped;
-        };
+    // Another channel taps the key. The bar then rings on only if some channel holds the key.
+    const auto ringsOn = [&] {
+        juce::MidiBuffer tap;
+        tap.addEvent(juce::MidiMessage::noteOn(2, key, juce::uint8{100}), 0);
+        tap.addEvent(juce::MidiMessage::noteOff(2, key), 100);
+        const float tapped = soundFor(0.1, tap);
+        soundFor(1);
+        return soundFor(0.1) > 0.05f * tapped;
+    };
     const auto pause = [&] {
         waitUntil([&] { return !processor.windowSession().instrument.isProcessing(); },
                   [&] { processor.poll(); });

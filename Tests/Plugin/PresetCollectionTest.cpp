@@ -206,7 +206,7 @@ TEST_CASE("Saving never cuts ringing sound") {
     CHECK(render(processor, 4800, 480, {}) == render(untouched, 4800, 480, {}));
 }
 
-TEST_CASE("Renaming a sound leaves automation alone") {
+TEST_CASE("Renaming a sound keeps automated values") {
     const UserSettings user;
     Processor processor;
     AutomatedHolder holder(processor, ParameterId::width);

@@ -164,7 +164,7 @@ TEST_CASE("A key waits for its program through a reset and another prepare") {
     }
 }
 
-TEST_CASE("A program change answered before the host prepared again strikes nothing later") {
+TEST_CASE("A program change that loads before a second preparation strikes no key later") {
     Processor processor;
     processor.prepareToPlay(rateHz, blockSize);
     render(processor, blockSize, blockSize, programChange(vibraphone));

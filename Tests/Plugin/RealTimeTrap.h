@@ -1,6 +1,6 @@
-// Counts allocations, locks and system calls of the code under test. Can also deny it memory or
-// threads. Works on Linux with glibc, but not under the sanitizers, which replace the same
-// functions.
+// Counts allocations, locks and system calls of the code under test. Can also deny that code
+// memory or threads. Works on Linux with glibc, but not under the sanitizers, which replace the
+// same functions.
 #pragma once
 
 #include <cstddef>

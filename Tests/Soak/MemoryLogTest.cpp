@@ -34,7 +34,7 @@ bool anyGrowth(const std::vector<LoggedHour>& hours) {
 
 } // namespace
 
-TEST_CASE("Hours that vary as measured count as no growth, in one process or many") {
+TEST_CASE("Memory that varies as in real hours counts as no growth, in one process or many") {
     CHECK_FALSE(anyGrowth(measured(7 * 24, 0)));
     CHECK_FALSE(anyGrowth(measured(7 * 24, 0, 4)));
     CHECK_FALSE(anyGrowth(measured(7 * 24, 0, 1)));

@@ -18,7 +18,7 @@ double rmsLevel(const PlayedPhrase& phrase);
 class RandomSession {
 public:
     enum class Changes {
-        parameters, ///< by automation, on the audio thread: the player stays
+        parameters, ///< by automation, on the audio thread: the player is kept
         all         ///< also sounds, sample rates and resets, offline: no player lasts long
     };
     /// Prepares the processor for playing.

@@ -45,7 +45,7 @@ void check(bool holds, const std::string& fault) {
         throw std::runtime_error(fault);
 }
 
-/// Reference sounds of the player that lives on.
+/// Reference sounds of the player that is kept for all hours.
 struct Sounds {
     PlayedPhrase afterReset;
     double rms = 0, tremolo = 0;

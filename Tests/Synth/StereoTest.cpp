@@ -178,7 +178,7 @@ TEST_CASE("A force with a direction sounds like that direction") {
     CHECK(found != own);
 }
 
-TEST_CASE("An object heard near sounds the same in both channels as in mono") {
+TEST_CASE("An object heard from nearby sounds the same in both channels as in mono") {
     const ModalObject object = radiatingObject();
     const Stereo sound = play(object, 60, [](int) { return 0.0; });
     CHECK(sound.left == sound.right);
@@ -195,7 +195,8 @@ TEST_CASE("A second strike heard from afar leaves the ringing sound unchanged") 
     const Stereo alone = play(object, 80, [](int) { return 1.0; });
     for (std::size_t n = 0; n < 40 * 64; ++n)
         REQUIRE(sound.left[n] == near.left[n]);
-    // Compare from the second strike on: the first one is heard near, the second one far.
+    // Compare from the second strike on: the first one is heard from nearby, the second one from
+    // afar.
     double worst = 0, peak = 0;
     for (std::size_t n = 40 * 64; n < sound.left.size(); ++n) {
         const double first = reference(object, 0, 0, double(n));
@@ -360,7 +361,7 @@ TEST_CASE("A two-channel fade stays in both channels when the object is struck i
     CHECK(loudest > 0.01);
 }
 
-TEST_CASE("An object that has fallen silent returns to one channel when a strike is heard near") {
+TEST_CASE("A silent object returns to one channel when its next strike is heard from nearby") {
     std::vector<double> frequencies;
     for (int k = 0; k < 1000; ++k)
         frequencies.push_back(100 + 20 * k);
