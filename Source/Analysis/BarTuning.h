@@ -17,7 +17,7 @@ namespace idiophone {
 struct BarSpecification {
     std::string name = {};
     std::string source = {}; ///< for the object's provenance
-    /// The start of the search. Dimensions that no target sets stay. A length of 0 is estimated.
+    /// The start of the search. Dimensions without a target are kept. A length of 0 is estimated.
     UndercutBar shape = {};
     PartialTargets targets = {}; ///< for the damped partials
     Material material = {};      ///< in wood, the grain runs along the bar and the rings face up

@@ -1,6 +1,6 @@
 // The geometry of an instrument's objects, for drawing and picking. Several objects form a
-// keyboard, one stays as it is, objects on a stage follow their bodies. Independent of windows and
-// OpenGL.
+// keyboard, a single object is shown alone, and objects on a stage follow their bodies. Independent
+// of windows and OpenGL.
 #pragma once
 
 #include "Editor/ProcessorView.h"

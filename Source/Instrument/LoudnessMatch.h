@@ -22,7 +22,7 @@ namespace idiophone {
 /// Constructed and destroyed off the audio thread. The same calls give the same gains.
 class LoudnessMatch {
 public:
-    /// Maximum of modes that one `advance` processes: about 20 µs of work.
+    /// Maximum number of modes that one `advance` processes: about 20 µs of work.
     static constexpr std::size_t modesPerCell = 16;
 
     /// `surface` must be valid; keys that scrape or roll sound like it. `own` are the preset's

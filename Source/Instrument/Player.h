@@ -74,8 +74,8 @@ public:
     /// Lifts all hands from all surfaces.
     void liftHands() { renderer.liftHands(); }
 
-    /// Acts at the first grid point of the next block, or at the very first one if nothing was
-    /// rendered yet. `reset` keeps it.
+    /// Acts at the first grid point of the next block, or at the very first one if nothing has been
+    /// rendered. `reset` keeps it.
     void setSilencedModes(const SilencedModes& silenced) { renderer.setSilencedModes(silenced); }
 
     /// Acts as `setSilencedModes` does. Keys without a pitch play nothing.
@@ -112,7 +112,7 @@ public:
     bool beginSong();
 
     /// Silences everything, releases all keys, returns controllers to rest and the grid to its
-    /// start. MPE's zones and the bend ranges stay as MIDI has set them.
+    /// start. Keeps the zones and bend ranges that MIDI has set.
     void reset();
 
     /// Sets the owner's identifier of this player; 0 at first.

@@ -24,7 +24,7 @@ public:
     ~PlayerCrossfade(); ///< [message side] Call after the last callback.
 
     /// [message side] Call while no callback runs. Plays this player from its start, at once.
-    /// Controllers are at rest, but MPE zones and bend ranges stay as MIDI has set them.
+    /// Controllers are at rest, but zones and bend ranges that MIDI has set are kept.
     void install(std::unique_ptr<Player> player);
 
     /// Plays `next`, now owned, with pedals and controllers where they are; the old player fades

@@ -39,10 +39,10 @@ public:
     void regroup(std::size_t count, std::span<const ModeShare> shares, ModeStates& room) noexcept;
 
     /// Sets every mode's pole by `law`, from its reference eigenvalue [size] and damping ([size],
-    /// or empty: the law's). States stay, so that the velocity does not step. If the coordinates
-    /// change near critical damping, velocity and displacement stay. Modes outside `lowestHz` ≤ f <
-    /// `highestHz` (natural frequency) become inaudible, and so do modes with `silenced` ≠ 0
-    /// ([size], or empty: none).
+    /// or empty: the law's). The states are kept, so that the velocity does not step. If the
+    /// coordinates change near critical damping, velocity and displacement are kept. Modes outside
+    /// `lowestHz` ≤ f < `highestHz` (natural frequency) become inaudible, and so do modes with
+    /// `silenced` ≠ 0 ([size], or empty: none).
     void movePoles(std::span<const double> referenceEigenvalues,
                    const PoleLaw& law,
                    double lowestHz,

@@ -61,8 +61,8 @@ public:
     /// a contact.
     ModeDemand demand() const noexcept { return active.demand(); }
 
-    /// Mixes the strongest `share` modes into the cell. During a contact its modes stay, whatever
-    /// the share, because its forced part was summed over them.
+    /// Mixes the strongest `share` modes into the cell. During a contact its modes stay mixed,
+    /// whatever the share, because its forced part was summed over them.
     void mix(std::int32_t share, const CellOutput& cell) noexcept;
 
     /// Call it after `mix`, before a strike. Applies what was set since `beginCell`: to the strike

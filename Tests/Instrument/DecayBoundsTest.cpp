@@ -35,8 +35,8 @@ double slowestOfAll(const Instrument& instrument,
     return slowest;
 }
 
-/// One object with far more candidates for the slowest mode than the bounds keep. A higher mode has
-/// a smaller share of the damping law or less decay on top.
+/// One object with far more candidates for the slowest mode than the bounds keep. The higher a
+/// mode, the smaller is its share of the damping law or its extra decay.
 std::shared_ptr<const Instrument> manySlowModes() {
     std::vector<double> frequenciesHz, decays, extras;
     std::mt19937 random(5);

@@ -148,7 +148,7 @@ TEST_CASE("A mode far slower than the contact acts as a free mass, and a far fas
     CHECK(impactOn(1).impulseNewtonSeconds == Approx(2 / (1 / 0.03 + 20)).epsilon(1e-3));
     CHECK(impactOn(1e5).contactSeconds == Approx(1e-3).epsilon(1e-3));
     CHECK(impactOn(1e5).impulseNewtonSeconds == Approx(0.06).epsilon(1e-3));
-    // There is no step between the two.
+    // The impulse has no step between the two frequencies.
     double last = impactOn(1).impulseNewtonSeconds;
     for (double hz = 1; hz < 1e5; hz *= 1.005) {
         const double impulse = impactOn(hz).impulseNewtonSeconds;

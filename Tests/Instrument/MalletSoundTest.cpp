@@ -171,7 +171,7 @@ TEST_CASE("A brass mallet sounds darker on a softer live material of the same fr
         return spectralCentroidHz(render(player, {midi(0, 0x90, 72, 100)}, 32768, 480, parameters));
     };
     const double firm = centroid();
-    // Y/ρ stays, and with it every frequency.
+    // Y/ρ stays the same, and with it every frequency.
     parameters.set(youngsModulus, parameters[youngsModulus] / 50);
     parameters.set(density, parameters[density] / 50);
     CHECK(centroid() < 0.8 * firm);

@@ -137,8 +137,7 @@ TEST_CASE("A restored state resets zones and bend ranges set by MIDI") {
     CHECK(configured.playBent() == fresh.playBent());
 }
 
-TEST_CASE(
-    "Zones and bend-range fractions that no parameter can hold stay until a parameter moves") {
+TEST_CASE("Zones and bend ranges that no parameter can hold are kept until a parameter moves") {
     Instance atOnce(testState()), later(testState());
     juce::MidiBuffer setup;
     give(setup, 1, zone, 6);

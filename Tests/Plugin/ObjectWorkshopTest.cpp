@@ -106,7 +106,7 @@ TEST_CASE("A file without a usable object is refused in a sentence that names it
     }
 }
 
-TEST_CASE("Impossible settings are refused in a sentence, and the mesh stays for other settings") {
+TEST_CASE("Impossible settings are refused in a sentence, and other settings can use the mesh") {
     ObjectWorkshop workshop;
     workshop.open(smallPlateFile("plate.obj", 1), {.thicknessMetres = -1});
     CHECK(productsOf(workshop).empty());

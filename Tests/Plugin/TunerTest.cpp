@@ -139,7 +139,7 @@ TEST_CASE("A file that cannot be read leaves the tuning unchanged and is named i
     CHECK(saved(processor) == before);
 }
 
-TEST_CASE("A tuning stays through programs and is saved unchanged in the state") {
+TEST_CASE("Program changes keep the tuning, and the state saves it unchanged") {
     Prepared first, second;
     first.processor.view().tuning.openTuning(written("six.scl", sixSteps));
     first.processor.view().tuning.openTuning(written("from432.kbm", from432));

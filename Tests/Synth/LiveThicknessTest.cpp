@@ -36,7 +36,7 @@ double foundHz(std::span<const float> signal, double nearHz) {
 
 } // namespace
 
-TEST_CASE("At twice the thickness a membrane mode stays and a bending mode rises by an octave") {
+TEST_CASE("Twice the thickness keeps a membrane mode and raises a bending mode by an octave") {
     const auto output = rendered(shell(), 2);
     CHECK(foundHz(output, 300) == Approx(300).epsilon(1e-4));
     CHECK(foundHz(output, 2000) == Approx(2000).epsilon(1e-4));

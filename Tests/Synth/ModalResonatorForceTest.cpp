@@ -43,7 +43,7 @@ struct Scraped {
 };
 
 /// Applies a random force for `cells` cells, then as many cells of silence. The contact moves from
-/// one place to the other and back, or it stays.
+/// one place to the other and back, or does not move.
 Scraped scrape(const ModalObject& object, int cells, bool moving, double damping, double tau) {
     Synthesiser synthesiser({slotOf(object)}, sampleRate);
     SynthesisSettings settings = exactSettings();

@@ -115,7 +115,7 @@ TEST_CASE("Raising and lowering tau makes no broadband sound above -80 dB") {
     CHECK(broadbandDb(std::span(output).subspan(640), sampleRate) < -80);
 }
 
-TEST_CASE("A strike during fades has its exact sound after them") {
+TEST_CASE("A strike during fades of modes sounds exact once the fades have ended") {
     const ModalObject object = ringingObject({200, 300, 410}, 3, {1.0f, 0.9f, 0.8f});
     Synthesiser synthesiser({slotOf(object)}, sampleRate);
     SynthesisSettings settings = exactSettings();
