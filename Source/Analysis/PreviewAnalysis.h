@@ -13,7 +13,7 @@ namespace idiophone {
 ///
 /// Reads name, source, material, method, thickness, `weldTolerance`, `largestComponentOnly` and the
 /// band from the settings. Errors: those of `analyse`, and a mesh that cannot be decimated. Any
-/// thread but the audio thread may call this function.
+/// thread except the audio thread may call this function.
 Result<ModalObject>
 analysePreview(const Mesh& mesh, const AnalysisSettings& settings, const WorkControl& control = {});
 

@@ -91,8 +91,8 @@ private:
         const auto next = temporaryFolder().getChildFile(
             dragFolderPrefix + juce::String::toHexString(juce::Random().nextInt64()));
         std::error_code fault;
-        if (std::filesystem::create_directory(pathOf(next), fault)) { // or else another user owns
-                                                                      // the folder
+        // If the folder existed before, another user may own it.
+        if (std::filesystem::create_directory(pathOf(next), fault)) {
             std::filesystem::permissions(pathOf(next), std::filesystem::perms::owner_all, fault);
             folder = next;
         }

@@ -27,9 +27,9 @@ double remeshedTriangles(const Mesh& mesh, double edgeLengthMetres);
 /// sharp edges lie closer together.
 ///
 /// Decimates a mesh far denser than the target first: scans take a fifth of the time, and their
-/// noise does not pass for sharp edges. Repairs the mesh and cuts it where it is not a manifold
-/// (MeshRepair). Parts connected only at such places come apart; RepairReport::nonManifoldEdges
-/// counts them.
+/// noise is not taken for sharp edges. Repairs the mesh and cuts it where it is not a manifold
+/// (MeshRepair). Parts connected only at such places are separated; RepairReport::nonManifoldEdges
+/// counts these places.
 ///
 /// The result is an oriented manifold without degenerate faces, but may intersect itself. Vertices
 /// and faces have a new order.

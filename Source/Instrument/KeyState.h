@@ -14,7 +14,7 @@ namespace idiophone {
 
 /// For the audio thread; neither allocates, locks nor throws. State changes at the event's sample,
 /// so that a key struck again is down by the next grid point. The owner starts contacts; releases,
-/// pressures and controllers pass on to them.
+/// pressures and controllers are passed on to them.
 class KeyState {
 public:
     using Keys = std::bitset<128>;

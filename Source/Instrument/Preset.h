@@ -102,7 +102,7 @@ Result<Preset> parsePreset(std::string_view text, std::string_view name);
 Result<Preset> parseSavedPreset(std::string_view text, std::string_view name);
 
 /// Returns the preset as JSON text. `parseSavedPreset` reads it back to an equal preset; so does
-/// `parsePreset`, within its limits of length and name. Any thread but the audio thread.
+/// `parsePreset`, within its limits of length and name. Any thread except the audio thread.
 std::string encodePreset(const Preset& preset);
 
 } // namespace idiophone

@@ -22,11 +22,11 @@ struct SilencedModes {
 /// Returns the key by which mode sets identify the object of a slot. If each key has an object, it
 /// is the lowest note that plays the object. On a stage it is the object's name, otherwise "all".
 /// Outside a stage it does not use the name, because files may be renamed and finished analyses
-/// replace previews. Any thread but the audio thread.
+/// replace previews. Any thread except the audio thread.
 std::string modeSetKey(const Instrument& instrument, std::size_t slot);
 
 /// Returns the muted modes of every object. If an object has soloed modes, returns all its other
-/// modes, muted or not. Ignores modes and objects that the instrument lacks. Any thread but the
+/// modes, muted or not. Ignores modes and objects that the instrument lacks. Any thread except the
 /// audio thread.
 SilencedModes
 silencedModes(const Instrument& instrument, const ModeSet& muted, const ModeSet& heardAlone);

@@ -38,8 +38,8 @@ bool isNetworkName(std::string_view name);
 /// identify the user to it, so a path from a file must not name one.
 bool leadsIntoNetwork(std::string_view name);
 
-/// Returns a name from an untrusted file. If it leads into the network, removes its prefix, so that
-/// no file has that name.
+/// Returns a name from an untrusted file. If it leads into the network, removes its prefix; no
+/// file has the shorter name.
 std::string localName(std::string_view name);
 
 } // namespace idiophone

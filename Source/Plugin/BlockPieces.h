@@ -11,7 +11,7 @@
 
 namespace idiophone {
 
-/// [audio thread] throughout; neither allocates, locks nor throws.
+/// For the audio thread; neither allocates, locks nor throws.
 class BlockPieces {
 public:
     static constexpr int maximumSamples = 1024;

@@ -16,7 +16,7 @@ namespace idiophone {
 
 /// "Session" is any thread that holds the session's lock (SoundSession).
 struct EngineMessages {
-    Handoff<Player> players; ///< [session] the newest player, and former ones back
+    Handoff<Player> players; ///< [session] new players, and the return of former ones
     /// [session] Odd while values and their player are being handed over.
     std::atomic<std::uint32_t> soundChanges{0};
     ModeSilencer silencer;                      ///< [session] muted modes

@@ -122,7 +122,7 @@ Result<PresetCollection::FoundSound> PresetCollection::soundOf(const std::string
         return FoundSound{.sound =
                               soundWith(std::move(preset), built->instrument, id, entry->content),
                           .notice = {}};
-    // Give it no preset id, so that saving over the file must be confirmed.
+    // Give the sound no preset id, so that saving over the file must be confirmed.
     preset.keyMap = built->keyMap;
     preset.mutedModes = {};
     const auto notice = preset.name + ": " + built->notice;

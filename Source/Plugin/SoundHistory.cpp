@@ -11,7 +11,7 @@ namespace {
 
 // Limits of juce::UndoManager, in KiB. It always keeps the newest steps.
 constexpr int mostUnits = 512 * 1024, fewestSteps = 8;
-constexpr int unitsOfParameters = 64; // more than their size, so that at most 8192 steps are kept
+constexpr int unitsOfParameters = 64; // above the actual size, so that at most 8192 steps are kept
 constexpr int unitsOfSound = 256;
 constexpr int unitsOfTunings = 1024; // two tunings of two files each
 

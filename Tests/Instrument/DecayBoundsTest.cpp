@@ -177,8 +177,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE(
-    "An instrument lies as far below equal temperament as its lowest key that has its own object") {
+TEST_CASE("The lowest tuning counts only keys that have objects of their own") {
     ObjectLibrary library;
     std::vector<std::shared_ptr<const ModalObject>> kept;
     for (int note = 60; note < 64; ++note)

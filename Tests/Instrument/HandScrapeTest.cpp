@@ -196,7 +196,7 @@ TEST_CASE("A path is followed to its end without overshoot, and no faster than a
     path.extendTo(corner, {1, 0, 0});
     corner.shapeRows[0] = 2;
     path.extendTo(corner, {1, 1, 0});
-    path.extendTo(corner, {1, 1, 0}); // the path ends there already
+    path.extendTo(corner, {1, 1, 0}); // already the end of the path
     double lastWay = -1;
     std::int32_t from = 0;
     for (int cell = 0; cell < 3000; ++cell) {

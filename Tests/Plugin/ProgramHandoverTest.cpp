@@ -86,7 +86,7 @@ TEST_CASE("A key pressed while the host is notified of a new preset is struck on
     CHECK((played(Struck::asSoonAsLoaded) == expected));
 }
 
-TEST_CASE("Until the new sound is there, the former one plays on with its own values") {
+TEST_CASE("Until the new sound is ready, the former one plays on with its own values") {
     if (!realTimeTrapWorks())
         SKIP("nothing can be done at allocations here");
     auto other = testState("other", 1.5);

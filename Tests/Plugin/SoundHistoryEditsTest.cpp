@@ -91,7 +91,7 @@ TEST_CASE("An undone parameter is sent to the host as a gesture") {
     CHECK(listener.text == "(=)");
 }
 
-TEST_CASE("A state loaded during a gesture or an audition does no harm") {
+TEST_CASE("A state loaded during a gesture or an audition is not changed when either ends") {
     Processor processor;
     auto& history = processor.windowSession().history;
     processor.view().parameters.beginChange(density);

@@ -59,7 +59,7 @@ ModalObject denseObject() {
 
 } // namespace
 
-TEST_CASE("The same settings give the same groups and strike sound, whatever the settings before") {
+TEST_CASE("The same settings give the same groups and strike sound, whatever was set before") {
     const ModalObject object = ringingObject({1000, 1002.5, 1005, 1900, 1901, 2700}, 1);
     const SynthesisSettings apart = settingsOf(1);
     const SynthesisSettings merged = settingsOf(60);
