@@ -24,7 +24,7 @@ struct EdgePairing {
 /// Pairs the faces at every edge:
 /// - two faces: with each other;
 /// - an even number, facing alternately in and out: the two faces on either side of the inside, so
-///   that two cubes with a common edge become two cubes (as one if they are inside out);
+///   that two cubes with a common edge become two cubes (one if they are inside out);
 /// - another even number: neighbours around the edge, in the arrangement with the sharper angles;
 /// - an odd number: the straightest pair first; one face stays alone.
 /// Faces must be neither degenerate nor duplicate.

@@ -122,8 +122,8 @@ private:
     const Instrument& instrument;
     double rateHz;
     ReleaseFade releaseFade;
-    std::vector<Contact>
-        contacts; ///< twice the capacity: the second half serves while others fade out
+    /// Twice the capacity, so that contacts can fade out while new ones begin.
+    std::vector<Contact> contacts;
     std::uint64_t pressCount = 0;
     std::array<Controllers, channels> controllers{};
 };

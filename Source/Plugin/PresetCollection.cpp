@@ -15,7 +15,7 @@ juce::File below(const juce::File& settings, const char* name) {
     return settings == juce::File() ? settings : settings.getChildFile(name);
 }
 
-/// Leaves the folder empty.
+/// Returns a preset's details with an empty folder.
 PresetDetails detailsOf(const Preset& preset) {
     return {.name = preset.name,
             .folder = {},

@@ -35,7 +35,7 @@ public:
 
     // [audio thread] Neither allocates, locks nor throws.
 
-    /// Returns the place behind the block's last program change, or its begin.
+    /// Returns the place behind the block's last program change, or its start.
     juce::MidiBufferIterator behindLast(const juce::MidiBuffer& midi) const noexcept;
     /// Keeps the current values for the next request.
     void keepMoment(const HostParameters& parameters, std::uint32_t soundChanges) noexcept;

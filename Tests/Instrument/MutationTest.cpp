@@ -42,7 +42,7 @@ TEST_CASE("A mutation of zero strength or without an instrument changes nothing"
     CHECK(mutated(rosewood().parameters, nullptr, rosewood(), 1, 3) == rosewood().parameters);
 }
 
-TEST_CASE("A mutation changes the sound's shape and leaves pitch, quality and bypass alone") {
+TEST_CASE("A mutation changes the sound but keeps pitch, quality and bypass") {
     std::set<ParameterId> mayMove{material, mallet, level, youngsModulus, density};
     for (const auto& info : parameterTable())
         if (info.mutation.step > 0)

@@ -109,7 +109,7 @@ TEST_CASE("Groups that change while they sound make no broadband sound above -80
     CHECK(broadbandDb(output, sampleRate) - peakDb < -80);
 }
 
-TEST_CASE("Channels that hear modes with opposite signs stay opposite through regrouping") {
+TEST_CASE("Channels that get modes with opposite signs stay opposite through regrouping") {
     ModalObject object = denseObject();
     object.radiation.directions = {{1, 0, 0}, {0, 1, 0}};
     object.radiation.frequencyRatios = {1};

@@ -98,7 +98,7 @@ TEST_CASE("Modes that the budget drops and restores make no broadband sound abov
     };
     CHECK(broadbandDb(play(1), sampleRate) < -80);
     CHECK(broadbandDb(play(0), sampleRate) < -80);
-    // As a control, the measure hears a step when the same mode is cut at once.
+    // As a control, the measure detects a step when the same mode is cut at once.
     auto cut = play(3);
     std::fill(cut.begin() + 1700, cut.end(), 0.0f);
     CHECK(broadbandDb(cut, sampleRate) > -60);

@@ -65,7 +65,7 @@ double reference(const ModalObject& object, std::size_t direction, double share,
 
 } // namespace
 
-TEST_CASE("Each channel hears its own direction's weights, at the requested share") {
+TEST_CASE("Each channel has its own direction's weights, at the requested share") {
     const ModalObject object = radiatingObject();
     for (const double share : {1.0, 0.4}) {
         const Stereo sound = play(object, 40, [&](int) { return share; });
@@ -142,7 +142,7 @@ TEST_CASE("Simultaneous strikes are each heard from their own direction") {
     CHECK(peak > 0);
 }
 
-TEST_CASE("A force with a direction sounds like that direction") {
+TEST_CASE("A force with a radiation direction sounds as heard from that direction") {
     ModalObject all = radiatingObject(), alone = radiatingObject();
     addThirdDirection(all);
     alone.radiation.weights.assign(thirdWeights.begin(), thirdWeights.end());
