@@ -44,13 +44,14 @@ public:
                  double slotSizeRatio = 1,
                  const PitchMode* pitch = nullptr) noexcept;
 
-    /// Returns the sum of all mobilities [1/kg]. It acts in an impact much shorter than any mode's
-    /// period.
+    /// Returns the sum of all mobilities [1/kg]. It applies to impacts much shorter than any
+    /// mode's period.
     double impulsiveMobilityPerKg() const noexcept;
 
     /// Returns the collision with a striker at a speed > 0 [m/s].
     ///
-    /// Time: at the complex frequency s = r e^{iπ/4} a mode answers a force by φ² s/(s² + ω²) = B/s
+    /// Time: at the complex frequency s = r e^{iπ/4} a mode responds to a force by φ² s/(s² + ω²) =
+    /// B/s
     /// + C s, exactly, with B = φ²/(1 + (ω/r)⁴) and C = (ω/r²)² B. So at r = c/T the object is the
     /// mass 1/ΣB in series with a spring of the compliance ΣC, and T² = T_law(μ)² + π² μ ΣC, 1/μ =
     /// 1/m + ΣB. With c = 1.669 a hard impact on a point of constant mechanical resistance (an

@@ -51,7 +51,7 @@ public:
     /// Returns the last complete gain.
     double gainDb() const noexcept { return state.gainDb; }
 
-    /// Returns the wheel to rest but keeps the predictions for the wheel at rest. If the values
+    /// Resets the wheel but keeps the predictions for the wheel at rest. If the values
     /// equal those of the last such prediction, the next `advance` has their gain and processes no
     /// modes. Without prepare(), the next call prepares, as after construction.
     void reset() noexcept;

@@ -218,7 +218,7 @@ bool Player::beginSong() {
     return beginsAnew;
 }
 
-/// Returns the sound, the bodies and the grid to the start, and keeps keys and controllers.
+/// Resets the sound, the bodies and the grid, and keeps keys and controllers.
 void Player::restart() {
     renderer.reset();
     glide.reset();

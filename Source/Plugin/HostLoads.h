@@ -11,7 +11,7 @@
 
 namespace idiophone {
 
-/// For any thread but the audio thread.
+/// For any thread except the audio thread.
 class HostLoads {
 public:
     /// Counts a state or a program that the host has loaded.

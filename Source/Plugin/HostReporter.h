@@ -18,14 +18,14 @@ public:
                  HostParameters& parameters,
                  std::function<void()> pollSoon);
 
-    /// [any thread but the audio thread, offline any] Reports all values and the program to the
+    /// [any thread except the audio thread, offline any] Reports all values and the program to the
     /// host.
     void reportSound();
     /// [message thread] Reports another program, or its name.
     void reportProgram();
     /// [message thread] Reports that the state has changed outside the parameters.
     void reportState();
-    /// [any thread but the audio thread] Call before and after restoring a state. JUCE's VST3
+    /// [any thread except the audio thread] Call before and after restoring a state. JUCE's VST3
     /// reports nothing in between, so `poll` delays the reports of the sound.
     void beginRestoring() noexcept { ++restorings; }
     void endRestoring() noexcept { --restorings; }

@@ -27,9 +27,9 @@ public:
     /// tuning, that of the session acts.
     void setOwn(const std::optional<KeyTuning>& tuning) noexcept;
 
-    /// [any thread but the audio thread] Returns whether a master tunes the session's plugins.
+    /// [any thread except the audio thread] Returns whether a master tunes the session's plugins.
     bool hasMaster() const;
-    /// [any thread but the audio thread] Returns the name of the master's scale; may be empty.
+    /// [any thread except the audio thread] Returns the name of the master's scale; may be empty.
     std::string masterScaleName() const;
 
     /// [any thread] Returns whether messages of the MIDI Tuning Standard have tuned keys.

@@ -81,7 +81,7 @@ TEST_CASE("A rack mallet made custom strikes as before") {
     }
 }
 
-TEST_CASE("The contact times of a mallet that follows the keys follow their periods") {
+TEST_CASE("If the mallet follows the keys, contact times are proportional to the keys' periods") {
     for (const int choice : {int{customMallet}, int{firstRackMallet}, firstRackMallet + 3}) {
         auto values = racked(choice);
         const double middle = rigidMilliseconds(striker({}, values), 1);

@@ -37,7 +37,7 @@ TEST_CASE("The first values act at once, and later ones glide until they are exa
     CHECK(glide.values() == first);
     const auto second = with(size, 0.5, with(malletMass, 10));
     glide.setGoal(second);
-    CHECK(glide.values()[malletMass] == 10); // affects strikes only: at once
+    CHECK(glide.values()[malletMass] == 10); // at once, because it affects strikes only
     CHECK(glide.values()[size] == 2);
     int cells = 0;
     double before = 2;

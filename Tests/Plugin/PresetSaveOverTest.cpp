@@ -222,7 +222,7 @@ TEST_CASE("A preset that was read but did not play is not overwritten") {
     CHECK(user.read("Presets/Bell.json") == theirs);
 }
 
-TEST_CASE("Sounds kept in this window follow its saves and renames") {
+TEST_CASE("After a save or rename, the sounds of A/B and undo belong to the saved preset") {
     const UserSettings user;
     using enum ParameterId;
     Processor processor;

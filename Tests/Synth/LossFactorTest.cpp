@@ -58,8 +58,7 @@ TEST_CASE("The three damping laws sound like the closed form of their sum within
           }) < -110);
 }
 
-TEST_CASE(
-    "A loss factor that is set while a mode rings changes its decay from there without a step") {
+TEST_CASE("A loss factor that is set while a mode rings changes its decay without a step") {
     const auto object = structurallyDamped({1000}, 0);
     Synthesiser synthesiser({slotOf(object)}, sampleRate);
     auto settings = exactSettings();

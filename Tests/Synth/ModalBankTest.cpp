@@ -210,7 +210,7 @@ TEST_CASE("State increments of a contact much shorter than a period keep their p
     CHECK(std::abs(static_cast<double>(increments.y[0][0]) - left.y) < 1e-6);
 }
 
-TEST_CASE("The phase holds over hours of rest") {
+TEST_CASE("The phase stays exact over hours of rest") {
     ModalBank bank(1, 1, 48000);
     const double omega = 2 * std::numbers::pi * 15000.3;
     bank.movePoles(std::vector<double>{omega * omega}, {}, 20, 20000);
