@@ -55,7 +55,7 @@ public:
 
     std::optional<std::size_t> heldSlot() const noexcept; ///< slot that the hand touches
     bool silent() const noexcept;                         ///< no contact, not even a fading one
-    void reset() noexcept;                                ///< returns to the constructed state
+    void reset() noexcept;                                ///< restores the constructed state
 
 private:
     struct Contact {

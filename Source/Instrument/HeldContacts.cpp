@@ -35,7 +35,7 @@ HeldContacts::HeldContacts(const Instrument& played,
     static_assert(2 * capacity <= forceCapacity);
     contacts.reserve(2 * capacity);
     for (std::uint64_t i = 0; i < 2 * capacity; ++i) {
-        // Keep the second half far from the contacts of any other seed.
+        // The second half gets seeds far from those of any other instance.
         const auto apart = i < capacity ? 0 : std::uint64_t{1} << 63;
         contacts.push_back(
             {.force = ContactForce(profile, (seed * capacity + i % capacity) ^ apart),

@@ -63,7 +63,7 @@ public:
     /// the controller moves nothing; at 0 and 127 it reaches the ends.
     static double placeMoved(int controller, double along) noexcept;
     void takeControllersOf(const HeldContacts& other) noexcept { controllers = other.controllers; }
-    /// Returns the channel's controllers to rest; held keys press as hard as they were struck.
+    /// Resets the channel's controllers; held keys press as hard as they were struck.
     void resetControllers(int channel) noexcept;
 
     /// Applies a cell of every contact's force to the cell that began last, each to its slot's
@@ -75,7 +75,7 @@ public:
                std::span<const CellOutput> cellsOfSlots) noexcept;
 
     bool silent() const noexcept; ///< no contact, not even a fading one
-    void reset() noexcept;        ///< returns to the constructed state
+    void reset() noexcept;        ///< restores the constructed state
 
 private:
     struct Contact {

@@ -43,7 +43,7 @@ public:
 
     /// Takes over pedals, wheels and other controllers, but not keys.
     void takeControllersOf(const KeyState& former) noexcept;
-    /// Releases all keys and returns controllers to rest. Keeps MPE's zones and bend ranges.
+    /// Releases all keys and resets controllers. Keeps MPE's zones and bend ranges.
     void reset() noexcept;
 
 private:

@@ -22,7 +22,7 @@ public:
     /// opening.
     void keepTo(double turns, bool isAtOnce);
 
-    /// Returns to the start: open.
+    /// Restarts the motor with open discs.
     void reset();
 
 private:

@@ -42,7 +42,7 @@ public:
 
     /// Returns the values given since the last call.
     Given takeGiven() noexcept { return std::exchange(newlyGiven, {}); }
-    /// Returns zones and ranges to those of the parameters.
+    /// Resets zones and ranges to those of the parameters.
     void forgetGiven() noexcept;
 
     /// Returns the bend by the wheel that the note shares with others. A note that was never

@@ -111,8 +111,8 @@ public:
     /// the last bit. In that case it returns true.
     bool beginSong();
 
-    /// Silences everything, releases all keys, returns controllers to rest and the grid to its
-    /// start. Keeps the zones and bend ranges that MIDI has set.
+    /// Silences everything, releases all keys, resets controllers and restarts the grid. Keeps
+    /// the zones and bend ranges that MIDI has set.
     void reset();
 
     /// Sets the owner's identifier of this player; 0 at first.

@@ -60,9 +60,9 @@ public:
 
     /// Stops bodies in place; later they go on from there.
     virtual void setPaused(bool isPaused) noexcept = 0;
-    /// Returns all bodies to their state before the first note; objects ring on.
+    /// Resets all bodies to their state before the first note; objects ring on.
     virtual void stop() noexcept = 0;
-    /// Returns to the constructed state.
+    /// Restores the constructed state.
     virtual void reset() noexcept = 0;
 
     /// Returns whether nothing moves, and no sound is on its way to the listener.

@@ -286,7 +286,7 @@ TEST_CASE("Pressure 0 replaces a key's velocity after the key, but not before it
     CHECK(played({midi(100, 0xa0, 69, 30), pressure, key}) == expected);
 }
 
-TEST_CASE("A new key leaves other keys the last pressure of its sample") {
+TEST_CASE("A new key does not change the last pressure of other keys at its sample") {
     ParameterValues parameters;
     parameters.set(ParameterId::contact, scrapeContact);
     const auto held = midi(50, 0x90, 69, 100), other = midi(100, 0x90, 71, 100);
