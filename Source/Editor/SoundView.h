@@ -36,7 +36,7 @@ struct SlotNow {
     int object = 0;                ///< index into InstrumentView::playedObjects
     int note = -1;                 ///< lowest MIDI note that plays it
     float amplitude = 0;           ///< sum over its modes, m/s
-    std::int32_t modesRinging = 0; ///< modes or groups above τ, which ask for the budget
+    std::int32_t modesRinging = 0; ///< modes or groups above τ, which request budget
     std::int32_t share = 0;        ///< modes or groups within the budget, at most modesRinging
     std::int32_t modesMixed = 0;
     float entitlement = 0; ///< share of the budget in modes, by the rank on the line of slope S

@@ -52,7 +52,7 @@ public:
     /// sound stays the same, for example after a failure.
     void record(const std::string& name, const std::function<void()>& load);
 
-    /// Makes one step of a change outside the sound that is done already.
+    /// Makes one step of a finished change outside the sound.
     void recordDone(const std::string& name,
                     const std::function<void()>& undone,
                     const std::function<void()>& doneAgain);

@@ -348,7 +348,7 @@ TEST_CASE("All Notes Off lifts the hand, and a reset forgets it") {
     CHECK(player.silent());
 }
 
-TEST_CASE("A hand lifted by All Sound Off is not heard under the next note") {
+TEST_CASE("A hand lifted by All Sound Off is not heard during the next note") {
     Player player(shortSquare(), rateHz), alone(shortSquare(), rateHz);
     double x = 0.1;
     const auto scraped = drag(player, x, 1, 0.2);

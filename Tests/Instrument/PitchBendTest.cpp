@@ -202,7 +202,7 @@ TEST_CASE("A bend range that MIDI gives holds until the parameter moves") {
     CHECK(bend.commonSemitones(60) == 3);
 }
 
-TEST_CASE("Switching MPE on returns all wheels to rest, and the parameter overrides MIDI") {
+TEST_CASE("Switching MPE on resets all wheels, and the parameter overrides MIDI") {
     auto bend = bendWith(false);
     bend.wheel(7, 0, 96);
     CHECK(bend.commonSemitones(60) == Approx(1).margin(0.01));

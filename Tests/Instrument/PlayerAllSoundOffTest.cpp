@@ -57,7 +57,7 @@ TEST_CASE("All Sound Off silences within 50 ms, and the next note sounds again")
     CHECK(peak(std::span(sound).subspan(9600)) > 0.5f * peak(sound));
 }
 
-TEST_CASE("Sound from before All Sound Off does not ring on under the next note") {
+TEST_CASE("Sound from before All Sound Off does not ring on during the next note") {
     const int off = GENERATE(4800, 4831, 4863), gap = GENERATE(0, 10, 144, 960);
     const int note = GENERATE(69, 60);
     CAPTURE(off, gap, note);
@@ -137,7 +137,7 @@ TEST_CASE("A player reports the silenced samples at the start of a block, up to 
     CHECK(player.takeSilenced() == Silenced());
 }
 
-TEST_CASE("A scrape that All Sound Off ends is not heard under the next key") {
+TEST_CASE("A scrape that All Sound Off ends is not heard during the next note") {
     const int off = GENERATE(9600, 9631), gap = GENERATE(0, 200);
     CAPTURE(off, gap);
     const auto instrument = keysOn(syntheticObject({300, 810}), KeyMapKind::scaled, 40, 80);

@@ -172,7 +172,7 @@ TEST_CASE("A job cancelled at once makes nothing, and the next job works") {
     CHECK(workshop.status().stage == ImportStage::done);
 }
 
-TEST_CASE("A finished product that was not fetched is discarded by a cancel") {
+TEST_CASE("A cancellation discards a finished product that was not fetched") {
     ObjectWorkshop workshop;
     workshop.open(smallPlateFile("plate.obj", 1), {});
     waitUntil([&] { return !workshop.status().isWorking(); });

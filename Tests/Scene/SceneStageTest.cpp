@@ -205,7 +205,7 @@ TEST_CASE("After All Sound Off, the next cylinder makes the table ring again") {
     CHECK(play(second, {{0, 60, 64}}, 0.5, 128) == expected);
 }
 
-TEST_CASE("Rolling before All Sound Off does not ring on under the next note") {
+TEST_CASE("Rolling before All Sound Off does not ring on during the next note") {
     Player player(sceneInstrument("Cylinder off a table"), rate);
     player.setOffline(true);
     const auto before = play(player, {{0, 60, 100}}, 0.6, 128);
