@@ -64,7 +64,7 @@ private:
     Queue<SimulationNote, 256> notes;
     Queue<SimulationBlock*, blockCapacity> ready, used;
 
-    std::mutex working; ///< its owner does the worker's job
+    std::mutex working; ///< the thread that owns it does the worker's job
     std::condition_variable stopped;
     std::atomic<bool> isStopping{false};
     std::vector<Simulation> simulations;

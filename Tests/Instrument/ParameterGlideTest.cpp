@@ -116,8 +116,8 @@ TEST_CASE("A pitch that changes once a block sounds as a slide, not as steps") {
                 std::log2((600 + std::arg(sum / before) / (2 * std::numbers::pi * 0.001)) / 440));
         before = sum;
     }
-    // A block's step is 12.8 cents. Without a glide this would read 7.7; a steady slide reads up to
-    // 3.
+    // A block's step is 12.8 cents. Without a glide the maximum would be 7.7; a steady slide
+    // has up to 3.
     double steepest = 0;
     for (std::size_t i = 1; i < cents.size(); ++i)
         steepest = larger(steepest, std::abs(cents[i] - cents[i - 1]));

@@ -239,7 +239,7 @@ TEST_CASE("Notes that all end at once keep their bends") {
     CHECK(bend.ownSemitones(60) == 48);
 }
 
-TEST_CASE("Reset All Controllers returns a channel's wheel, and a reset keeps zones and ranges") {
+TEST_CASE("Reset All Controllers resets a channel's wheel, and a reset keeps zones and ranges") {
     auto bend = bendWith(false);
     giveRegistered(bend, 0, 6, 15);
     giveRegistered(bend, 1, 0, 12);

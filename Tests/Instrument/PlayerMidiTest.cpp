@@ -168,7 +168,7 @@ TEST_CASE("A key struck again just after its release is not damped") {
           0.3 * rms(std::span(sound).subspan(5200, 960)));
 }
 
-TEST_CASE("The pitch wheel bends by its range, and Reset All Controllers returns the pitch") {
+TEST_CASE("The pitch wheel bends by its range, and Reset All Controllers restores the pitch") {
     Player player(bars(), sampleRateHz);
     const std::vector events{midi(0, 0x90, 69, 100), midi(0, 0xe0, 127, 127),
                              midi(24000, 0xb0, 121, 0)};

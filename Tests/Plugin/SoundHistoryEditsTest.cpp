@@ -169,7 +169,7 @@ TEST_CASE("A mutation is one step, repeats with the same seed, and keeps the ins
     CHECK(valuesOf(processor) == once);
 }
 
-TEST_CASE("Compare, copy and mutate during an audition keep the auditioned preset first") {
+TEST_CASE("Compare, copy and mutate first keep the preset of an audition") {
     Processor processor;
     auto& variants = processor.view().variants;
     const auto audition = [&](std::size_t preset) {

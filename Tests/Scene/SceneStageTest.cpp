@@ -276,7 +276,7 @@ TEST_CASE("The soft pedal slows the bodies that a note throws") {
     CHECK(softly != thrown(0, 100));
 }
 
-TEST_CASE("Bars without a note drop can be rolled over") {
+TEST_CASE("A stage without a note drop has a slot for each bar") {
     auto scene = *findFactoryScene("Dice on a xylophone");
     scene.noteDrop.reset();
     scene.kinds = {{.name = "ball", .object = "", .ball = SilentBall{0.01, "Steel"}}};

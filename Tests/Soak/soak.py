@@ -100,8 +100,8 @@ class FuzzTarget:
 
 
 class Music:
-    """Hours of music in one processor; after each hour everything must be as before. Its rounds are
-    counted in these hours, which are its runs."""
+    """Hours of music in one processor; after each hour everything must be as before. Rounds
+    and runs are counted in these hours."""
 
     unit = "runs"
     name = "music"

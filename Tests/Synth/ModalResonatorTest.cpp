@@ -14,7 +14,7 @@ constexpr double sampleRate = 44100;
 
 } // namespace
 
-TEST_CASE("A mode is dropped at t_c of eq. 14, to one cell") {
+TEST_CASE("A mode is dropped within a cell of eq. 14's t_c") {
     const double tau = GENERATE(0.01, 2.0, 300.0);
     const double extraDamping = GENERATE(0.0, 15.0);
     const ModalObject object = ringingObject({440}, 40);
@@ -160,7 +160,7 @@ TEST_CASE("Modes outside 20 Hz to 0.49 of the sample rate are silent and return 
           }) < -110);
 }
 
-TEST_CASE("A short share mixes the strongest modes, and all objects together keep to Q") {
+TEST_CASE("A small share mixes the strongest modes, and all objects together mix at most Q") {
     std::vector<double> frequencies;
     std::vector<float> gains;
     for (int k = 0; k < 20; ++k) {
