@@ -15,7 +15,7 @@ enum class PlayedBy {
     mallets,  ///< keys strike, scrape and roll
     stage,    ///< keys start simulations of a scene
     scene,    ///< bodies move, and keys do nothing
-    impulses, ///< contacts of a list
+    impulses, ///< a list of contacts
 };
 
 struct Played {

@@ -73,8 +73,8 @@ ParameterValues withAudibleMallet(const std::shared_ptr<const Instrument>& instr
                                   const Surface& surface,
                                   double sampleRateHz,
                                   const ParameterValues& values) {
-    constexpr double faintestLufs =
-        factoryChannelLufs - 12; // below this the level cannot compensate
+    // The level can compensate for a loudness down to this.
+    constexpr double faintestLufs = factoryChannelLufs - 12;
     const Phrase phrase(instrument, surface, sampleRateHz);
     double loudest = predictedLufs(phrase, values);
     auto best = values;

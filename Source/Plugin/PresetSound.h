@@ -15,9 +15,9 @@ Sound soundWith(Preset preset,
                 std::string id,
                 std::uint64_t content = 0);
 
-/// Stores values so that the preset sounds as it does now when "match loudness" takes its own
-/// material and mallet as the reference. If no level is high enough, stores the present reference
-/// too.
+/// Stores values so that the preset is as loud as now, although "match loudness" then takes the
+/// stored material and mallet as the reference. If no level is high enough, stores the present
+/// reference too.
 void storeValues(const Sound& sound, Preset& preset);
 
 } // namespace idiophone

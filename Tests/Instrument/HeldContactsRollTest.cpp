@@ -79,7 +79,7 @@ TEST_CASE("Roll coupling changes neither strikes nor scrapes") {
     CHECK(sound(rollContact, 100) != sound(rollContact, 0));
 }
 
-TEST_CASE("A coupled roll's modes follow a bend while it is held") {
+TEST_CASE("The modes of a held coupled roll follow a bend") {
     const auto instrument = oneBar();
     auto parameters = scraping(rollContact);
     parameters.set(ParameterId::rollCoupling, 100);

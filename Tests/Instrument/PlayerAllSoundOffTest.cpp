@@ -1,4 +1,4 @@
-// Tests All Sound Off (controller 120): the sound ends, and no later strike brings it back.
+// Tests All Sound Off (controller 120): the sound ends, and no later strike restores it.
 #include "HeldKeys.h"
 #include "Instrument/Player.h"
 #include "SameInAllBlocks.h"

@@ -48,7 +48,7 @@ State soundOf(const std::string& folder, double levelDb, double roomPercent) {
     return state;
 }
 
-/// Returns the peak of a strike of one sound by itself.
+/// Returns the peak of a strike with one sound alone.
 float aloneWhere(const std::function<void(Processor&)>& load) {
     Processor processor;
     load(processor);

@@ -158,7 +158,7 @@ TEST_CASE("A save overwrites only the file version that the current sound came f
         checkRefused();
         two.windowSession().history.redo();
         checkSaved(7);
-        // The file now has the other window's change, which the older sound does not know.
+        // The file now has the other window's change, which the older sound lacks.
         theirs = user.read("Presets/Bell.json");
         two.windowSession().history.undo();
         checkRefused();

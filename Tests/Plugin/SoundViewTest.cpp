@@ -188,7 +188,7 @@ TEST_CASE("Rebuilt players keep mutes and solo modes, but another instrument doe
     CHECK(frameAfter(processor, 9600, note(68))->modes[0].standing == ModeStanding::sounding);
 }
 
-TEST_CASE("An undo that brings a sound back does not bring its solo modes back") {
+TEST_CASE("An undo that restores a sound does not restore its solo modes") {
     Prepared prepared;
     auto& processor = prepared.processor;
     const bool prepares = GENERATE(false, true);

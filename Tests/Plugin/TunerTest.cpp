@@ -280,7 +280,7 @@ TEST_CASE("A tuning by messages is not saved, and is reset by forgetTuning and b
         forget();
         CHECK(processor.view().tuning.tuningStatus().source == TuningStatus::Source::equal);
         CHECK(std::abs(cents(struckHz(processor, 440), 440)) < 0.5);
-        // The next message does not bring the forgotten tuning back.
+        // The next message does not restore the forgotten tuning.
         CHECK(std::abs(cents(struckHz(processor, 440, &other), 440)) < 0.5);
         CHECK(processor.view().tuning.tuningStatus().source == TuningStatus::Source::messages);
     };

@@ -100,8 +100,8 @@ class FuzzTarget:
 
 
 class Music:
-    """Hours of music in one processor; after each hour everything must be as before. Rounds
-    and runs are counted in these hours."""
+    """Hours of music in one processor; after each hour everything must be as before. Rounds and
+    runs are counted in these hours."""
 
     unit = "runs"
     name = "music"

@@ -55,7 +55,7 @@ TEST_CASE("An over-damped mode is dropped once its bound falls below tau") {
     CHECK(std::abs(dropped - end * sampleRate / cellSamples) <= 1);
 }
 
-TEST_CASE("Lowering tau brings a mode back at its current state") {
+TEST_CASE("Lowering tau restores a mode at its current state") {
     const ModalObject object = ringingObject({440, 700}, 20);
     const ReferenceMode low = referenceMode(object.material, 440, 1);
     const ReferenceMode high = referenceMode(object.material, 700, 1);
