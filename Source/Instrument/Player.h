@@ -106,9 +106,9 @@ public:
     /// position too.
     void setSongPlace(std::optional<double> beats) { songPlace = beats; }
     /// Marks that the transport started or looped. Reseeds the strike counter from the song
-    /// position, so that every pass renders the same samples. If nothing sounds or moves, it also
-    /// returns everything but keys and controllers to the start, which makes the passes equal to
-    /// the last bit. In that case it returns true.
+    /// position, so that every pass renders the same samples. If nothing sounds or moves, also
+    /// resets everything except keys and controllers, so that the passes are equal to the last
+    /// bit. Returns whether it did so.
     bool beginSong();
 
     /// Silences everything, releases all keys, resets controllers and restarts the grid. Keeps

@@ -121,7 +121,7 @@ std::span<const Touch> SceneSimulation::withHand(double from, double until) {
     if (played == present.end())
         return rigid.touches();
     for (auto impact : hand->tapsBetween(from, until, played->body, handBody)) {
-        impact.seconds += leadSeconds; // to the world's time
+        impact.seconds += leadSeconds; // converts to the world's time
         addImpact(impact);
     }
     touchesWithHand.assign(rigid.touches().begin(), rigid.touches().end());

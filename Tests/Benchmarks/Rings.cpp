@@ -16,7 +16,7 @@ namespace {
 constexpr double sceneSeconds = 2;
 constexpr int replays = 5;
 
-// The threshold at which the paper hears no loss.
+// The threshold at which the paper reports no audible loss.
 constexpr double tau = 2;
 
 const SynthesisSettings everyMode{.tau = 0, .modeBudget = 1e9, .compression = 0, .material = {}};

@@ -77,7 +77,7 @@ TEST_CASE("Search words narrow the list; an empty search shows all") {
     CHECK(b.rows() == factoryCount);
 }
 
-TEST_CASE("Arrows play presets, Return keeps one as one step, Escape restores the old sound") {
+TEST_CASE("Arrows play presets, Return keeps one as one step, and Escape restores the old sound") {
     Browser b;
     const auto before = saved(b.processor);
     b.press(juce::KeyPress::downKey);

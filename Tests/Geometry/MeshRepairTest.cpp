@@ -339,7 +339,7 @@ TEST_CASE("A cancelled repair reports the cancellation") {
     CHECK(isCancellation(repaired.error()));
 }
 
-TEST_CASE("One-sided surfaces are reported, and cut across at a seam") {
+TEST_CASE("One-sided surfaces are reported, and are cut along a seam") {
     const auto strip = repairMesh(moebiusStrip(40, 4));
     REQUIRE(strip);
     CHECK(strip->report.oneSidedEdges > 0);

@@ -145,7 +145,7 @@ TEST_CASE("The first gain acts at once, and a later one within 10 ms in small st
     CHECK(fraction < 1e-4f);
 }
 
-TEST_CASE("After silence the old sound fades out over one cell and never returns") {
+TEST_CASE("A silenced sound fades out over one cell and never returns") {
     Rig rig;
     rig.press(69);
     rig.beginCell();

@@ -81,8 +81,7 @@ double unevennessDb(const std::vector<double>& levelsDb) {
 
 } // namespace
 
-TEST_CASE(
-    "In contacts of up to 16 periods, no fundamental lies 6 dB below its octave of the spectrum") {
+TEST_CASE("Contacts of up to 16 periods excite fundamentals within 6 dB of an octave's mean") {
     for (const auto& [preset, instrument] : struckPresets())
         for (std::size_t i = 0; i < malletRack().size(); ++i)
             for (const int velocity : {20, 100}) {

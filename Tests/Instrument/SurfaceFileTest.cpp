@@ -52,7 +52,7 @@ TEST_CASE("A surface with the longest name is read back, and a longer name is re
     const auto read = parseSurface(encodeSurface(longest), "x.json");
     REQUIRE(read);
     CHECK(*read == longest);
-    // This is the largest readable file; written again it would be too large.
+    // This is the largest readable file. If written again, it would be too large.
     checkRefused(slateWith("name", std::string(65000, 'x')), "name is longer than");
 }
 
