@@ -148,7 +148,7 @@ std::string sentence(TetGenStop stop) {
     }
 }
 
-/// Ten times the number for a body of 200,000 elements; about half a minute.
+/// Ten times as many checks as a body of 200,000 elements needs; about half a minute.
 constexpr std::int64_t mostChecks = 30'000'000;
 
 } // namespace

@@ -10,9 +10,9 @@ class Motor {
 public:
     explicit Motor(double secondsPerCell) : cellSeconds(secondsPerCell) {}
 
-    /// Turns on by a cell at `turnsPerSecond` ≥ 0. Returns the gain at the cell's end: from 1
-    /// (open) to 1 − `depth` (closed, 0 to 1), twice a turn each. A change of depth takes about 10
-    /// ms.
+    /// Turns the discs for a cell at `turnsPerSecond` ≥ 0. Returns the gain at the cell's end: from
+    /// 1 (open) to 1 − `depth` (closed, 0 to 1), twice a turn each. A change of depth takes about
+    /// 10 ms.
     float advance(double turnsPerSecond, double depth);
     /// Returns the last gain of `advance`; 1 at the start.
     float gain() const { return gainNow; }

@@ -93,7 +93,7 @@ TEST_CASE("The predicted loudness equals the loudness match's at its middle velo
           match.predictedLufs(still())[PhrasePrediction::middleVelocity]);
 }
 
-TEST_CASE("Hands scrape harder if scrapes are fainter than strikes, with strength 1 if keys roll") {
+TEST_CASE("Hands scrape harder if scrapes are fainter than strikes, but not if keys roll") {
     const auto strengths = handStrengths(sheet(1), {}, sampleRateHz, still());
     REQUIRE(strengths.size() == sheet(1)->slots().size());
     CHECK(strengths[0] > 1);

@@ -26,7 +26,7 @@ TEST_CASE("At 0 dB a mono sound passes bit for bit at any width") {
     CHECK(processed(stage, input, 100, valuesWithWidth(200)) == input);
 }
 
-TEST_CASE("Width 100 changes nothing, 0 gives both channels the mid, 200 doubles the side") {
+TEST_CASE("Width 100 changes nothing, 0 gives both channels the mid, and 200 doubles the side") {
     const Stereo input{sine(3000), sine(3000, 700)};
     const auto at = [&](double percent) {
         PreparedStage stage;

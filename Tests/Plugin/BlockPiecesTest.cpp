@@ -158,7 +158,7 @@ TEST_CASE("System messages are left out") {
     CHECK(result.notes == std::vector<std::pair<int, int>>{{6, 64}});
 }
 
-TEST_CASE("Events stamped outside their block move to its ends") {
+TEST_CASE("Events with a time outside their block move to its ends") {
     juce::MidiBuffer midi;
     midi.addEvent(note(60), -5);
     midi.addEvent(note(61), 900);

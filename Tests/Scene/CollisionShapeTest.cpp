@@ -99,7 +99,7 @@ BodyTemplate surfaceKind() {
 
 } // namespace
 
-TEST_CASE("A ball falls through a round or flat ring and lands on its section and on a hull") {
+TEST_CASE("A ball falls through a round or flat ring, but not through its section or a hull") {
     const double radius = 0.05;
     const bool isRound = GENERATE(true, false);
     const auto object = isRound ? objectOf(torusMesh(radius, 0.005, 48, 12), "Steel")

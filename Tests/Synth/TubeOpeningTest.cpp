@@ -248,7 +248,7 @@ TEST_CASE("Shared modes that are dropped and restored under closed discs stay si
     }
 }
 
-TEST_CASE("Discs only act on shared modes while other modes merge and split") {
+TEST_CASE("Discs act on shared modes only, even while other modes merge and split") {
     const std::vector<TimedStrike> strikes{{5.5, unitStrike()}};
     const auto heard = [&](bool withPair) {
         auto object = ringingObject(withPair ? std::vector<double>{200, 200.05, 300, 312, 1220}
