@@ -1,4 +1,4 @@
-// Carries MIDI program changes from the audio thread to the session, and the answers back.
+// Carries MIDI program changes from the audio thread to the session, and answers in return.
 #pragma once
 
 #include "Plugin/HostParameters.h"

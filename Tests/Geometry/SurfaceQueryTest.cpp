@@ -36,7 +36,7 @@ double distanceTo(const Mesh& mesh, Eigen::Index face, const Eigen::Vector3d& p)
     return best;
 }
 
-/// Solves for the crossing; negative if the ray misses.
+/// Returns the distance at which the ray meets the triangle; negative if it misses.
 double hitDistance(const Mesh& mesh,
                    Eigen::Index face,
                    const Eigen::Vector3d& origin,

@@ -269,7 +269,7 @@ TEST_CASE("Pressure at a key's sample belongs to that key in either order") {
     CHECK(rms(before) > 1.5 * rms(render(none, {key}, 9600, 256, parameters)));
 }
 
-TEST_CASE("Pressure 0 replaces a key's velocity after the key, but not before it") {
+TEST_CASE("Pressure 0 after a key replaces its velocity, but pressure 0 before the key does not") {
     ParameterValues parameters;
     parameters.set(ParameterId::contact, scrapeContact);
     const auto pressure = midi(100, 0xd0, 0, 0), key = midi(100, 0x90, 69, 100);
