@@ -77,7 +77,7 @@ DrivingPoint::DrivingPoint(const ModalObject& object,
     const double thickness = object.hasLiveThickness() ? settings.thicknessRatio : 1;
     const double perMass = live.gainRatio / thickness;
     rigidPerKg = perMass * rigidMobilityPerKg(object, point);
-    std::array<float, mostModes> along, heard; // equal: the kernel projects twice
+    std::array<float, mostModes> along, heard; // equal, because the kernel projects twice
     projectShapes(pointShapes(object, point), point.normal, point.normal, modes, along.data(),
                   heard.data());
     for (std::size_t i = 0; i < modes; ++i) {

@@ -78,7 +78,7 @@ private:
         PhrasePrediction::Loudness lufs{};
     };
     /// One of the two compared sides. Predictions with the wheel at rest have their own place,
-    /// because a reset returns there from any wheel position.
+    /// because a reset needs them at any wheel position.
     struct Side {
         Goal goal;
         Known atRest, away;

@@ -27,7 +27,7 @@ struct RingingMode {
 template <std::size_t levels>
 class NearModes {
 public:
-    /// Returns powers, mean of the channels, for each excitation and note. If such a power decays
+    /// Returns the mean power of the channels for each excitation and note. If this power decays
     /// with the mode, it carries the energy of the mode and of its interference with earlier modes.
     std::array<PhraseMeter::NoteFigures, levels>
     add(const RingingMode<levels>& mode, std::size_t firstNote, std::size_t endNote) noexcept {

@@ -52,8 +52,8 @@ public:
     void step();
     double seconds() const;
     double stepSeconds() const;
-    /// Returns whether the pairs of bodies, or of their parts, exceeded `maximumPairs`. The pairs
-    /// beyond pass through each other, so that further steps are useless.
+    /// Returns whether the pairs of bodies, or of their parts, exceeded `maximumPairs`. The bodies
+    /// of further pairs pass through each other, so that further steps are useless.
     bool isCrowded() const;
     /// Returns the work of all steps since construction, in units of about a microsecond: bodies
     /// and their pairs.

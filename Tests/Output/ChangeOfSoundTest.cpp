@@ -171,7 +171,7 @@ TEST_CASE("The level is the same for all block sizes if a room falls silent and 
     CHECK(expected == found);
 }
 
-TEST_CASE("The level stays right, however often levels and sounds change during reverb") {
+TEST_CASE("The level stays correct, however often levels and sounds change during reverb") {
     PreparedStage stage;
     const auto loud = inRoom(24), soft = inRoom(-60);
     const Stereo ones{std::vector<float>(1000, 1.0f), std::vector<float>(1000, 1.0f)};
