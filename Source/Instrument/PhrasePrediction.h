@@ -78,7 +78,7 @@ private:
     std::array<ContactTrain, levels> trains;
     std::array<ContactTrain, PhraseMeter::notes> noteTrains;
     std::array<PressedMotion, levels> pressed;
-    /// Complex velocities, mean of the channels.
+    /// Mean complex velocities of the channels.
     std::array<std::array<std::complex<double>, PhraseMeter::notes>, levels> pressedVelocities{};
     std::array<RigidClick, levels> clicks;  ///< of the middle note
     PhraseMeter::NoteFigures clickShares{}; ///< each note's share of the middle note's click

@@ -62,8 +62,8 @@ Striker head(double massKg, double rigidSeconds, double exponent = hertzExponent
     return {.massKg = massKg, .restitution = 1, .law = law};
 }
 
-/// The solution of m x'' = −K (x − u)^p until they part; u' is that of the object's free mass and
-/// modes.
+/// The solution of m x'' = −K (x − u)^p until the bodies part; u' is that of the object's free mass
+/// and modes.
 struct Solved {
     double impulse = 0;
     double seconds = 0; ///< duration of the pulse of Hertz with the same standard deviation

@@ -105,7 +105,7 @@ TEST_CASE("A softer hand strikes more quietly") {
     CHECK(rms(soft.sound(20)) < 0.8 * rms(hard.sound(20)));
 }
 
-TEST_CASE("Strikes on surfaces wait in a limited number, and a cleared one never sounds") {
+TEST_CASE("The number of waiting surface strikes is limited, and a cleared strike never sounds") {
     Rig rig;
     const auto& key = rig.instrument->key(69);
     const SurfaceStrike click{.slot = static_cast<std::size_t>(key.slot),
