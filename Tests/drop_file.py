@@ -1,7 +1,10 @@
 #!/usr/bin/env python3
-"""Drops a file on a window as a file browser does (XDND version 3, which JUCE knows): drop_file.py WINDOW X Y FILE.
+"""Drops a file on a window as a file browser does (XDND version 3, which JUCE knows).
 
-X and Y are places of the window. Exits with 0 when the window has taken the file. Needs python3-xlib.
+    drop_file.py WINDOW X Y FILE
+
+X and Y are places of the window. Exits with 0 when the window has taken the file. Needs
+python3-xlib.
 """
 import pathlib
 import sys
@@ -34,7 +37,7 @@ class Drop:
         self.display.flush()
 
     def wait_for(self, name):
-        """Serves the data meanwhile; the words of the message that came."""
+        """Waits for a message and serves the data meanwhile. Returns the words of the message."""
         until = time.monotonic() + PATIENCE_SECONDS
         while time.monotonic() < until:
             while self.display.pending_events():
@@ -63,7 +66,7 @@ class Drop:
         copy = self.atom("XdndActionCopy")
         self.send("XdndEnter", 3 << 24, self.uri_list)
         accepted = 0
-        for _ in range(3):  # the first one may find the window still asking for the data
+        for _ in range(3):  # the first reply may find the window still asking for the data
             self.send("XdndPosition", 0, place, X.CurrentTime, copy)
             accepted = self.wait_for("XdndStatus")[1] & 1
             time.sleep(0.1)

@@ -18,8 +18,9 @@ constexpr double pi = std::numbers::pi;
 constexpr double samplesPerWidth = 1.6;
 constexpr Index longestBand = 256, longestStart = 640, minimumSamples = 24;
 constexpr Index widestHankel = 96, widestStartHankel = 240;
-// Minimum energy in a signal space, over the noise (which spreads in a Hankel matrix) and over the
-// maximum energy (against rounding errors).
+// Minimum energy of a pole in the signal space. The first figure is relative to the noise, which
+// spreads in a Hankel matrix. The second is relative to the maximum energy, against rounding
+// errors.
 constexpr double aboveNoise = 6, aboveRounding = 1e-13;
 // The minimum energy that a pole explains in the recordings, over the noise energy of one value.
 constexpr double energyOverNoise = 14;
@@ -91,7 +92,8 @@ VectorXcd zoomed(const DecayRecording& recording, const std::vector<Taps>& taps,
     return result;
 }
 
-/// Returns z of the exponentials z^m that the signals share. The order errs on the high side.
+/// Returns z of the exponentials z^m that the signals share. The number is rather too high than too
+/// low.
 VectorXcd commonExponentials(const std::vector<VectorXcd>& signals, Index widest) {
     const Index length = signals.front().size();
     const Index rows = std::min(length * 2 / 5, widest);
@@ -201,7 +203,7 @@ std::vector<DecayPole> BandPoles::polesAbout(double centreHz, double fastestDeca
 }
 
 std::vector<DecayPole> polesOfStart(std::span<const DecayRecording> recordings) {
-    // Only recordings of one rate have samples at the same instants. The others are ignored.
+    // Only recordings of one rate have samples at the same instants. Ignore the others.
     const double rate = recordings.front().sampleRateHz;
     Index count = longestStart;
     for (const auto& recording : recordings)

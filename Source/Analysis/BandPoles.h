@@ -20,7 +20,7 @@ public:
     BandPoles(std::span<const DecayRecording> recordings, double widthHz);
 
     /// Returns poles at most half a width from the centre that decay no faster than the maximum.
-    /// Wider bands find the faster ones. The result is empty if a recording is shorter than the
+    /// Wider bands find faster poles. The result is empty if a recording is shorter than the
     /// filter.
     std::vector<DecayPole> polesAbout(double centreHz, double fastestDecayPerSecond) const;
 

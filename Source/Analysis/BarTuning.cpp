@@ -189,7 +189,8 @@ analysed(const BarSpecification& bar, const UndercutBar& shape, const WorkContro
     return result;
 }
 
-/// The length of a uniform Euler–Bernoulli bar of that pitch, reduced by the effect of the arch.
+/// The length of a uniform Euler–Bernoulli bar of the target pitch, reduced by the effect of the
+/// arch.
 double estimatedLengthMetres(const BarSpecification& bar) {
     const double speed = std::sqrt(bar.material.youngsModulusPa / bar.material.densityKgPerM3);
     const double share = bar.targets.secondRatio == 0    ? 0.9

@@ -17,8 +17,7 @@ namespace idiophone {
 struct BarSpecification {
     std::string name = {};
     std::string source = {}; ///< for the object's provenance
-    /// The start of the search. Dimensions that no target concerns stay. A length of 0 is
-    /// estimated.
+    /// The start of the search. Dimensions without a target are kept. A length of 0 is estimated.
     UndercutBar shape = {};
     PartialTargets targets = {}; ///< for the damped partials
     Material material = {};      ///< in wood, the grain runs along the bar and the rings face up
@@ -36,7 +35,7 @@ struct TunedBar {
     std::vector<double> partialsHz = {};
     std::vector<Eigen::Index> bendingModes = {};
     Mesh surface = {}; ///< the whole bar, closed, in metres
-    /// Its mesh is the bar's outline. The outline's top vertices carry the shapes.
+    /// The object's mesh is the bar's outline. The outline's top vertices carry the shapes.
     ModalObject object = {};
 };
 

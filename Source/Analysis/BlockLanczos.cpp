@@ -16,8 +16,8 @@ using Eigen::VectorXd;
 
 constexpr double tolerance = 1e-9; ///< of a residual, relative to its eigenvalue 1/(λ − σ)
 
-/// Narrow blocks converge with fewer vectors. Wide blocks read a factor larger than the cache less
-/// often.
+/// Narrow blocks converge with fewer vectors. Wide blocks read the factor less often, which pays if
+/// the factor is larger than the cache.
 Index blockColumns(Index wanted, double factorEntries) {
     return wanted >= 24 && factorEntries > 1.5e6 ? 8 : 4;
 }
@@ -76,7 +76,7 @@ void BlockLanczos::projectOut(Vectors& block) const {
     basis_.projectOut(image, block);
 }
 
-/// Appends `next_` to the basis and makes the next block. Returns false if none is left.
+/// Appends `next_` to the basis and makes the next block. Returns false if no block is left.
 bool BlockLanczos::extend() {
     const Index size = basis_.size();
     Vectors image = factor_.solve(nextImage_);
@@ -125,9 +125,9 @@ bool BlockLanczos::hasConverged(Index i) const {
     return residuals_(i) <= tolerance * std::abs(theta_(i));
 }
 
-/// Returns the number of vectors to add before the next check. It is 0 if all wanted modes have
-/// converged, or if the missing ones cannot converge. They cannot if modes outside have converged
-/// and none inside is converging. Surplus copies of a degenerate mode are missing in this way.
+/// Returns the number of vectors to add before the next check. Returns 0 if all wanted modes have
+/// converged, or if the missing modes cannot converge. They cannot if modes outside have converged
+/// and none inside is converging, as with surplus copies of a degenerate mode.
 Index BlockLanczos::vectorsToGo() const {
     Index inside = 0, underWay = 0, outside = 0;
     for (Index i = 0; i < theta_.size(); ++i) {

@@ -36,7 +36,7 @@ EigenBlock nearestModes(const ShiftedFactor& factor,
 /// The maximum number of vectors in the basis of `nearestModes`.
 Eigen::Index largestBasis(Eigen::Index wanted);
 
-/// Returns pseudo-random numbers between −½ and ½, the same ones on every machine.
+/// Returns pseudo-random numbers between −½ and ½, identical on every machine.
 Vectors fixedRandomBlock(Eigen::Index rows, Eigen::Index columns, unsigned seed);
 
 } // namespace idiophone

@@ -31,8 +31,8 @@ std::string notesOn(const BodyModel& body, const SolveSettings& settings, const 
     return joinedSentences({body.notes, zeroModes, lowModes});
 }
 
-/// Returns the part of each λ that grows with the square of the thickness. It compares λ with
-/// Rayleigh's quotient of the mode in a slightly thicker shell. There, the layers move apart as
+/// Returns the part of each λ that grows with the square of the thickness. Compares λ with
+/// Rayleigh's quotient of the mode in a slightly thicker shell, in which the layers move apart as
 /// they turn together.
 std::vector<double>
 bendingParts(const BodyModel& body, const Eigen::VectorXd& eigenvalues, Eigen::MatrixXd shapes) {

@@ -48,7 +48,8 @@ struct SolveSettings {
     std::vector<int> shapeVertices = {}; ///< vertices of the surface, ascending; empty: all
     std::vector<Eigen::Vector3d> listeningDirections = stereoDirections(); ///< for the radiation
     RadiationMethod radiation = RadiationMethod::quick;
-    /// [P] points outside for pressures, as for `Radiation::nearPressures`.
+    /// [P] points outside the body at which to compute pressures, as for
+    /// `Radiation::nearPressures`.
     std::vector<Eigen::Vector3d> nearPointsMetres = {};
 };
 

@@ -18,12 +18,12 @@ using Eigen::Index;
 /// Single precision solves these systems to 1e-5, in half of the time and memory.
 using Matrix = Eigen::Matrix<std::complex<float>, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// The share of the velocity's energy below which a part of it is left out.
+/// A part of the velocity with less than this share of its energy is left out.
 constexpr double negligibleEnergy = 1e-10;
 constexpr Index rowsAtOnce = 32;
 
 /// The edge of equilateral triangles with the same number and area. With a much larger edge, the
-/// errors of N, which converge slowest, would dominate K at low frequencies.
+/// errors of N would dominate K at low frequencies, because N converges slowest.
 double couplingMetresOf(const Mesh& surface) {
     return std::sqrt(4 / std::sqrt(3.0) * faceAreas(surface).mean());
 }

@@ -29,13 +29,13 @@ namespace idiophone {
 /// With a symmetry of G elements, one system of F unknowns becomes a system of F/G unknowns for
 /// each character that the velocity contains. The velocity itself need not be symmetric.
 ///
-/// Immutable once built; any number of threads may use one at once.
+/// Immutable, so any number of threads may share it.
 class BoundaryElements {
 public:
     /// `surface` is closed and oriented outward, with F faces, none degenerate. `symmetry` is that
     /// of `surface`. If there are more orbits than `maximumUnknowns`, neighbouring triangles with
-    /// similar normals share an unknown (SharedUnknowns). The velocity keeps its detail, the
-    /// pressure does not.
+    /// similar normals share an unknown (SharedUnknowns). The pressure then loses detail, but the
+    /// velocity does not.
     BoundaryElements(const Mesh& surface,
                      SurfaceSymmetry symmetry,
                      Eigen::Index maximumUnknowns = std::numeric_limits<Eigen::Index>::max());

@@ -15,8 +15,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Distances between centroids in longest edges of the source. Panels below the first need closed
-/// forms, panels below the second three points.
+/// Distances between centroids in longest edges of the source. Near panels need closed forms, and
+/// panels at middle distance need three points.
 constexpr double nearDistance = 2.5, middleDistance = 6;
 /// The longest edge, in radians of a wave, above which all panels need three points.
 constexpr double longEdgeRadians = 1;
@@ -56,7 +56,7 @@ const std::vector<QuadraturePoint>& sixPointRule() {
 /// by power series, then doubles the angle twice.
 void cosineAndSine(const Lanes& phases, Lanes& cosine, Lanes& sine) {
     constexpr double turn = 2 * std::numbers::pi;
-    constexpr double toInteger = 6755399441055744.0; // 1.5·2^52: adding it rounds
+    constexpr double toInteger = 6755399441055744.0; // 1.5·2^52; adding and subtracting it rounds
     const Lanes turns = (phases * (1 / turn) + toInteger) - toInteger;
     const Lanes x = (phases - turns * turn) * 0.25, y = x * x;
     Lanes s =

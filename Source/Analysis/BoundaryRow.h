@@ -47,8 +47,8 @@ private:
         double weight = 0; ///< of the rule, times the panel's area
     };
 
-    /// Closed forms for a triangle near a collocation point. They hold the static integrals. They
-    /// also hold those next terms of K and N in powers of k that do not vanish for r → 0.
+    /// Closed forms for a triangle near a collocation point. They hold the static integrals, and
+    /// the next terms of K and N in powers of k that do not vanish for r → 0.
     struct NearPair {
         double singleLayer = 0, doubleLayer = 0, adjoint = 0, hypersingular = 0;
         double doubleLayerOfK2 = 0, hypersingularOfK2 = 0; ///< times k²

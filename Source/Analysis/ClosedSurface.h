@@ -1,5 +1,5 @@
 // The closed surface between a body and the air, and its motion as a function of the analysed mesh.
-// Closed bodies stay as they are; sheets get two sides and a rim.
+// Closed bodies are kept unchanged; sheets get two sides and a rim.
 #pragma once
 
 #include "Geometry/Mesh.h"
@@ -26,12 +26,12 @@ struct ClosedSurface {
 /// counts once for each use that no face of the opposite direction cancels.
 std::vector<std::pair<int, int>> boundaryEdges(const Eigen::MatrixXi& faces);
 
-/// Closed components stay. In open ones, each face becomes two, offset by half the thickness along
+/// Keeps closed components. In open ones, each face becomes two, offset by half the thickness along
 /// the vertex normals. Four triangles close each boundary edge, which keeps the symmetries of a
 /// sheet. `mesh` is as repairMesh leaves it. Error: an open component without thickness.
 Result<ClosedSurface> closedSurface(const Mesh& mesh, double thicknessMetres);
 
-/// Splits every face into four. Shape and symmetries stay.
+/// Splits every face into four. Keeps shape and symmetries.
 ClosedSurface withFacesSplit(const ClosedSurface& surface);
 
 /// Covers the surface with new triangles of about this edge length. They move like the nearest

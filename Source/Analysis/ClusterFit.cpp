@@ -13,7 +13,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// Keeps divisions by a value that may be 0 from overflowing.
+// Prevents overflow in divisions by a value that may be 0.
 constexpr double nothing = 1e-300;
 
 /// Returns the variance of one part of complex values that are mostly noise. It is half their mean
@@ -168,7 +168,7 @@ ClusterFit fitCluster(std::span<const DecayPole> poles,
     for (std::size_t i = 0; i < pieces.size(); ++i)
         if (2 * pieces[i].bins.size() > columns)
             PieceFit(poles, pieces[i], background).addTo(fit, i);
-    // A mode without amplitude has no curvature; this keeps its pole where it is.
+    // Keep the pole of a mode without amplitude, which has no curvature.
     fit.curvature.diagonal().array() += nothing;
     return fit;
 }

@@ -21,7 +21,7 @@ public:
     std::complex<double> at(const std::complex<double>& conjugateBin) const {
         return (1.0 - last) / (1.0 - z * conjugateBin);
     }
-    /// Its derivative with respect to the pole, in seconds.
+    /// The transform's derivative with respect to the pole, in seconds.
     std::complex<double> slopeAt(const std::complex<double>& conjugateBin) const;
 
 private:
@@ -56,9 +56,10 @@ struct SpectrumPiece {
 };
 
 struct ClusterFit {
-    double cost = 0;           ///< sum of squared residuals
-    Eigen::MatrixXd curvature; ///< of half the cost over (ω, ln α) of each mode, by Kaufman (1975)
-    Eigen::VectorXd slope;     ///< descent direction
+    double cost = 0; ///< sum of squared residuals
+    /// Second derivative of half the cost over (ω, ln α) of each mode, after Kaufman (1975).
+    Eigen::MatrixXd curvature;
+    Eigen::VectorXd slope;                                     ///< descent direction
     std::vector<std::vector<std::complex<double>>> amplitudes; ///< [modes][pieces]
     /// [modes] the energy that only this mode explains, over the noise energy of one value.
     std::vector<double> significances;

@@ -20,15 +20,15 @@ struct CordSupport {
     double spreadOverLength = 0.06;
 };
 
-/// Returns x in metres from the bar's middle of the nodes of the fundamental along the middle of
-/// the top, ascending. A bar has two. The result is empty if the bar has no bending mode. `bar` is
-/// a tuned bar's object (BarTuning.h).
+/// Returns where the nodes of the fundamental cross the middle line of the top: x in metres from
+/// the bar's middle, ascending. A bar has two. The result is empty if the bar has no bending mode.
+/// `bar` is a tuned bar's object (BarTuning.h).
 std::vector<double> cordPlacesMetres(const ModalObject& bar);
 
 /// Adds the cords' loss to each mode's decay: Δα = R(f)/2 Σ φ², at the mode's own frequency, summed
 /// over the cords. φ² is the squared vertical shape, averaged over the bar's width and over both
-/// sides of the node at the spread's distance. `bar` is a tuned bar's object. A bar that has not
-/// exactly two nodes stays unchanged.
+/// sides of the node at the spread's distance. `bar` is a tuned bar's object. Does nothing unless
+/// the bar has exactly two nodes.
 void addCordLoss(ModalObject& bar, const CordSupport& cords);
 
 } // namespace idiophone

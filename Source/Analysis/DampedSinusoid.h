@@ -25,7 +25,7 @@ struct DampedSinusoid {
     std::vector<std::complex<double>> amplitudes; ///< [R]
 };
 
-/// Samples of a free decay and nothing else.
+/// Samples of one free decay only.
 struct DecayRecording {
     std::vector<double> samples;
     double sampleRateHz = 0;

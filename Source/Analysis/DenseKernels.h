@@ -1,5 +1,5 @@
 // Products of small dense matrices with tall ones, for this machine's instruction set. Internal to
-// Analysis. Other products, wide or rarely used, are left to Eigen.
+// Analysis. Eigen computes other products, which are wide or rarely used.
 #pragma once
 
 #include <cstddef>

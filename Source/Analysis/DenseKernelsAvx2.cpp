@@ -1,4 +1,4 @@
-// DenseKernels compiled for AVX2 and FMA. No other processor may call it.
+// DenseKernels compiled for AVX2 and FMA. Only processors that have both may call it.
 #define Eigen EigenAvx2
 #define kernels kernelsAvx2
 #include "Analysis/DenseKernelsBody.h"

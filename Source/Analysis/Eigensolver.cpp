@@ -22,8 +22,8 @@ constexpr Index denseUpTo = 400; ///< rows; dense solves are faster below
 constexpr double workLimitBytes = 3e9;
 constexpr double countingShare = 0.05; ///< share of the counting phase in the progress
 /// A slice costs about three factorisations, and about 7 n products per mode for each mode in its
-/// basis. Fewer than 60 modes would waste work on modes outside. More than 220 would make one dense
-/// step too long to cancel.
+/// basis. Fewer than 60 modes would waste work on modes outside the slice. More than 220 would make
+/// one dense step too long to cancel.
 Index modesPerSlice(Index rows, double factorisationProducts) {
     return std::clamp(
         static_cast<Index>(std::sqrt(3 * factorisationProducts / (7 * static_cast<double>(rows)))),
@@ -154,8 +154,8 @@ void BandSolver::split(const Slice& slice, std::vector<Slice>& slices) {
 
 EigenBlock
 BandSolver::solveSlice(const Slice& slice, const Vectors& deflated, const Vectors& before) {
-    // The `count` eigenvalues nearest to the shift are exactly those of the slice. The shift is its
-    // middle. For the lowest slice, whose zero modes are deflated, it lies below.
+    // The `count` eigenvalues nearest to the shift are exactly those of the slice. The shift is the
+    // middle of the slice, but lies below the lowest slice, whose zero modes are deflated.
     factoriseAndCount(slice.below == zeroModes_ ? -lambdaOf(band_.lowestHz)
                                                 : (slice.low + slice.high) / 2);
     Vectors found = deflated;
@@ -233,8 +233,8 @@ EigenBlock BandSolver::solve() {
     const Vectors zeros = zeroSpace();
     Index filled = 0, previous = 0;
     for (const auto& slice : slices) {
-        // Only the previous slice's modes are near enough to leave a visible part in this one.
-        // Modes farther away are orthogonal without help.
+        // Project out the previous slice's modes, which are near enough to leave a visible part.
+        // Modes farther away are orthogonal anyway.
         const EigenBlock block = solveSlice(slice, filled == 0 ? zeros : Vectors(n, 0),
                                             all.vectors.middleCols(filled - previous, previous));
         all.values.segment(filled, slice.count) = block.values;

@@ -36,8 +36,8 @@ inline constexpr double elementsPerWavelengthInWalls = 10;
 inline constexpr double flattestElement = 4;
 
 /// Returns the edge for which the highest modes of the band are within about 1 % of a very fine
-/// mesh (docs/validation.md). Lower modes are more exact. For 0.5 %, divide it by 1.4 (in solids by
-/// 1.2).
+/// mesh (docs/validation.md). Lower modes are more exact. For 0.5 %, divide the edge by 1.4 (in
+/// solids by 1.2).
 double targetEdgeMetres(const ElasticLaw& law,
                         double densityKgPerM3,
                         double maxFrequencyHz,

@@ -10,8 +10,8 @@ namespace idiophone {
 /// Consecutive unknowns of the elimination order with nearly the same later neighbours.
 struct Supernode {
     int first = 0, width = 0;
-    int parent = -1;           ///< the supernode that receives this one's update matrix
-    std::vector<int> below;    ///< later unknowns coupled to this one's, ascending
+    int parent = -1;           ///< the supernode that receives the update matrix
+    std::vector<int> below;    ///< later unknowns coupled to the supernode's, ascending
     std::vector<int> children; ///< supernodes
 };
 

@@ -44,7 +44,7 @@ double untunedCentreShare(double note, Span notes, Span centreShare) {
 
 /// Quint tuning: the depth of the arch sets the twelfth. The arch's steep edges and the thin ends
 /// bring the next two partials near 5.8 and 8.5, as on a recorded xylophone. The bars of the
-/// highest octave are too short for it.
+/// highest octave are too short for quint tuning.
 BarSpecification xylophoneBar(const char* material, double frequencyHz, double share) {
     constexpr double lastTuned = 96;
     const double note = noteOf(frequencyHz);
@@ -75,7 +75,8 @@ BarSpecification padaukBar(double frequencyHz, double share) {
     return xylophoneBar("Padauk", frequencyHz, share);
 }
 
-/// Three tuned partials in the low octave, then two, and one at the top, as on real marimbas.
+/// The bars have three tuned partials in the low octave, then two, and one at the top, as on real
+/// marimbas.
 BarSpecification marimbaBar(double frequencyHz, double share) {
     constexpr double lastTuned = 84, lastOfThreePartials = 56;
     const double note = noteOf(frequencyHz);

@@ -15,7 +15,8 @@ namespace idiophone {
 /// Returns the names: "plate" and so on. A keyboard has one per note, "tubular-bell-60".
 std::vector<std::string> factoryObjectNames();
 
-/// Analyses one of them, in seconds. Errors: an unknown name, or `cancelledMessage`.
+/// Analyses the object of that name, which takes seconds. Errors: an unknown name, or
+/// `cancelledMessage`.
 Result<ModalObject> makeFactoryObject(const std::string& name, const WorkControl& control = {});
 
 } // namespace idiophone

@@ -9,7 +9,7 @@ namespace idiophone {
 
 /// Keeps shapes at no more than `rows` ≥ 1 vertices, spread evenly over the surface: each is the
 /// farthest from the earlier ones. Rounds them to half precision, which files hold without loss.
-/// The mesh stays. The result is deterministic.
+/// The mesh is unchanged. The result is deterministic.
 ModalObject withFewerShapes(ModalObject object, std::size_t rows);
 
 } // namespace idiophone

@@ -13,8 +13,8 @@ constexpr double faintestPeak = 1e-6; // of full scale
 constexpr double nearFullScale = 0.9;
 constexpr double riseSeconds = 0.01, attackSeconds = 0.05;
 constexpr double shortestContactSeconds = 0.0002, longestContactSeconds = 0.008;
-// A strike's minimum rise of energy, and its minimum energy relative to the strongest strike. A
-// beat rarely reaches them.
+// Minimum rise of energy at a strike, and its minimum energy relative to the strongest strike. A
+// beat rarely reaches both.
 constexpr double strikeRise = 100, strikeEnergy = 1e-3;
 
 class Strikes {

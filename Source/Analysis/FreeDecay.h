@@ -11,7 +11,8 @@ namespace idiophone {
 
 inline constexpr double shortestDecaySeconds = 0.02;
 
-/// Sample indices. The contact lasts from `onset` to `begin`, the free decay from `begin` to `end`.
+/// Sample indices. The contact lasts from `onset` to `begin`, and the free decay from `begin` to
+/// `end`.
 struct FreeDecay {
     std::size_t onset = 0;
     std::size_t begin = 0;

@@ -10,8 +10,8 @@
 namespace idiophone {
 
 /// Replaces the mesh for display and strikes. Each vertex of `lighter` moves to the nearest vertex
-/// of the object. The vertices in `shapeVertices`, ascending, keep their shapes. Errors: one of
-/// these has no shape, or two vertices move to the same place.
+/// of the object. The vertices in `shapeVertices`, ascending, keep their shapes. Errors: a vertex
+/// in `shapeVertices` without a shape, or two vertices that move to the same place.
 Result<ModalObject> withLighterMesh(const ModalObject& object,
                                     const Mesh& lighter,
                                     const std::vector<int>& shapeVertices);

@@ -1,5 +1,4 @@
-// Chooses the model for a mesh: tetrahedra for closed, chunky bodies, a shell for thin or open
-// ones.
+// Chooses the model for a mesh: tetrahedra for closed, thick bodies, a shell for thin or open ones.
 #pragma once
 
 #include "Analysis/AnalysisMethod.h"

@@ -19,8 +19,8 @@
 namespace idiophone {
 namespace {
 
-// Measured: repair and decimation of 20,000 triangles take half of a preview's time, these elements
-// the other half.
+// Repair and decimation of 20,000 triangles take half of a preview's time (measured), and this many
+// elements take the other half.
 constexpr int previewElements = 300, previewShellVertices = 300;
 
 /// One analysis: the whole one, or the preview of few elements.
@@ -121,7 +121,7 @@ Result<BodyModel> bodyBy(AnalysisMethod method, const Mesh& mesh, const Task& ta
     }
 }
 
-/// Counts the parts that move separately. A hollow is not one.
+/// Counts the parts that move separately. A hollow does not count.
 int componentsOf(const BodyModel& body, const RepairReport& report) {
     const int surfaces = connectedComponents(body.surface).count;
     return body.body == BodyKind::solid ? std::max(1, surfaces - report.hollows) : surfaces;
@@ -155,8 +155,8 @@ Result<BodyModel> bodyFor(MethodChoice& choice, const Mesh& mesh, const Task& ta
     return bodyBy(choice.method, mesh, task);
 }
 
-/// Returns the vertices of `surface` nearest to these of the repaired mesh, ascending. `surface`
-/// may be a remesh of it.
+/// Returns the vertices of `surface` nearest to the given vertices of the repaired mesh, ascending.
+/// `surface` may be a remesh of that mesh.
 std::vector<int>
 nearestVertices(const Mesh& surface, const Mesh& repaired, const std::vector<int>& vertices) {
     std::vector<int> nearest;
@@ -166,9 +166,9 @@ nearestVertices(const Mesh& surface, const Mesh& repaired, const std::vector<int
     return nearest;
 }
 
-/// Solves the body in the band that its elements resolve. Stiff bodies such as a hollow ball may
-/// have no mode below the band of a preview's elements. Its band then extends: a mode that is some
-/// per cent off is better than none.
+/// Solves the body in the band that its elements resolve. A stiff body such as a hollow ball may
+/// have no mode in the band of a preview's elements. The band then extends, because a mode that is
+/// some per cent off is better than none.
 Result<ModalObject>
 solved(const BodyModel& body, const std::vector<int>& shapeVertices, const Task& task) {
     constexpr double lowestPreviewHz = 100;

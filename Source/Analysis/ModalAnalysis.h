@@ -1,5 +1,5 @@
-// Analyses a mesh with a material into a modal object: repair, model, modes. Meshes dropped on the
-// window go through here.
+// Analyses a mesh with a material into a modal object: repair, model, modes. Also serves meshes
+// dropped on the window.
 #pragma once
 
 #include "Analysis/AnalysedBand.h"
@@ -40,9 +40,9 @@ inline constexpr int shellVertexLimit = 20000;
 inline constexpr int springMassVertexLimit = 40000;
 
 /// Returns the modal object of the repaired mesh with every mode in the band; it passes
-/// `validated`. Finite elements, and shells chosen automatically, may remesh the surface. The
-/// vertices nearest to `shapeVertices` then carry the shapes. They may also end the band below the
-/// requested maximum (`bandHz`, and a note).
+/// `validated`. Finite elements, and shells chosen automatically, may remesh the surface and end
+/// the band below the requested maximum (`bandHz`, and a note). After a remeshing, the vertices
+/// nearest to `shapeVertices` carry the shapes.
 ///
 /// `provenance.notes` says what repair did, which method was chosen and why, and any warnings, such
 /// as more than six rigid zero modes. The same input gives the same object except for the elapsed

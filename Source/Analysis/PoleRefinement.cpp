@@ -47,7 +47,7 @@ struct PoleRefinement::Cluster {
     std::vector<std::size_t> modes;
     double lowHz = 0, highHz = 0; ///< the fitted band
 
-    /// Returns bins [first, second) of that band, extended by `moreHz` on each side.
+    /// Returns bins [first, second) of the fitted band, extended by `moreHz` on each side.
     std::pair<std::size_t, std::size_t> bins(const Spectrum& spectrum, double moreHz = 0) const {
         const double bin = spectrum.binHz();
         const auto last = static_cast<double>(spectrum.residual.size() - 1);

@@ -1,5 +1,5 @@
 // Finite elements for solids: 10-node tetrahedra. Their quadratic displacements bend without
-// locking. Straight edges, linear elasticity. Use TwoLayerShell for thin sheets.
+// locking. Edges are straight and the elasticity is linear. Use TwoLayerShell for thin sheets.
 #pragma once
 
 #include "Analysis/ElasticLaw.h"

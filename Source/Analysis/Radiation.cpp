@@ -30,8 +30,8 @@ struct Effort {
     /// Minimum edges per wavelength. The edge is that of a triangle with one unknown's area.
     double edgesPerWavelength = 0;
 };
-/// With 2.5 edges a sphere is within 0.2 dB. With fewer than the quick estimate needs, bars and
-/// bowls have larger errors.
+/// With 2.5 edges per wavelength a sphere is within 0.2 dB. With fewer than 1.8, bars and bowls
+/// have larger errors.
 constexpr Effort exactEffort{1800, 1.5e8, 0.002, 2.5}, quickEffort{700, 1.5e7, 0.03, 1.8};
 
 /// A surface is refined only if it resolves less than this share of the band.
@@ -42,7 +42,7 @@ double waveNumberOf(double frequencyHz) {
     return 2 * std::numbers::pi * frequencyHz / speedOfSoundMetresPerSecond;
 }
 
-/// Returns the edge of that number of equilateral triangles on the surface.
+/// Returns the edge of `unknowns` equilateral triangles that cover the surface.
 double edgeMetresOf(const Mesh& surface, double count) {
     return std::sqrt(4 / std::sqrt(3.0) * faceAreas(surface).sum() / count);
 }

@@ -25,7 +25,7 @@ struct RadiatingBody {
 /// Returns the directions of the left and right ears: 6° apart, 60° above the horizon. The player
 /// stands at the end of a bar, a step to one side. A bar lies along x. Its bending modes radiate as
 /// x² while they are small against the wavelength, so both ears have the same x. Neither x nor y is
-/// 0 or mirrored. Otherwise modes that are odd in it would be silent, or cancel in the sum of both
+/// 0 or mirrored. Otherwise modes odd in x or y would be silent, or cancel in the sum of both
 /// channels.
 std::vector<Eigen::Vector3d> stereoDirections();
 
@@ -44,7 +44,7 @@ struct RadiationSettings {
     RadiationMethod method = RadiationMethod::quick;
     /// [P] points outside the body, in the mesh's coordinates, for pressures.
     std::vector<Eigen::Vector3d> nearPointsMetres = {};
-    unsigned threads = 0; ///< maximum; 0: all of the machine. The result does not depend on it
+    unsigned threads = 0; ///< maximum, with the same result for any; 0: all of the machine
 };
 
 struct Radiation {

@@ -23,7 +23,7 @@ between(const Eigen::RowVectorXcd& from, const Eigen::RowVectorXcd& to, double s
     const double fromSize = from.norm(), toSize = to.norm();
     if (fromSize == 0 || toSize == 0)
         return (1 - share) * from + share * to;
-    const double turn = std::arg(from.dot(to)); // Eigen's dot() conjugates the first
+    const double turn = std::arg(from.dot(to)); // Eigen's dot() conjugates the first vector
     const double size = std::pow(fromSize, 1 - share) * std::pow(toSize, share);
     return std::polar(size * (1 - share) / fromSize, share * turn) * from +
            std::polar(size * share / toSize, (share - 1) * turn) * to;

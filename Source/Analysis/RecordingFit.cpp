@@ -16,7 +16,7 @@ namespace idiophone {
 namespace {
 
 constexpr double narrowestBandHz = 200;
-// The decay is 14 dB down where the band's filter first lies within it.
+// Where the band's filter first fits into the decay, the decay has fallen by 14 dB.
 constexpr double fastestDecayPerWidth = 0.35;
 constexpr double deepestPulse = 0.1;
 // Rms relative to a recording's peak; any real room is noisier. Without noise, rounding errors

@@ -19,7 +19,7 @@ struct StrikeRecording {
 };
 
 struct RecordingFitSettings {
-    std::size_t modeCount = 50; ///< maximum; the modes of greatest energy stay
+    std::size_t modeCount = 50; ///< maximum; the modes of greatest energy are kept
     double contactSeconds = 0;  ///< length of the mallet's contact; 0: unknown
     double longestSeconds = 8;  ///< used length of each recording, from the strike
 };

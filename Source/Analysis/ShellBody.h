@@ -18,7 +18,7 @@ struct ShellBodySettings {
 };
 
 /// Remeshes the surface if its triangles are much coarser or finer than the band needs. Edges over
-/// 40° stay. The band ends where four edges span the shortest wavelength. `surface` is as
+/// 40° are kept. The band ends where four edges span the shortest wavelength. `surface` is as
 /// repairMesh leaves it. Errors, each one sentence: those of remesh, `cancelledMessage`.
 Result<BodyModel>
 shellBody(const Mesh& surface, const ShellBodySettings& settings, const WorkControl& control = {});

@@ -32,7 +32,7 @@ public:
     /// The number of multiplications of one factorisation.
     double products() const { return factor_.products(); }
 
-    /// The number of entries that a solve reads twice.
+    /// The number of entries of L. A solve reads each of them twice.
     double entries() const { return factor_.entries(); }
 
     /// Returns (K − σM)⁻¹ b for each column [n×m].

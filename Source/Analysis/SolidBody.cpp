@@ -43,7 +43,7 @@ struct CoveredSurface {
 };
 
 /// Remeshes the surface to edges of about this length. Long edges may pierce a thin wall or flatten
-/// its curves. It then tries finer ones, down to the finest that need no remeshing.
+/// its curves. Then tries finer edges, down to the finest that need no remeshing.
 Result<CoveredSurface> coveredAnew(const Mesh& surface,
                                    const MeshCheck& check,
                                    double edgeMetres,

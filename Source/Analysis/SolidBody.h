@@ -18,9 +18,9 @@ struct SolidBodySettings {
 };
 
 /// Remeshes the surface if its triangles are much coarser or finer than the elements need. Edges
-/// over 40° stay. The band ends where three elements span the shortest wavelength. Precondition:
-/// `surface` is as repairMesh leaves it, and its MeshCheck says that it is solid. Errors, each one
-/// sentence: those of remesh and tetrahedralise, `cancelledMessage`.
+/// over 40° are kept. The band ends where three elements span the shortest wavelength.
+/// Precondition: `surface` is as repairMesh leaves it, and its MeshCheck says that it is solid.
+/// Errors, each one sentence: those of remesh and tetrahedralise, `cancelledMessage`.
 Result<BodyModel>
 solidBody(const Mesh& surface, const SolidBodySettings& settings, const WorkControl& control = {});
 

@@ -1,6 +1,6 @@
 // The spring-mass model of Raghuvanshi & Lin 2006, section 3: masses at the vertices, springs along
-// the edges. Flat parts have no bending stiffness, as their vertices move freely along the normal.
-// So instruments use TwoLayerShell.
+// the edges. Flat parts have no bending stiffness, because their vertices move freely along the
+// normal. So instruments use TwoLayerShell.
 #pragma once
 
 #include "Analysis/VibrationModel.h"

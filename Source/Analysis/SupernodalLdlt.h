@@ -18,7 +18,7 @@ enum class LdltOutcome { done, singular, stopped };
 /// The multifrontal method (Duff & Reid 1983). A supernode is a set of columns with like structure,
 /// eliminated together in a dense matrix. So nearly all work is products of dense matrices. Pivots
 /// are the B × B blocks, applied through their eigenvectors. They are as large as possible without
-/// exchanging blocks. None is inverted, which would cost digits.
+/// exchanging blocks. No pivot is inverted, because an inverse loses digits.
 class SupernodalLdlt {
 public:
     /// Orders and analyses the pattern of a lower triangle [n×n]. n is a multiple of the block

@@ -52,9 +52,9 @@ std::vector<double> middleOf(std::span<const float> samples) {
 }
 
 /// Returns the bin below which the spectrum is complete. A lower original sample rate or a lossy
-/// codec may have cut it off above. Past the lowest bands, a power law falls by a few decibels
-/// between 64ths of the band. The peak of a reson may fall faster, but is narrow: it is not below
-/// the minimum of four bands.
+/// codec may have cut off the bins above. Past the lowest bands, a power law falls by a few
+/// decibels between 64ths of the band. The peak of a reson may fall faster, but is narrow: it is
+/// not below the minimum of four bands.
 std::size_t cutBin(const std::vector<std::complex<double>>& spectrum) {
     constexpr std::size_t bandCount = 64, compared = 4, lowestBand = 8;
     constexpr double steepFall = 0.1;

@@ -1,5 +1,5 @@
 // Fits a surface to a recorded scrape: the exponent of its profile's power spectrum, and its reson
-// (van den Doel, Kry & Pai 2001, section 5.2). It reads no files.
+// (van den Doel, Kry & Pai 2001, section 5.2). Reads no files.
 #pragma once
 
 #include "Object/Result.h"

@@ -1,5 +1,5 @@
 // Finds the turns and mirrors that map a mesh onto itself, so that solvers need only one sector of
-// it. Only commuting groups: their solutions separate into one set per character.
+// it. All elements of a group commute, so that solutions separate into one set per character.
 #pragma once
 
 #include "Geometry/Mesh.h"
@@ -30,7 +30,7 @@ SurfaceSymmetry noSymmetry(const Mesh& mesh);
 
 /// Orbits: sets of faces that the elements map to each other.
 struct SurfaceOrbits {
-    std::vector<int> firsts;   ///< one face of each orbit; they lie side by side and form a sector
+    std::vector<int> firsts;   ///< one face of each orbit, side by side in a sector
     std::vector<int> orbits;   ///< [F] the orbit of each face
     std::vector<int> elements; ///< [F] an element that maps the orbit's first face to this one
     /// [orbits] true if elements other than the identity map a face to itself. Only parts with a

@@ -160,7 +160,8 @@ std::mutex& tetGenTurn() {
 
 Result<LinearTetrahedra> runTetGen(const Mesh& surface, const TetGenSettings& settings) {
     std::unique_lock turn(tetGenTurn(), std::defer_lock);
-    // Another call may take half a minute. The thread sanitizer does not know std::timed_mutex.
+    // Try again until cancelled, because another call may take half a minute. The thread sanitizer
+    // does not know std::timed_mutex.
     while (!turn.try_lock()) {
         if (settings.cancelled != nullptr && settings.cancelled->load())
             return failure(sentence(TetGenStop::cancelled));

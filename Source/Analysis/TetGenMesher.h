@@ -24,7 +24,7 @@ struct LinearTetrahedra {
     Eigen::VectorXi regions;    ///< [T] index of the closed-off part of space, ≥ 0
 };
 
-/// Lock it while in TetGen, whose arithmetic uses globals (exactinit).
+/// Lock this mutex during every call of TetGen, whose arithmetic uses globals (exactinit).
 std::mutex& tetGenTurn();
 
 /// See `tetrahedralise`. Throws no exception. A cancelled call fails with `cancelledMessage`, also

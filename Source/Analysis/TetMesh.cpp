@@ -19,7 +19,7 @@ namespace idiophone {
 namespace {
 
 /// Maximum circumradius over shortest edge if no flat elements are wanted. TetGen is proved to
-/// terminate from 2 on, but does so well below in practice.
+/// terminate from 2 on, and in practice terminates far below 2.
 constexpr double chunkyRatio = 1.6;
 
 /// The volume bound over the volume of a regular tetrahedron of the target edge. It makes the mean

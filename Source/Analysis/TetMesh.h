@@ -27,8 +27,8 @@ struct TetMesh {
 struct TetMeshSettings {
     double targetEdgeMetres = 0; ///< > 0: approximate maximum edge of the elements
     /// True keeps the surface's triangles and puts new nodes inside only. Use it if the surface has
-    /// edges of the target length; it is the only way to flat elements in thin walls. False may
-    /// divide the surface, which makes good elements from any coarse surface.
+    /// edges of the target length. In thin walls only this gives flat elements. False may divide
+    /// the surface, which makes good elements from any coarse surface.
     bool keepSurface = true;
     int maximumNodes = 60000;                     ///< a body that needs more is an error
     const std::atomic<bool>* cancelled = nullptr; ///< true ends it within a second

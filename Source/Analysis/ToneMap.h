@@ -16,8 +16,8 @@ inline constexpr double lowestToneHz = 20, highestToneHz = 20000;
 ///
 ///     f(v) = Σ_i f_i E_i(v) / Σ_i E_i(v),    E_i = ½ Σ_j a_i a_j α_ij / (α_ij² + Δ_ij²)
 ///
-/// with a_i = (φ_i(v) · n)², α_ij = α_i + α_j and Δ_ij = 2π(f_i − f_j). This is the energy of the
-/// sum of all a_i e^{−α_i t} cos 2πf_i t over the decay. It is a_i²/4α_i for a mode apart from
+/// with a_i = (φ_i(v) · n)², α_ij = α_i + α_j and Δ_ij = 2π(f_i − f_j). Σ E_i is the energy of the
+/// sum of all a_i e^{−α_i t} cos 2πf_i t over the decay. E_i is a_i²/4α_i for a mode apart from
 /// others, and does not depend on the basis of equal modes.
 ///
 /// Modes have their damped frequencies at the reference material. Modes that do not oscillate are

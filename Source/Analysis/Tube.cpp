@@ -45,7 +45,7 @@ struct Mode {
     Complex flow = 0; ///< into the tube, per unit modal velocity
 };
 
-/// Returns a mode away from the resonances. It drives the tube's impedance at its frequency.
+/// Returns a mode far from the resonances, which drives the tube's impedance at its own frequency.
 Mode drivingMode(const ModalObject& bar, std::size_t mode, const Tube& tube, double mouthKgPerM2) {
     const double omega = std::sqrt(bar.eigenvalues[mode]);
     const Complex pressure(0, omega * mouthKgPerM2); // per unit modal velocity
@@ -180,7 +180,7 @@ std::array<SharedMode, 2> sharedModes(double barOmega,
         if (!(pole.imag() > 0))
             continue;
         const Eigen::Vector2cd shape = solver.eigenvectors().col(k).head<2>();
-        // Not Eigen's dot(), which conjugates.
+        // Eigen's dot() would conjugate.
         const Complex norm =
             (shape.transpose() * (2.0 * pole * mass.cast<Complex>() + damping.cast<Complex>()) *
              shape)(0);

@@ -50,7 +50,8 @@ struct SharedMode {
     /// The bar's modal velocity after a modal impulse of 1, over that of a single mode with this
     /// pole.
     std::complex<double> gain;
-    /// The volume velocity into the tube after the same impulse, over the same [m³/s].
+    /// The volume velocity into the tube after a modal impulse of 1, over the same modal velocity
+    /// of a single mode [m³/s].
     std::complex<double> flow;
 };
 
@@ -69,10 +70,10 @@ std::array<SharedMode, 2> sharedModes(double barOmega,
 
 /// Adds the tube to the bar. Each resonance in the band shares the mode to which it couples most,
 /// if that lies within a whole tone. Two modes with that mode's shape, and with gains, then replace
-/// it. If one of them has a gain below 0.001, the bar's own mode stays, because it hardly changes.
-/// All other modes drive the tube's impedance at their frequency, which increases their decay. The
-/// flow through the mouth radiates as a monopole. If size or material change, all poles keep their
-/// ratio to the fundamental, as with a tube cut to fit the new bar.
+/// it. If one of them has a gain below 0.001, the bar's own mode is kept, because it hardly
+/// changes. All other modes drive the tube's impedance at their frequency, which increases their
+/// decay. The flow through the mouth radiates as a monopole. If size or material change, all poles
+/// keep their ratio to the fundamental, as with a tube cut to fit the new bar.
 ///
 /// `mouthKgPerM2` [M] is the blocked pressure at the mouth over the acceleration of each mode.
 /// `mouthMetres` is the mouth's position from the centre of mass. The object has radiation.

@@ -18,9 +18,9 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 constexpr double toleranceCents = 0.1;
-// The number of rows is the same for every length, so that the pitch is a smooth function of it.
-// Twice as many rows would shorten the tubes by 0.5 % and keep the ratios of the modes. The lighter
-// mesh has every eighth row with every other vertex.
+// The number of rows is the same for every length, so that the pitch is a smooth function of the
+// length. Twice as many rows would shorten the tubes by 0.5 % and keep the ratios of the modes. The
+// lighter mesh has every eighth row with every other vertex.
 constexpr int around = 20, rows = 240, rowsOfOne = 8;
 
 double meanRadius(const TubeSpecification& tube) {

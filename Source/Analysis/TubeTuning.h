@@ -15,7 +15,7 @@ namespace idiophone {
 struct TubeSpecification {
     std::string name;
     std::string source;               ///< for the object's provenance
-    double noteFrequencyHz = 261.626; ///< mode 4 is tuned to twice this
+    double noteFrequencyHz = 261.626; ///< half of mode 4's frequency
     double outerDiameterMetres = 0.038;
     double wallMetres = 0.0015;
     Material material;

@@ -11,8 +11,8 @@ namespace idiophone {
 namespace {
 
 /// Returns the shear stiffness κ G t of the sheet in N/m, softened by the bending within one edge
-/// (MacNeal's residual bending flexibility, L²/12D). Without this, coarse meshes of thin shells
-/// lock.
+/// (MacNeal's residual bending flexibility, L²/12D). Without this softening, coarse meshes of thin
+/// shells lock.
 double shearStiffness(const Material& material, double thicknessMetres, double lengthMetres) {
     const double nu = material.poissonRatio, y = material.youngsModulusPa;
     const double pure = rectangularShearCoefficient(nu) * y / (2 * (1 + nu)) * thicknessMetres;
@@ -47,8 +47,9 @@ void addBraces(SpringAssembly& springs,
 }
 
 /// Adds the plane-stress triangle of one strain as three springs, each acting on all three corners.
-/// One resists the change of area, two the change of shape. On an equilateral triangle with ν = 1/3
-/// they equal three springs along the edges, which are not isotropic on other triangles.
+/// One resists the change of area, and two resist the change of shape. On an equilateral triangle
+/// with ν = 1/3 they equal three springs along the edges, which are not isotropic on other
+/// triangles.
 void addTriangle(SpringAssembly& springs,
                  const Eigen::MatrixXd& points,
                  const Eigen::RowVector3i& corners,

@@ -22,7 +22,7 @@ struct UndercutBar {
     double centreHeightMetres = 0.02; ///< in the middle of the arch; ≤ height
     double endHeightMetres = 0.02;    ///< at both ends
     double archHalfLengthShare = 0.3; ///< of the length, 0.1 to 0.49
-    double archExponent = 2; ///< ≥ 1; 2 is a parabola, higher values are steeper at the edges
+    double archExponent = 2;          ///< ≥ 1; 2 is a parabola; higher is steeper at the edges
 
     bool operator==(const UndercutBar&) const = default;
 };
@@ -54,8 +54,8 @@ struct PartialTargets {
 
 /// Changes the length, the centre height and the arch's exponent, as far as the targets need. By
 /// Timoshenko's theory, the partials then lie within a hundredth of a cent of the targets. All
-/// other dimensions stay. Without a second ratio the arch stays too. Errors: targets or dimensions
-/// out of range, a ratio that no such arch reaches.
+/// other dimensions are kept, and without a second ratio the arch's exponent too. Errors: targets
+/// or dimensions out of range, a ratio that no arch reaches.
 Result<UndercutBar>
 tunedArch(const UndercutBar& start, const BeamMaterial& material, const PartialTargets& targets);
 

@@ -52,7 +52,7 @@ Result<AnalysisSettings> settingsFrom(const AnalyseOptions& options) {
             options.radiation == "exact" ? RadiationMethod::exact : RadiationMethod::quick};
 }
 
-/// Returns the requested unit or a guess, with a sentence if the guess is unsure or not metres.
+/// Returns the requested unit or a guess, with a sentence if the guess is uncertain or not metres.
 Result<UnitGuess> unitOf(const Mesh& meshInFileUnits, const AnalyseOptions& options) {
     if (!options.unit) {
         UnitGuess guess = guessLengthUnit(meshInFileUnits);

@@ -1,5 +1,5 @@
-// The effect of parameters that were set by name. Figures make their material or mallet custom, and
-// some parameters cannot act.
+// Makes parameters that were set by name take effect, or says why they cannot. A figure of a
+// material or mallet makes that material or mallet custom.
 #pragma once
 
 #include "Parameters/ParameterTable.h"
@@ -14,8 +14,8 @@ namespace idiophone {
 enum class PlayedBy {
     mallets,  ///< keys strike, scrape and roll
     stage,    ///< keys start simulations of a scene
-    scene,    ///< bodies move without keys
-    impulses, ///< contacts of a list
+    scene,    ///< bodies move, and keys do nothing
+    impulses, ///< a list of contacts
 };
 
 struct Played {
@@ -32,12 +32,12 @@ struct AssignedEffect {
 };
 
 /// Returns the values with which `assigned` act. If one is a figure of the custom material or
-/// mallet, the selected material or mallet becomes custom. It keeps its other figures, as in the
-/// window. Objects of several materials keep theirs.
+/// mallet, the selected material or mallet becomes custom. The other figures are kept, as in the
+/// window. Objects of several materials keep their own figures.
 AssignedEffect
 assignedEffect(ParameterValues values, std::span<const ParameterId> assigned, const Played& played);
 
-/// Prints one line each to standard error.
+/// Prints each warning as one line to standard error.
 void print(std::span<const std::string> warnings);
 
 } // namespace idiophone

@@ -1,4 +1,4 @@
-// The subcommands of the program `idiophone`, one a file. Each adds its options to the command
+// The subcommands of the program `idiophone`, one per file. Each adds its options to the command
 // line. If its subcommand is given, it sets the action that Main runs.
 #pragma once
 
@@ -15,7 +15,8 @@ namespace idiophone {
 /// and an exit code other than 0.
 using Action = std::function<Result<void>()>;
 
-/// Adds a subcommand and its options' values. If it is given, Main runs `run` with them.
+/// Adds a subcommand and its options' values. If the subcommand is given, Main runs `run` with
+/// these values.
 template <class Options>
 std::pair<CLI::App*, std::shared_ptr<Options>> addCommand(CLI::App& program,
                                                           Action& chosen,

@@ -18,7 +18,7 @@ using nlohmann::json;
 constexpr std::size_t faultsShown = 20;
 constexpr double longestSeconds = 36000;
 constexpr double longestContactSeconds = 1;
-// Generous: a lorry at motorway speed has 1e6 N s.
+// The bound is generous: a lorry at motorway speed has 1e6 N s.
 constexpr double largestImpulse = 1e6;
 constexpr double maximumMetres = 1e6;
 

@@ -45,7 +45,7 @@ std::string resolved(const std::string& object, const std::filesystem::path& imp
 struct StruckObject {
     Result<std::shared_ptr<const ModalObject>> object;
     std::shared_ptr<const ObjectSurface> surface; ///< null if there is no object
-    int firstLine = 0;                            ///< first line that names it
+    int firstLine = 0;                            ///< first line that names the object
 };
 
 /// One surface for each object, even if it has several names.
@@ -122,7 +122,7 @@ Result<ImpulseScore> arrange(std::span<const Impulse> impulses,
     return score;
 }
 
-/// Renders cells one after another, each with the contacts that begin in it.
+/// Renders cells in order, each with the contacts that begin within it.
 class CellPlayer {
 public:
     CellPlayer(const ImpulseScore& score, const SynthesisSettings& settings, double sampleRateHz)

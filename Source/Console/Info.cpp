@@ -44,7 +44,7 @@ std::size_t countGroups(const ModalObject& object) {
                       object.gains);
 }
 
-/// JSON has no infinity, the T60 of a material without damping.
+/// A material without damping has an infinite T60, which JSON cannot express.
 ordered_json finiteOrNull(double value) {
     return std::isfinite(value) ? ordered_json(value) : nullptr;
 }

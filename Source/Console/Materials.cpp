@@ -24,7 +24,7 @@ struct MaterialsOptions {
 
 constexpr std::array<int, 3> shownHz{440, 1000, 4000};
 
-/// JSON has no infinity, the T60 of a material without damping.
+/// A material without damping has an infinite T60, which JSON cannot express.
 ordered_json describeWithDecay(const Material& material) {
     auto result = describe(material);
     for (const int hz : shownHz) {

@@ -25,7 +25,7 @@ int orderAtOneTime(const SongEvent& event) {
     return event.isPressure() ? 3 : 0;
 }
 
-/// JUCE divides by the parts of this field.
+/// Refuses formats with a zero part, because JUCE divides by it.
 bool isUsableTimeFormat(short format) {
     return format < 0 ? (format & 0xff) != 0 : format != 0;
 }

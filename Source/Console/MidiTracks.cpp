@@ -5,7 +5,7 @@
 namespace idiophone {
 namespace {
 
-/// The unread bytes. take() takes nothing if they are too few.
+/// The unread bytes. If too few are left, take() takes nothing.
 struct Rest {
     std::string_view bytes;
 

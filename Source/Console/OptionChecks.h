@@ -15,7 +15,7 @@ CLI::Validator numberBetween(double lowest, double highest);
 /// The `type_name` of options whose file the command writes.
 inline constexpr auto writtenFile = "OUTPUT";
 
-/// Fails if a written file cannot be written, or if the command line names it again for reading or
+/// Fails if an output file cannot be written, or if the command line names it again for reading or
 /// writing.
 Result<void> checkWrittenFiles(const CLI::App& command);
 

@@ -80,7 +80,7 @@ std::optional<double> matchingGainDb(const std::vector<float>& sound) {
     if (lowest == 0 && highest == 0)
         return std::nullopt;
     double gainDb = -20 * std::log10(std::max(-lowest, highest));
-    // Iterates because the gain changes what the meter's gate excludes.
+    // Iterate, because the gain changes the sound that the meter's gate excludes.
     for (int step = 0; step < 4; ++step) {
         const auto lufs = integratedLufs(sound, gainDb);
         if (!lufs)

@@ -1,5 +1,4 @@
-// Shows the progress of a long task on one line of standard error. Shows nothing if that is no
-// terminal.
+// Shows the progress of a long task on one line of standard error, if it is a terminal.
 #pragma once
 
 #include "Object/WorkControl.h"
@@ -18,7 +17,8 @@ public:
 
     void show(double fraction, std::string_view step);
 
-    /// Shows the progress of an analysis, which an interrupt cancels. Valid as long as this line.
+    /// Shows the progress of an analysis, which an interrupt cancels. The result is valid while
+    /// this object lives.
     WorkControl control();
 
 private:

@@ -24,7 +24,7 @@ struct RecordingFormat {
     int sampleRateHz = 48000;
     int blockSize = 64; ///< samples rendered at a time
     int bitDepth = 32;
-    std::optional<double> seconds; ///< its length; nothing: until silence
+    std::optional<double> seconds; ///< length; nothing: until silence
 };
 
 /// Adds -o, --sample-rate, --block-size, --bit-depth and --seconds.

@@ -14,8 +14,8 @@ struct RenderTask {
     std::string name;            ///< for the progress line
     std::int64_t lastSample = 0; ///< of the last event, -1 without any
     std::int64_t pieceSamples = 0;
-    /// Renders `count` samples, at most a piece, or only the first of them. The result is valid
-    /// until the next call. An error ends the rendering.
+    /// Renders at most `count` samples and at most one piece. It may render fewer. The result is
+    /// valid until the next call. An error ends the rendering.
     std::function<Result<StereoSpan>(std::int64_t count)> render;
     /// Returns true if nothing sounds any more or will sound without new events.
     std::function<bool()> finished;

@@ -121,7 +121,7 @@ report(const SceneTally& tally, const Recording& recording, const SceneOptions& 
     return {};
 }
 
-/// Returns whether only the bodies that notes drop move.
+/// Returns whether nothing moves without notes.
 bool waitsForNotes(const Scene& scene) {
     return scene.noteDrop && !scene.hand &&
            std::ranges::all_of(scene.releases, [&](const Release& release) {

@@ -11,7 +11,7 @@
 namespace idiophone {
 namespace {
 
-// Clock time: more than the limit of processor time.
+// A limit of clock time, above the limit of processor time.
 constexpr int patienceMilliseconds = 1000 * (2 * sofaPatienceSeconds);
 
 /// Returns the table that the other process wrote, or nothing. juce::ChildProcess has no exit code
@@ -19,7 +19,7 @@ constexpr int patienceMilliseconds = 1000 * (2 * sofaPatienceSeconds);
 std::optional<std::string> tableOf(const std::filesystem::path& file, int sampleRateHz) {
     const juce::TemporaryFile table(".table");
     const auto self = juce::File::getSpecialLocation(juce::File::currentExecutableFile);
-    const auto path = juceFile(file).getFullPathName(); // absolute, so that it cannot be an option
+    const auto path = juceFile(file).getFullPathName(); // so that no name looks like an option
     juce::ChildProcess reader;
     if (!reader.start({self.getFullPathName(), "sofa-table", path, juce::String(sampleRateHz),
                        table.getFile().getFullPathName()},

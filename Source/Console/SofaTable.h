@@ -12,8 +12,8 @@ inline constexpr std::uintmax_t largestSofaBytes = 1 << 28;
 /// The other process ends after this much processor time.
 inline constexpr int sofaPatienceSeconds = 15;
 
-/// Decodes the output of the command `sofa-table`. The error is a sentence without the file's name:
-/// the error that the command found, or that this is no table.
+/// Decodes the output of the command `sofa-table`. The error is the sentence of that command,
+/// without the file's name, or says that the output is no table.
 Result<std::shared_ptr<const HeadResponses>> decodeSofaTable(std::string_view bytes);
 
 } // namespace idiophone

@@ -48,7 +48,7 @@ Result<RenderTally> renderSong(Player& player,
         for (; next < events.size() && sampleOf(events[next], rate) < position + count; ++next) {
             if (const auto sample = sampleOf(events[next], rate);
                 sample > position && midi::isAllSoundOff(events[next].bytes)) {
-                count = sample - position; // the room is silenced from there on
+                count = sample - position; // the room is silenced from this event on
                 break;
             }
             due.push_back(

@@ -53,7 +53,8 @@ double distance(const std::array<double, 3>& a, const std::array<double, 3>& b) 
     return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
 
-/// Returns the farthest vertex with shapes. No mode has a node far out, so that every mode sounds.
+/// Returns the vertex with shapes that is farthest from the middle. No mode has a node there, so
+/// every mode sounds.
 std::size_t farthestRow(const ModalObject& object) {
     std::size_t farthest = 0;
     for (std::size_t row = 1; row < object.shapeVertexCount(); ++row)

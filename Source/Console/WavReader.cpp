@@ -17,7 +17,8 @@ constexpr unsigned maximumChannels = 64;
 constexpr double lowestRateHz = 1000, highestRateHz = 1e6;
 
 /// Hides all chunks from JUCE except the format and the samples. JUCE trusts the lengths of other
-/// chunks and reads beyond their texts. Returns false if a chunk is longer than the file.
+/// chunks and reads beyond the end of their texts. Returns false if a chunk is longer than the
+/// file.
 bool hideMetadata(std::string& file) {
     juce::MemoryInputStream stream(file.data(), file.size(), false);
     const auto fileEnd = stream.getTotalLength();
@@ -56,7 +57,7 @@ bool isWav(std::string_view bytes) {
            bytes.substr(std::min<std::size_t>(8, bytes.size())).starts_with("WAVE");
 }
 
-/// Returns what is wrong with the header, or an empty text.
+/// Returns the fault of the header, or an empty text.
 std::string faultOf(const juce::AudioFormatReader& reader, std::uintmax_t fileBytes) {
     if (reader.numChannels < 1 || reader.numChannels > maximumChannels)
         return "it has " + std::to_string(reader.numChannels) + " channels";

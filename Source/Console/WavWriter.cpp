@@ -60,7 +60,7 @@ Result<void> WavWriter::write(const float* const* channels, int sampleCount) {
     return {};
 }
 
-// Rounds the samples. JUCE would truncate the lower bits, which shifts all by half a step.
+// Rounds the samples. JUCE would truncate the lower bits, which shifts all samples by half a step.
 bool WavWriter::writeRounded(const float* const* channels, int sampleCount) {
     const int unusedBits = 32 - writer->getBitsPerSample();
     const double fullScale = std::ldexp(1.0, writer->getBitsPerSample() - 1);

@@ -1,5 +1,5 @@
-// A bar chart of how the mode budget is shared among the resonators, loudest first. Each bar
-// shows requested and granted modes; a line of slope S shows the entitlement.
+// A bar chart of how the mode budget is shared among the resonators, loudest first. Each bar shows
+// requested and granted modes; a line of slope S shows the entitlement.
 #pragma once
 
 #include "Editor/DescribedComponent.h"

@@ -1,4 +1,4 @@
-// A button for captured notes: a drag exports them as a file, a click saves them.
+// A button for captured notes: a drag exports them as a file, and a click saves them.
 #pragma once
 
 #include "Editor/ProcessorView.h"
@@ -91,7 +91,8 @@ private:
         const auto next = temporaryFolder().getChildFile(
             dragFolderPrefix + juce::String::toHexString(juce::Random().nextInt64()));
         std::error_code fault;
-        if (std::filesystem::create_directory(pathOf(next), fault)) { // else somebody owns it
+        // If the folder existed before, another user may own it.
+        if (std::filesystem::create_directory(pathOf(next), fault)) {
             std::filesystem::permissions(pathOf(next), std::filesystem::perms::owner_all, fault);
             folder = next;
         }

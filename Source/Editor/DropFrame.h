@@ -1,4 +1,4 @@
-// The outline around the window while the user drags a file over it that it can open.
+// The outline around the window while the user drags a readable file over it.
 #pragma once
 
 #include "Editor/Look.h"

@@ -6,8 +6,8 @@
 namespace idiophone {
 
 /// For the message thread. One step is a gesture, a typed value, an edit of several parameters, a
-/// loaded preset or object, a mutation, or an A/B comparison. Host changes are not steps. When the
-/// host loads a state or program, all steps are deleted: they belong to another sound.
+/// loaded preset or object, a mutation, or an A/B comparison. Host changes are not steps. If the
+/// host loads a state or program, all steps are deleted, because they belong to another sound.
 class EditHistory {
 public:
     virtual ~EditHistory() = default;

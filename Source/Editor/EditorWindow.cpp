@@ -17,7 +17,7 @@ namespace {
 
 constexpr int firstWidth = 1180, firstHeight = 860;
 constexpr int margin = 12, barHeight = 44, statusHeight = 32;
-/// If the height for both is smaller, the picture stands beside the deck instead of above it.
+/// Height of picture and deck below which the picture stands beside the deck, not above it.
 constexpr int minimumHeightForBoth = PageDeck::minimumHeight + 200;
 constexpr double deckShare = 0.44;
 /// Update rates in Hz: while something sounds or the mouse is over the window, and at rest. Rest

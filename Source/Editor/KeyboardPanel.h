@@ -182,8 +182,8 @@ private:
     std::array<InstrumentView::KeySound, 128> sounds{};
     int lowest = 0, highest = 127;  ///< MIDI notes, of the drawn keys
     int baseNote = 0;               ///< MIDI note of the computer's first key
-    juce::juce_wchar octaveKey = 0; ///< 'z' or 'x' while it is held
-    juce::MidiKeyboardState state;  // it locks, so the audio thread never uses it
+    juce::juce_wchar octaveKey = 0; ///< the pressed one of the keys 'z' and 'x', or 0
+    juce::MidiKeyboardState state;  // locked by its functions, so never used on the audio thread
     Keys keyboard{*this};
 };
 

@@ -1,5 +1,5 @@
-// A slider of a parameter with keys: arrows and page keys move it by fractions of its length, Shift
-// makes arrow steps smaller. Return opens the text field.
+// A slider of a parameter with keys: arrows and page keys move it by fractions of its length, and
+// Shift makes arrow steps smaller. Return opens the text field.
 #pragma once
 
 #include "Editor/LeftClicked.h"

@@ -26,7 +26,8 @@ public:
     }
 
 private:
-    /// Set when the press begins, because the last button that comes up ends it, whichever it is.
+    /// Set when the press begins. JUCE ends a press when the last button comes up, and that may be
+    /// any button.
     bool isOwn = false;
 };
 

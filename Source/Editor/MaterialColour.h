@@ -8,8 +8,9 @@
 
 namespace idiophone {
 
-/// Red, green and blue, 0 to 1. Materials of the library have a fixed colour. Of others, wood has a
-/// grain, metals are heavy, stone, glass and ceramics are stiff, and plastics are neither.
+/// Red, green and blue, 0 to 1. Materials of the library have a fixed colour. Other materials get
+/// one by kind: wood has a grain, metals are heavy, stone, glass and ceramics are stiff, and
+/// plastics are neither.
 inline std::array<float, 3> colourOf(const Material& material) {
     constexpr std::uint32_t wood = 0x996b45, metal = 0x9ea6b0, stone = 0xa8adb0, plastic = 0x4c8c99;
     const auto guessed = material.grain                    ? wood

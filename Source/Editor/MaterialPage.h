@@ -69,7 +69,7 @@ public:
         now = wanted;
         for (const auto parameter : parameters)
             view.parameters.beginChange(parameter);
-        // Set the choice last, after its figures.
+        // The choice is last in `parameters`, after the figures that it shows.
         for (std::size_t i = 0; i < parameters.size(); ++i)
             view.parameters.change(parameters[i], wanted[i]);
         for (const auto parameter : parameters)

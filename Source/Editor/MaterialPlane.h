@@ -26,8 +26,9 @@ double soundMetresPerSecond(const PlanePlace& place);
 double decaySecondsAt(const PlanePlace& place);
 
 /// The material at a place. Density and the mix of damping kinds are averages over `known`,
-/// weighted with the inverse square of the distance on the map, so named materials keep theirs.
-/// Young's modulus and the amount of damping are then solved for the place. `known` is not empty.
+/// weighted with the inverse square of the distance on the map, so that named materials keep their
+/// own values. Young's modulus and the amount of damping are then solved for the place. `known` is
+/// not empty.
 Material materialAt(const PlanePlace& place, std::span<const Material> known);
 
 } // namespace idiophone

@@ -52,7 +52,7 @@ public:
     }
     const SoundFrame& frameShown() const { return frame; }
 
-    /// These two do nothing if the mode does not exist.
+    /// `toggleMute` and `toggleAlone` do nothing if the mode does not exist.
     void toggleMute(std::size_t mode) { toggle(mode, &ModeNow::isMuted, &SoundView::muteMode); }
     void toggleAlone(std::size_t mode) {
         toggle(mode, &ModeNow::isHeardAlone, &SoundView::hearModeAlone);

@@ -107,7 +107,7 @@ private:
     ObjectView object;
     juce::TextButton vibration{"Vibration"}, nodes{"Nodal lines"}, path{"Strike path"},
         draw{"Draw path"};
-    // Only on a stage.
+    // These are visible on a stage only.
     juce::TextButton play{"Play"}, pause{"Pause"}, reset{"Reset"};
     CaptureButton midi, impulses;
     const std::vector<juce::TextButton*> strip{&vibration, &nodes, &path, &draw,    &play,

@@ -1,6 +1,6 @@
 // The geometry of an instrument's objects, for drawing and picking. Several objects form a
-// keyboard, one stays as it is, objects on a stage follow their bodies. Independent of windows and
-// OpenGL.
+// keyboard, a single object is shown alone, and objects on a stage follow their bodies. Independent
+// of windows and OpenGL.
 #pragma once
 
 #include "Editor/ProcessorView.h"
@@ -77,7 +77,7 @@ public:
 
     /// The corners of the objects' bounding boxes, eight each.
     const std::vector<ScenePlace>& outline() const { return boxCorners; }
-    /// The same for bodies on a stage.
+    /// The corners of the bounding boxes of bodies on a stage, eight each.
     std::vector<ScenePlace> outline(std::span<const BodyNow> bodies) const;
     /// Half the diagonal of the scene in metres; 0 if it is empty.
     float radius() const { return reach; }

@@ -244,7 +244,7 @@ void ObjectView::mouseDrag(const juce::MouseEvent& event) {
     if (paths.isDrawing())
         return drawTo(event.position);
     if (!turningFrom) {
-        if (onStage || layers.drawsPath) // a path may belong to an instrument that is gone
+        if (onStage || layers.drawsPath) // the path's instrument may no longer exist
             return;
         if (hand.isScraping() || event.getDistanceFromDragStart() > pixelsToDrag) {
             hand.dragTo(pickAt(event.position), event.isPressureValid()

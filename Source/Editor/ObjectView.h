@@ -18,7 +18,7 @@
 
 namespace idiophone {
 
-/// Draws only when something changed or moves. Shows a message if there is no OpenGL.
+/// Draws only when something has changed or moves. Shows a message if there is no OpenGL.
 class ObjectView final : public juce::Component, private juce::Timer {
 public:
     struct Layers {

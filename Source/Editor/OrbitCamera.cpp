@@ -58,7 +58,7 @@ OrbitCamera::Axes OrbitCamera::axes() const {
 }
 
 /// Moves each of the four frustum planes until it touches a point. Two opposite planes meet in an
-/// edge: the eye cannot be nearer than that.
+/// edge: the eye cannot be nearer than this edge.
 OrbitCamera::Eye OrbitCamera::place(float aspect) const {
     const auto [right, up, forward] = axes();
     const float slopeY = std::tan(halfFieldRadians) / margin, slopeX = slopeY * aspect;

@@ -1,4 +1,4 @@
-// The context menu of a parameter: type a value, reset it, learn a MIDI controller. Also its texts.
+// The context menu of a parameter and its texts: type a value, reset it, learn a MIDI controller.
 #pragma once
 
 #include "Editor/ProcessorView.h"

@@ -30,8 +30,8 @@ void main()
 }
 )";
 
-// Two lamps, a gloss and a rim; both sides of a sheet are lit. `glow` marks the struck place,
-// `light` shows the loudness of the object.
+// The shader has two lamps, a gloss and a rim, and lights both sides of a sheet. `glow` marks the
+// struck place, and `light` shows the loudness of the object.
 constexpr const char* fragmentShader = R"(
 uniform vec3 colour;
 uniform vec3 eye;
@@ -165,7 +165,7 @@ GLuint PictureRenderer::attribute(const char* name) const {
     return static_cast<GLuint>(glGetAttribLocation(program->getProgramID(), name));
 }
 
-/// Reads the vertices of the bound buffer from this one on.
+/// Binds the attributes to the vertices of the bound buffer, from vertex `first` on.
 void PictureRenderer::readVertices(std::size_t first) const {
     for (const auto& [name, part] : {std::pair("place", offsetof(SceneVertex, place)),
                                      {"normal", offsetof(SceneVertex, normal)}}) {

@@ -149,7 +149,7 @@ void PresetBrowser::ask(Question next) {
     if (question == Question::save) {
         auto details = shelf.soundDetails();
         if (preset != nullptr && preset->isFactory)
-            details.author.clear(); // the author of the copy is somebody else
+            details.author.clear(); // another user is the author of the copy
         form.askForDetails(details);
     } else if (question == Question::rename && preset != nullptr) {
         form.askForName("Rename " + fromUtf8(preset->name), preset->name);

@@ -42,8 +42,8 @@ private:
     void say(const juce::String& sentence, bool isError);
     void arrangeHint();
 
-    /// The search field. It leaves the list's keys to the browser, and shows its hint while
-    /// focused; JUCE would hide it.
+    /// The search field. It leaves the list's keys to the browser. It shows its hint even while
+    /// focused, when JUCE would hide the hint.
     class Search final : public juce::TextEditor {
     public:
         bool keyPressed(const juce::KeyPress& key) override {

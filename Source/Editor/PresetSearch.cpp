@@ -10,8 +10,8 @@
 namespace idiophone {
 namespace {
 
-/// Converts Latin, Greek and Cyrillic capitals to lower case. The C library does so only in some
-/// locales.
+/// Converts Latin, Greek and Cyrillic capitals to lower case. The C library converts them only in
+/// some locales.
 juce::juce_wchar smallLetter(juce::juce_wchar letter) {
     const auto isIn = [&](juce::juce_wchar first, juce::juce_wchar last) {
         return letter >= first && letter <= last;
@@ -30,7 +30,7 @@ juce::juce_wchar smallLetter(juce::juce_wchar letter) {
 juce::String small(const juce::String& text) {
     const auto bytes = text.toRawUTF8();
     if (!juce::CharPointer_UTF8::isValidString(bytes, static_cast<int>(std::strlen(bytes))))
-        return text; // a folder's name that is not UTF-8; JUCE would read past its end
+        return text; // a folder's name that is not UTF-8, which JUCE would read past its end
     // Appending to a juce::String would search its end for each letter.
     std::basic_string<juce::juce_wchar> result;
     for (auto letter = text.getCharPointer(); !letter.isEmpty(); ++letter)

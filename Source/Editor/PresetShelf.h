@@ -47,9 +47,9 @@ public:
     /// Whether any parameter, except those of the setup, differs from the preset.
     virtual bool soundIsChanged() const = 0;
 
-    /// Loads a preset. This and `loadInitialSound` are each one step of the edit history.
+    /// Loads a preset, as one step of the edit history.
     virtual Result<void> loadPreset(const std::string& id) = 0;
-    /// Loads a plain sound with all parameters at their defaults.
+    /// Loads a plain sound with all parameters at their defaults, as one step of the edit history.
     virtual Result<void> loadInitialSound() = 0;
 
     /// Plays a preset on trial. Then `keepAudition` makes one step of all trials, and `endAudition`

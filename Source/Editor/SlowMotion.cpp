@@ -13,7 +13,7 @@ constexpr double visibleDecibels = 60;
 /// Swing rate of the lowest mode, and maximum. Others scale with the square root of the frequency
 /// ratio, which keeps them distinct and slow enough for 30 pictures a second.
 constexpr double lowestSwingHz = 1.6, fastestSwingHz = 9;
-/// The reference falls by this factor per frame, so that soft strikes after loud ones show.
+/// The reference falls by this factor per frame, so that soft strikes after loud ones are visible.
 constexpr double forgetting = 0.995;
 
 } // namespace

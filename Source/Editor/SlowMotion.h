@@ -12,7 +12,7 @@ namespace idiophone {
 
 class SlowMotion {
 public:
-    /// Maximum number of modes shown; those with the largest displacement.
+    /// Maximum number of modes shown. The modes with the largest displacement are chosen.
     static constexpr std::size_t maximumModes = 8;
 
     struct Swing {

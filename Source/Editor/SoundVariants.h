@@ -12,13 +12,13 @@ public:
 
     /// Whether B plays and is edited. A new session begins with A.
     virtual bool playsB() = 0;
-    /// Plays the other sound. Until it is first made, it is a copy of the current one.
+    /// Plays the other sound. At first, the other sound is a copy of the current one.
     virtual void compare() = 0;
     /// Copies the current sound to the other one.
     virtual void copyToOther() = 0;
 
     /// Plays a random variation of the current sound, within musical bounds. `strength` is 0 to 1;
-    /// smaller stays nearer. The same seed gives the same sound.
+    /// a smaller one changes the sound less. The same seed gives the same sound.
     virtual void mutate(double strength, std::uint32_t seed) = 0;
 };
 

@@ -36,10 +36,10 @@ struct SlotNow {
     int object = 0;                ///< index into InstrumentView::playedObjects
     int note = -1;                 ///< lowest MIDI note that plays it
     float amplitude = 0;           ///< sum over its modes, m/s
-    std::int32_t modesRinging = 0; ///< above τ, the request to the budget, in modes or groups
-    std::int32_t share = 0;        ///< granted by the budget, at most modesRinging
+    std::int32_t modesRinging = 0; ///< modes or groups above τ, which request budget
+    std::int32_t share = 0;        ///< modes or groups within the budget, at most modesRinging
     std::int32_t modesMixed = 0;
-    float entitlement = 0; ///< modes, by its rank on the line of slope S
+    float entitlement = 0; ///< share of the budget in modes, by the rank on the line of slope S
 
     bool operator==(const SlotNow&) const = default;
 };
@@ -57,7 +57,7 @@ struct SoundFrame {
     int instrumentNumber = 0; ///< InstrumentView::instrumentNumber
     int object = -1; ///< index into playedObjects of the object that has `modes`; −1: none
     int note = -1;   ///< MIDI note of the slot that has `modes`; −1: several keys
-    std::vector<ModeNow> modes;    ///< ascending in frequency, unless own damping shifts one
+    std::vector<ModeNow> modes;    ///< ascending, unless own damping moves a mode
     std::int32_t modesOmitted = 0; ///< further modes of the object, too many to show
     std::vector<SlotNow> slots;    ///< sounding slots, loudest first
 

@@ -15,7 +15,8 @@ public:
     /// Takes a frame and the size of the picture. Returns whether the picture has changed.
     bool update(const SoundFrame& frame, juce::Rectangle<int> bounds);
 
-    /// The nearest mode in frequency. Of several, the one whose line ends nearest.
+    /// Returns the mode nearest in frequency. Of several equally near modes, returns the one whose
+    /// line ends nearest.
     std::optional<std::size_t> modeAt(juce::Point<float> position) const;
 
     /// Paints with the component's colours, and emphasises one mode.

@@ -68,8 +68,8 @@ public:
     }
 
 private:
-    /// The part of a text that fits on the line. It may come from a file or host, and long texts
-    /// are slow to lay out.
+    /// Returns the part of a text that fits on the line. A text from a file or host may be long,
+    /// and long texts are slow to lay out.
     static juce::String seenOf(const std::string& sentence) {
         return fromUtf8(std::string_view(sentence).substr(0, 2000)).substring(0, 400);
     }

@@ -22,7 +22,7 @@ public:
 
     std::size_t modeCount() const { return object->modeCount(); }
 
-    /// The mode's largest displacement over the surface; 0 if it does not move it.
+    /// The mode's largest displacement over the surface; 0 if the mode does not move the surface.
     float largest(std::size_t mode) const;
 
     /// Adds a mode to displacements [N,3], in the directions of the object's mesh. `weight` is the

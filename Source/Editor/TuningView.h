@@ -26,7 +26,7 @@ class TuningView {
 public:
     virtual ~TuningView() = default;
 
-    /// Whether the extension is .scl or .kbm, in any case.
+    /// Whether the extension is .scl or .kbm, in upper or lower case.
     virtual bool isTuningFile(const std::filesystem::path& file) const = 0;
     /// The patterns of these files, separated by semicolons.
     virtual std::string tuningPatterns() const = 0;

@@ -35,7 +35,8 @@ struct ImportStatus {
     std::string fileName; ///< without its folder
     /// True if the last mesh is in memory and nothing else was loaded since.
     bool followsSettings = false;
-    /// In effect: as set, or those of a single object that was not imported.
+    /// The settings in effect: those that were set, or those of a single object that was not
+    /// imported.
     ImportSettings settings;
     double progress = 0; ///< 0 to 1
     std::string step;    ///< current step, such as "Solving for modes"
@@ -61,7 +62,7 @@ class WorkshopView {
 public:
     virtual ~WorkshopView() = default;
 
-    /// Whether the extension is readable, in any case.
+    /// Whether files with this extension, in upper or lower case, can be read.
     virtual bool canOpen(const std::filesystem::path& file) const = 0;
     /// The patterns of these files, separated by semicolons: "*.obj;*.modal".
     virtual std::string openPatterns() const = 0;

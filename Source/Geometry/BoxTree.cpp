@@ -43,7 +43,7 @@ void BoxTree::build(std::span<std::size_t> faces, std::span<const Eigen::Aligned
 
 std::optional<BoxSearch> BoxTree::touchingFaces(const BoxSearch& maximum) const {
     BoxSearch done;
-    // Takes leaves in tree order, so that consecutive searches visit much the same nodes.
+    // Takes leaves in tree order, so that consecutive searches visit mostly the same nodes.
     for (const auto& own : allNodes) {
         if (!own.isLeaf)
             continue;

@@ -19,7 +19,7 @@ struct BoxSearch {
 };
 
 /// Each node halves its faces along the axis on which the box centres spread most. libigl, CGAL,
-/// Eigen and Bullet split by box sizes, by alternating axes or by the mean of the centres. Such
+/// Eigen and Bullet split by box sizes, by alternating axes or by the mean of the centres. Their
 /// trees separate some faces late or never.
 class BoxTree {
 public:

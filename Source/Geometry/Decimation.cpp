@@ -67,7 +67,7 @@ private:
     const WorkControl& control_;
 };
 
-/// A scan needs about 160 per face. Each takes about 10 ns.
+/// A scan needs about 160 visits per face, of about 10 ns each.
 std::int64_t neighboursAllowed(const UnitSurface& unit) {
     return 300'000'000 + 1000 * static_cast<std::int64_t>(unit.surface.number_of_faces());
 }

@@ -11,7 +11,7 @@ namespace idiophone {
 
 struct EdgePartner {
     int face = -1;              ///< −1 if the surface ends here
-    bool sameDirection = false; ///< both faces run along it the same way: one is turned over
+    bool sameDirection = false; ///< both faces run along the edge in one direction
 };
 
 struct EdgePairing {
@@ -24,7 +24,7 @@ struct EdgePairing {
 /// Pairs the faces at every edge:
 /// - two faces: with each other;
 /// - an even number, facing alternately in and out: the two faces on either side of the inside, so
-///   that two cubes with a common edge come apart as two cubes (as one if they are inside out);
+///   that two cubes with a common edge become two cubes (one if they are inside out);
 /// - another even number: neighbours around the edge, in the arrangement with the sharper angles;
 /// - an odd number: the straightest pair first; one face stays alone.
 /// Faces must be neither degenerate nor duplicate.

@@ -21,7 +21,7 @@ struct LatheMesh {
 };
 
 /// Returns the surface of revolution of a section of at least two points. Faces look to the right
-/// of the direction along the section (outward where it goes up). Corners of more than 30° stay;
+/// of the direction along the section (outward where it goes up). Corners over 30° are kept;
 /// elsewhere points lie on the polyline in even steps. Every circle has a multiple of 12 vertices
 /// (6 next to a pole), so that modes come in pairs as on the round body. Deterministic.
 LatheMesh latheMesh(const std::vector<LathePoint>& section, double edgeMetres);

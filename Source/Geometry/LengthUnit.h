@@ -34,9 +34,9 @@ struct UnitGuess {
 
 /// Guesses from the largest extent of the bounding box, in units of the file. No instrument is
 /// larger than 20 m, and few meshes of instruments are smaller than 5 mm:
-///     above 20          millimetres (a spoon to a church bell), sure up to 20,000;
+///     above 20          millimetres (a spoon to a church bell), certain up to 20,000;
 ///     0.005 to 20       metres;
-///     below, or empty   metres, not sure.
+///     below, or empty   metres, uncertain.
 /// Size cannot tell centimetres and inches from millimetres: the user has to name them.
 UnitGuess guessLengthUnit(const Mesh& meshInFileUnits);
 

@@ -1,5 +1,5 @@
-// Judges a mesh: closed or open, self-intersecting or not, chunky or thin. Analysis uses it to
-// choose between tetrahedra and shells. It changes nothing.
+// Judges a mesh: closed or open, self-intersecting or not, thick or thin. Analysis uses the result
+// to choose between tetrahedra and shells. The mesh does not change.
 #pragma once
 
 #include "Geometry/Mesh.h"
@@ -25,8 +25,9 @@ struct MeshCheck {
     double areaM2 = 0;
     double volumeM3 = 0;            ///< enclosed, without hollows; 0 unless closed and oriented
     double meanThicknessMetres = 0; ///< see wallThicknessMetres; 0 if the volume is 0
-    /// √A / meanThickness: the width of the surface in mean thicknesses. A ball has 5.3, a cube
-    /// 7.3, a torus whose radius is 10 times its section's radius 20. Infinite without a volume.
+    /// √A / meanThickness: the width of the surface in mean thicknesses. It is 5.3 for a ball, 7.3
+    /// for a cube, and 20 for a torus whose radius is 10 times its section's. Infinite without a
+    /// volume.
     double slenderness = 0;
 
     /// Returns true if the surface encloses a volume that tetrahedra can fill.

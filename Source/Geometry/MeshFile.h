@@ -1,5 +1,5 @@
-// Shared by the readers of the mesh formats: a polygon collector and a text scanner. Internal to
-// Geometry. We do not use libigl's readers: on malformed files they exit the program or overrun
+// A polygon collector and a text scanner for the readers of the mesh formats. Internal to Geometry.
+// libigl's readers are not used, because on malformed files they exit the program or overrun
 // buffers (docs/decisions).
 #pragma once
 

@@ -10,9 +10,9 @@
 namespace idiophone {
 
 /// Reads a mesh and scales it to metres. Polygons become fans of triangles. The extension selects
-/// the format (.obj, .off, .ply, .stl, in any case). Vertices without a face are kept.
+/// the format (.obj, .off, .ply, .stl, in upper or lower case). Vertices without a face are kept.
 /// The error is one sentence with the file and its fault: cannot be opened, empty, truncated or
-/// malformed, promises more than it holds, no faces, a vertex that is not a finite number, or a
+/// malformed, less content than announced, no faces, a vertex that is not a finite number, or a
 /// face with a vertex that does not exist. Any thread except the audio thread.
 Result<Mesh> readMesh(const std::filesystem::path& file, double metresPerUnit = 1);
 

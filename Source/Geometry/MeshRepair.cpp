@@ -50,8 +50,8 @@ void dropUnusable(RepairedMesh& repaired) {
 }
 
 void joinTJunctions(RepairedMesh& repaired, double weldTolerance, const WorkControl& control) {
-    // Earlier rounds, and the faces they drop, may put new vertices onto the boundary. A mesh that
-    // never settles is a tangle and stays as it is.
+    // A round drops faces and may put new vertices onto the boundary, so repeat. If the rounds do
+    // not end, leave the mesh as it is.
     constexpr int maximumRounds = 100;
     const auto maximumJoined = 1000 + 2 * repaired.mesh.faceCount();
     for (int round = 0; round < maximumRounds && repaired.report.joinedVertices <= maximumJoined &&

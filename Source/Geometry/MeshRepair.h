@@ -18,7 +18,7 @@ struct RepairSettings {
     bool largestComponentOnly = false; ///< keep only the component with the largest area
     /// Cut the mesh where more than two faces meet at an edge, where several fans meet at a vertex,
     /// and where a one-sided surface closes, because remeshing needs a manifold. Parts connected
-    /// only there separate, so analysis leaves this off.
+    /// only at such places separate, so analysis leaves this setting off.
     bool cutIntoManifold = false;
     const std::atomic<bool>* cancelled = nullptr; ///< see WorkControl
 };
@@ -28,7 +28,7 @@ struct RepairReport {
     int weldedVertices = 0;
     int degenerateFaces = 0;      ///< dropped: two corners in one vertex, or no area
     int duplicateFaces = 0;       ///< dropped: the same three vertices as another face
-    int joinedVertices = 0;       ///< inserted into the edge of another face on which they lay
+    int joinedVertices = 0;       ///< inserted into the edge of another face
     int unreferencedVertices = 0; ///< dropped: no remaining face uses them
     int flippedFaces = 0;         ///< turned over to agree with neighbours or to look outward
     int cutVertices = 0;          ///< added to make the mesh a manifold
@@ -40,8 +40,8 @@ struct RepairReport {
     int nonManifoldEdges = 0; ///< edges of more than two faces
     int oneSidedEdges = 0;    ///< edges whose faces cannot agree on a side
 
-    /// Returns true if the end of the mesh may be missing: it is open, and it had more faceless
-    /// vertices than stray ones or those of dropped faces explain.
+    /// Returns true if the end of the mesh may be missing: it is open, and it had too many vertices
+    /// without a face to be explained by stray vertices or dropped faces.
     bool mayBeCutOff() const;
     /// Returns sentences for the user, such as "Welded 36 vertices. Open: 40 boundary edges."; may
     /// be empty.

@@ -15,8 +15,8 @@ namespace {
 using Coordinates = Eigen::Matrix<float, Eigen::Dynamic, 3, Eigen::RowMajor>;
 using Corners = Eigen::Matrix<std::int32_t, Eigen::Dynamic, 3, Eigen::RowMajor>;
 
-/// Sets the corner normals at these vertices to the mean over all faces around. If that turns too
-/// far from the corner's own face, uses the face's normal.
+/// Sets the corner normals at these vertices to the mean over all faces around. If the mean turns
+/// too far from the corner's own face, uses the face's normal.
 void smoothCrowded(const Mesh& mesh,
                    const Eigen::MatrixXd& faceNormals,
                    std::span<const std::size_t> vertices,

@@ -20,7 +20,8 @@ using Eigen::Vector3d;
 constexpr double smallDiscMetres = 0.01;
 constexpr int spokes = 24;
 constexpr double stripShare = 0.1;
-// Points count as a line if their extent across it is at most this fraction of that along it.
+// Points count as a line if their extent across the line is at most this fraction of the extent
+// along it.
 constexpr double lineShare = 1e-3;
 // Triangles smaller than this fraction of the squared extent are dropped as slivers.
 constexpr double sliverShare = 1e-9;

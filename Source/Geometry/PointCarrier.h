@@ -27,7 +27,8 @@ PointCarrier discOfRadii(std::span<const double> radiiMetres);
 /// Keeps the mesh. Weights are the inverse squares of the distances to the points (Shepard 1968).
 PointCarrier carriedBy(Mesh mesh, std::span<const Eigen::Vector3d> points);
 
-/// The same for values that depend only on the distance from the z axis: linear between the radii.
+/// Keeps the mesh, for values that depend only on the distance from the z axis. Weights are linear
+/// between the radii.
 PointCarrier carriedBy(Mesh mesh, std::span<const double> radiiMetres);
 
 } // namespace idiophone

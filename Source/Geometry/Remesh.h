@@ -17,9 +17,10 @@ double remeshedTriangles(const Mesh& mesh, double edgeLengthMetres);
 /// sharp edges are closer than that. Edges where the surface turns by more than 40° are kept.
 /// Corners of such edges and of the boundary stay in place.
 /// Decimates a mesh far denser than the target first: scans take a fifth of the time, and their
-/// noise does not pass for sharp edges. Repairs the mesh and cuts it where it is not a manifold
-/// (MeshRepair). Parts connected only there come apart: check RepairReport::nonManifoldEdges
-/// before.
+/// noise is not taken for sharp edges. Repairs the mesh and cuts it where it is not a manifold
+/// (MeshRepair). Parts connected only at such places are separated; RepairReport::nonManifoldEdges
+/// counts these places.
+///
 /// The result is an oriented manifold without degenerate faces, but may intersect itself. Vertices
 /// and faces have a new order.
 /// Fails with one sentence if repair fails, if the edge length is not above 0 and at most half the

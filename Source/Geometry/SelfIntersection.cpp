@@ -71,7 +71,7 @@ private:
 
 std::optional<bool> intersectsItself(const Mesh& mesh, const std::atomic<bool>* cancelled) {
     constexpr std::int64_t maximumPairs = 50'000'000;
-    constexpr std::ptrdiff_t fewBoxes = 2000; // CGAL recommends testing all pairs below this
+    constexpr std::ptrdiff_t fewBoxes = 2000; // CGAL recommends testing all pairs of fewer boxes
     const FaceTest test(mesh);
     std::vector<Box> boxes;
     boxes.reserve(mesh.faceCount());

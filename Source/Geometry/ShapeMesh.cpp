@@ -99,8 +99,7 @@ std::vector<double> spacings(const std::vector<CellFace>& faces, const Mesh& sha
     return spacing;
 }
 
-/// Returns true if a face between three rows looks to the outside of the surface there. `normals`
-/// [V,3].
+/// Returns true if a face between three rows looks to the outside of the surface. `normals` [V,3].
 bool facesOut(const Triple& rows, const Mesh& shapes, const Eigen::MatrixXd& normals) {
     const Eigen::RowVector3d a = shapes.vertices.row(rows[0]), b = shapes.vertices.row(rows[1]),
                              c = shapes.vertices.row(rows[2]);

@@ -52,7 +52,7 @@ struct Triangle {
         const double determinant = u.dot(p);
         if (std::abs(determinant) <= 1e-14 * u.norm() * v.norm() * direction.norm())
             return std::nullopt;
-        // A little slack, so that a ray along a shared edge hits one of the two faces.
+        // A small tolerance, so that a ray along a shared edge hits one of the two faces.
         constexpr double slack = 1e-12;
         const Eigen::Vector3d w = origin - a, q = w.cross(u);
         const double s = w.dot(p) / determinant, t = direction.dot(q) / determinant;
@@ -106,7 +106,7 @@ SurfacePoint SurfaceQuery::nearestPoint(const Eigen::Vector3d& point) const {
     return nearestPoint(point, boxBudget);
 }
 
-// The same search as libigl's, with its order and its triangle distance, but with a box limit.
+// Searches as libigl does, in its order and with its triangle distance, but with a box limit.
 SurfacePoint SurfaceQuery::nearestPoint(const Eigen::Vector3d& point,
                                         std::int64_t& boxBudget) const {
     using Node = igl::AABB<Eigen::MatrixXd, 3>;

@@ -9,8 +9,8 @@ namespace idiophone {
 inline constexpr int maximumOpenEdges = 200'000;
 
 /// Splits every edge of a single face at the boundary vertices on it, so that the faces on its
-/// other side can join. A vertex is on the edge if it is closer than the tolerance, and farther
-/// than that from its ends. The edge then runs through the vertices, which stay in place. Returns
+/// other side can join. A vertex is on the edge if it is closer to the edge than the tolerance, but
+/// not as close to an end. The edge then runs through the vertices, which stay in place. Returns
 /// the number of insertions.
 /// Stops when insertions exceed twice the boundary edges (plus 1,000): such a mesh is a tangle.
 /// Does nothing if more than `maximumOpenEdges` edges have a single face. Drop degenerate and

@@ -7,7 +7,7 @@
 namespace idiophone {
 namespace {
 
-constexpr int steps = 40; // per curve: finer than any mesh of it
+constexpr int steps = 40; // per curve: finer than any mesh of a curve
 constexpr double quarterTurn = std::numbers::pi / 2;
 
 /// Chosen together with the factory handbell's measures, so that its (3,0) mode lies a twelfth

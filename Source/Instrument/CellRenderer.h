@@ -26,20 +26,20 @@ public:
                  HeldContacts& contacts,
                  HandScrape& hand);
 
-    /// Turns the motor on by a cell; call before `beginCell`. With `songTurns` it follows these, at
-    /// once if `isAtOnce`.
+    /// Turns the motor on by a cell; call before `beginCell`. If `songTurns` is given, the motor
+    /// follows these turns, at once if `isAtOnce`.
     void turnMotor(const ParameterValues& values,
                    double beatsPerMinute,
                    std::optional<double> songTurns,
                    bool isAtOnce);
     void beginCell(const ParameterValues& values, const KeyState& keys, StrikeScheduler& strikes);
-    /// Moves the gain towards its goal over the newest cell. The first cell has the goal at once.
+    /// Moves the gain towards its goal over the newest cell. The first cell starts at the goal.
     void moveGain(float goal);
 
     bool cellIsOver() const { return position == cellSamples; }
     bool isWithinCell() const { return position > 0 && !cellIsOver(); }
     int samplesLeft() const { return cellSamples - position; }
-    /// Plays the strikes of the cell's next part and copies it to the output.
+    /// Plays the strikes of the cell's next part and copies this part to the output.
     void copyOut(const StereoSpan& output, StrikeScheduler& strikes);
 
     /// Returns the moment of a strike at the next sample.
@@ -50,7 +50,7 @@ public:
     }
 
     void updateDampers(const ParameterValues& values, const KeyState& keys);
-    /// A hand on its surface holds a slot, or no longer holds it.
+    /// Sets whether a hand touches a slot.
     void touch(std::size_t slot, bool isTouched) { slotTouched[slot] = isTouched; }
     void liftHands();
 

@@ -43,7 +43,8 @@ bool CellStrikes::strike(std::size_t slot,
     const auto& output = cell.cellsOfSlots[slot];
     if (synthesiser.strike(slot, strike, within, output))
         return true;
-    // Impulses use no contact. If the synthesiser refused one, it would refuse its parts too.
+    // Split only strikes that found no free contact. A strike refused for another reason is
+    // invalid, and so are its parts.
     if (!synthesiser.contactsUsedUp(slot) || !(strike.durationSeconds > 0))
         return false;
     auto impulse = strike;

@@ -9,7 +9,7 @@ namespace idiophone {
 namespace {
 
 constexpr double trainSeconds = 0.015; // FoleyAutomatic, impacts
-// By ear: rubber does not chatter, and at most half of the impulse comes late.
+// Chosen by ear: rubber does not chatter, and at most half of the impulse comes late.
 constexpr double softContactSeconds = 0.001;
 constexpr double largestLateShare = 0.5;
 

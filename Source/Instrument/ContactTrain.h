@@ -1,6 +1,6 @@
-// Splits a strike into the contacts it consists of: hard bodies touch several times before they
-// part (van den Doel, Kry & Pai 2001, impacts). MalletStrike.h decides which mallet strikes and how
-// hard.
+// Splits a strike into the contacts that it consists of: hard bodies touch several times before
+// they part (van den Doel, Kry & Pai 2001, impacts). MalletStrike.h decides which mallet strikes
+// and how hard.
 #pragma once
 
 #include "Synth/Strike.h"
@@ -33,11 +33,12 @@ private:
     std::size_t used = 0;
 };
 
-/// Returns a hard strike as a first collision and two to five more, each weaker and sooner after
-/// the one before. All end within 15 ms of the start (15 s ms for a mallet scaled by s < 1).
-/// Their impulses sum to the strike's. At `chatterPercent` 100 and zero contact time, half of it
-/// goes to the further collisions. Contacts of 1 ms (s ms) and longer do not chatter: the train is
-/// then the strike itself.
+/// Returns a hard strike as a first collision and two to five more. Each one is weaker than the one
+/// before and follows sooner. All end within 15 ms of the start (15 s ms for a mallet scaled by s <
+/// 1). Their impulses sum to the strike's. At `chatterPercent` 100 and zero contact time, the
+/// further collisions get half of this sum. Contacts of 1 ms (s ms) and longer do not chatter: the
+/// train is then the strike itself.
+///
 /// `strikeNumber` seeds the number, times and impulses. Any thread.
 ContactTrain contactTrain(const Strike& strike,
                           double malletScale,

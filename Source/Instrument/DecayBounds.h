@@ -19,7 +19,7 @@ struct ModeBound {
     double scale = 1;                                            ///< minimum of ModeDamping::scale
     double extraPerSecond = 0; ///< minimum of ModeDamping::extraPerSecond/size
     /// Maximum of Y/ρ [m²/s²] of the objects' own materials. A live material scales λ/size² of
-    /// these modes by its own Y/ρ over this.
+    /// these modes by its own Y/ρ divided by this value.
     double specificStiffness = 0;
     DampingLaw law; ///< minimum of each figure of the objects' own materials
 

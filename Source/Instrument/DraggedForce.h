@@ -1,4 +1,4 @@
-// The force of something hard dragged over a surface.
+// The force of a hard tool dragged over a surface.
 #pragma once
 
 #include "Synth/ForceCell.h"

@@ -48,10 +48,11 @@ double rigidMobilityPerKg(const ModalObject& object, const StrikePoint& point) n
 }
 
 /// r T, from (π² − c²)/(√2 c) = 3. T of a hard impact on a resistance Z is m (π² − c²)/(√2 c Z).
-/// The pulse of 3 m/Z is the one whose energy J² 3/(2 Z T) equals m v²/2 at J = m v.
+/// Energy is conserved if T = 3 m/Z: the pulse's energy J² 3/(2 Z T) then equals m v²/2 at J = m v.
 const double turnOfContact = (std::sqrt(18 + 4 * pi * pi) - std::sqrt(18.0)) / 2;
 
-/// Returns |S|² of a raised cosine at f T, up to its first null; beyond, it is below a thousandth.
+/// Returns |S|² of a raised cosine at f T up to its first null, and 0 beyond, where |S|² is below a
+/// thousandth.
 double pulsePower(double turns) noexcept {
     if (turns >= 2)
         return 0;

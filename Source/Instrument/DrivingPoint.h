@@ -15,7 +15,7 @@ namespace idiophone {
 /// The body that hits an object.
 struct Striker {
     double massKg = 0;      ///< > 0
-    double restitution = 1; ///< 0 to 1: rebound over approach on something rigid and heavy
+    double restitution = 1; ///< 0 to 1: rebound over approach on a rigid, heavy object
     ContactLaw law;
 };
 
@@ -46,12 +46,12 @@ public:
 
     /// Returns the collision with a striker at a speed > 0 [m/s].
     ///
-    /// Time: at the complex frequency s = r e^{iπ/4} a mode answers a force by φ² s/(s² + ω²) = B/s
-    /// + C s, exactly, with B = φ²/(1 + (ω/r)⁴) and C = (ω/r²)² B. So at r = c/T the object is the
+    /// Time: at the complex frequency s = r e^{iπ/4} a mode has the mobility φ² s/(s² + ω²) = B/s +
+    /// C s, exactly, with B = φ²/(1 + (ω/r)⁴) and C = (ω/r²)² B. So at r = c/T the object is the
     /// mass 1/ΣB in series with a spring of the compliance ΣC, and T² = T_law(μ)² + π² μ ΣC, 1/μ =
     /// 1/m + ΣB. With c = 1.669 a hard impact on a point of constant mechanical resistance (an
-    /// infinite plate) leaves the momentum m v there, as in Zener (1941). Six steps from T_law(m)
-    /// come close to the solution. The equation can have three solutions, for example for a heavy
+    /// infinite plate) takes the momentum m v, as in Zener (1941). Six steps from T_law(m) come
+    /// close to the solution. The equation can have three solutions, for example for a heavy
     /// mallet on a single slow mode. A fixed number of smooth steps does not jump between them.
     ///
     /// Impulse: J = (1 + e) m' v, 1/m' = 1/m + 1/M + Σ φ² |S(ωT)|², where S is the spectrum of the

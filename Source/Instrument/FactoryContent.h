@@ -10,7 +10,8 @@
 
 namespace idiophone {
 
-/// Returns the factory presets; a new instance plays the first. Parsed once; any thread but audio.
+/// Returns the factory presets; a new instance plays the first. Parsed once; any thread except
+/// the audio thread.
 std::span<const Preset> factoryPresets();
 
 /// Returns the factory preset of that name (case-insensitive), or nullptr.

@@ -12,7 +12,7 @@ namespace {
 
 using enum ParameterId;
 
-// These forces follow those of the keys.
+// The indices of the hand's forces follow those of the keys.
 constexpr std::size_t firstForce = 2 * HeldContacts::capacity, contactCount = 2;
 static_assert(firstForce + contactCount <= forceCapacity);
 

@@ -1,4 +1,4 @@
-// Models a hand that drags something hard over an object, for example over its picture: its place,
+// Models a hand that drags a hard tool over an object, for example over its picture: its place,
 // speed and pressure. Synth/ContactForce makes the force.
 #pragma once
 
@@ -19,7 +19,7 @@
 
 namespace idiophone {
 
-/// The hand touches a place, or moves on to it.
+/// A move of the hand: to the first place that it touches, or on to another one.
 struct SurfaceTouch {
     std::size_t slot = 0; ///< index into the instrument's slots
     StrikePoint point;    ///< on the slot's object
@@ -40,8 +40,8 @@ public:
                std::uint64_t seed,
                std::vector<double> strengths);
 
-    /// Moves the hand. On another object it lifts and touches again. The slot and the rows must
-    /// exist.
+    /// Moves the hand. If the object changes, the hand lifts and touches the other one. The slot
+    /// and the rows must exist.
     void touch(const SurfaceTouch& touch) noexcept;
     /// Fades the force out; the object rings on.
     void lift() noexcept;
@@ -54,7 +54,7 @@ public:
 
     std::optional<std::size_t> heldSlot() const noexcept; ///< slot that the hand touches
     bool silent() const noexcept;                         ///< no contact, not even a fading one
-    void reset() noexcept;                                ///< returns to the constructed state
+    void reset() noexcept;                                ///< restores the constructed state
 
 private:
     struct Contact {
@@ -75,7 +75,7 @@ private:
     const Instrument& instrument;
     double cellSeconds;
     std::vector<double> strengths;
-    std::vector<Contact> contacts; ///< two: one may fade out while the other one plays
+    std::vector<Contact> contacts; ///< two, so that one may fade out while the other plays
     std::size_t now = 0;           ///< index of the newest contact
 };
 

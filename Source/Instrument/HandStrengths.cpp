@@ -9,8 +9,8 @@
 namespace idiophone {
 namespace {
 
-/// Corrects what the prediction of scrapes leaves out, and sets their distance below a strike;
-/// measured over the factory presets.
+/// Corrects the predicted loudness of scrapes and sets their level below a strike. Measured over
+/// the factory presets.
 constexpr double scrapeConstantDb = 31;
 
 ParameterValues scraping(ParameterValues values) {

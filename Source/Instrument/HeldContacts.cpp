@@ -34,7 +34,7 @@ HeldContacts::HeldContacts(const Instrument& played,
     static_assert(2 * capacity <= forceCapacity);
     contacts.reserve(2 * capacity);
     for (std::uint64_t i = 0; i < 2 * capacity; ++i) {
-        // Keep the second half far from the contacts of any other seed.
+        // The second half gets seeds far from those of any other instance.
         const auto apart = i < capacity ? 0 : std::uint64_t{1} << 63;
         contacts.push_back(
             {.force = PressedForce(profile, (seed * capacity + i % capacity) ^ apart),
@@ -50,7 +50,7 @@ HeldContacts::Contact* HeldContacts::find(int channel, int note) noexcept {
 }
 
 /// Returns an inactive contact, from the first half if possible. Otherwise returns the released one
-/// that has faded most; one exists, as there are twice as many contacts as keys.
+/// that has faded most; one exists, because there are twice as many contacts as keys.
 HeldContacts::Contact& HeldContacts::freeContact() noexcept {
     const auto rank = [this](const Contact& contact) {
         const bool takesOver = &contact - contacts.data() >= std::ptrdiff_t{capacity};

@@ -77,7 +77,7 @@ public:
                std::span<const CellOutput> cellsOfSlots) noexcept;
 
     bool silent() const noexcept; ///< no contact, not even a fading one
-    void reset() noexcept;        ///< returns to the constructed state
+    void reset() noexcept;        ///< restores the constructed state
 
 private:
     struct Contact {

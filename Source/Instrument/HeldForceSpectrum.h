@@ -18,8 +18,8 @@ namespace idiophone {
 class HeldForceSpectrum {
 public:
     HeldForceSpectrum() = default;
-    /// Describes a surface passed at a speed ≥ 0, raised to the surface's slowest. Settings and
-    /// coupled modes are those of ContactForce.
+    /// Describes a surface passed at a speed ≥ 0, raised to the surface's minimum speed. Settings
+    /// and coupled modes are those of ContactForce.
     HeldForceSpectrum(const Surface& surface,
                       double speedMetresPerSecond,
                       const ContactForceSettings& settings,
@@ -32,11 +32,10 @@ public:
 
     /// Returns the power that a mode of `decay` α [1/s] at ω_i = `omega` takes from the force of a
     /// note; `release` [1/s] adds to the decay after the note. This is the mean of the power
-    /// spectrum over the mode's resonance (α/π)/((ω − ω_i)² + α²).
-    /// A coupled mode's filter d/(d + i(ω − ω_k)) has the mean d/(d + α + i(ω_i − ω_k)) there, as
-    /// it is analytic on one side. Its square has the mean d (d + α)/|d + α + i(ω_i − ω_k)|². If
-    /// the mode is coupled itself, it answers as (h + c d t) e^(−αt), which may last longer than
-    /// the note.
+    /// spectrum over the mode's resonance (α/π)/((ω − ω_i)² + α²). A coupled mode's filter d/(d +
+    /// i(ω − ω_k)) has the mean d/(d + α + i(ω_i − ω_k)) there, because it is analytic on one side.
+    /// Its square has the mean d (d + α)/|d + α + i(ω_i − ω_k)|². If the mode is coupled itself, it
+    /// answers as (h + c d t) e^(−αt), which may last longer than the note.
     double powerTakenBy(double omega, double decay, double release) const noexcept;
 
 private:

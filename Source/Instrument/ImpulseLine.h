@@ -9,8 +9,9 @@
 namespace idiophone {
 
 /// Returns the name by which a list at a place on disk refers to an object. A factory object keeps
-/// its name. A file in the list's folder or below has its path from there, so that both can move
-/// together. Any other file has its absolute path. Reads no file; not for the audio thread.
+/// its name. A file in the list's folder or below has a path relative to that folder, so that both
+/// can move together. Any other file has its absolute path. Reads no file; not for the audio
+/// thread.
 std::string objectInList(const std::string& nameOrFile, const std::filesystem::path& list);
 
 /// Returns the line with its line break. `object` comes from `objectInList` and is struck at

@@ -163,7 +163,7 @@ std::shared_ptr<const StrikeStrip> Instrument::stripOf(const ModalObject& object
 
 void Instrument::describeSlots() {
     mallets.resize(synthesiserSlots.size());
-    if (map.kind != KeyMapKind::zones) // there all keys share the slot
+    if (map.kind != KeyMapKind::zones) // in zones all keys share the slot
         for (const Key& key : keys)
             if (key.slot >= 0)
                 mallets[static_cast<std::size_t>(key.slot)] = key.mallet;

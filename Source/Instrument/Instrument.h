@@ -29,8 +29,8 @@ struct Key {
     bool isOwn = true;
 };
 
-/// Maximum of modes of all slots together. Each slot has its own bank, half a kilobyte a mode, so
-/// without it a small file on 128 keys could use any amount of memory.
+/// Maximum of modes of all slots together. Each slot has its own bank, with half a kilobyte per
+/// mode. Without this limit, a small file on 128 keys could use any amount of memory.
 inline constexpr std::size_t maximumModesOfSlots = std::size_t{1} << 21;
 /// Keys outside the preset's own play only if all keys together have at most this many modes: 256
 /// MiB.
@@ -60,7 +60,7 @@ public:
                                                      std::shared_ptr<const Stage> stage);
 
     /// Returns a number from 1 on, unique among the instruments of the process. Threads that do not
-    /// keep an instrument alive identify it by this, because addresses are reused.
+    /// keep an instrument alive identify it by its number, because addresses are reused.
     std::uint64_t serialNumber() const { return serial; }
 
     const KeyMap& keyMap() const { return map; }

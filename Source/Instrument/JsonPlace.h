@@ -46,8 +46,8 @@ public:
     /// Returns the members of an object with their keys.
     std::vector<std::pair<std::string, JsonPlace>> members() const;
 
-    /// Returns the entries, at most `most`: an entry's path takes many times the bytes of a number
-    /// in the file.
+    /// Returns the entries, at most `most`. The limit is needed because an entry's path takes many
+    /// times the bytes of a number in the file.
     std::vector<JsonPlace> list(std::size_t most) const;
     double number(double lowest, double highest) const;
     double wholeNumber(double lowest, double highest) const;

@@ -44,7 +44,7 @@ void KeyState::follow(const MidiEvent& event) noexcept {
 void KeyState::endSample(std::span<const MidiEvent> events) noexcept {
     std::array<Keys, 16> pressedLater, waiting;
     for (auto event = events.rbegin(); event != events.rend(); ++event) {
-        if (midi::isChannelMode(event->bytes)) // it has reset the pressures before it
+        if (midi::isChannelMode(event->bytes)) // a channel mode has reset earlier pressures
             return;
         const int channel = event->channel();
         Keys reached;

@@ -14,7 +14,7 @@ namespace idiophone {
 
 /// For the audio thread; neither allocates, locks nor throws. State changes at the event's sample,
 /// so that a key struck again is down by the next grid point. The owner starts contacts; releases,
-/// pressures and controllers pass on to them.
+/// pressures and controllers are passed on to them.
 class KeyState {
 public:
     using Keys = std::bitset<128>;
@@ -23,8 +23,8 @@ public:
     explicit KeyState(HeldContacts& contacts) : held(contacts) {}
 
     /// Call before the events of one sample. If one note ends and the next begins on a channel at
-    /// one sample, wheel and pressure events belong to the next note. They may come first: JUCE's
-    /// VST3 wrapper sends them before the notes of their sample.
+    /// one sample, wheel and pressure events belong to the next note. These events may come before
+    /// the note: JUCE's VST3 wrapper sends them first.
     void beginSample(std::span<const MidiEvent> events) noexcept;
     void follow(const MidiEvent& event) noexcept;
     /// Call after the events of one sample. A new key takes the last pressure of that sample, even
@@ -43,7 +43,7 @@ public:
 
     /// Takes over pedals, wheels and other controllers, but not keys.
     void takeControllersOf(const KeyState& former) noexcept;
-    /// Releases all keys and returns controllers to rest. MPE's zones and the bend ranges stay.
+    /// Releases all keys and resets controllers. Keeps MPE's zones and bend ranges.
     void reset() noexcept;
 
 private:

@@ -22,7 +22,7 @@ namespace idiophone {
 /// Constructed and destroyed off the audio thread. The same calls give the same gains.
 class LoudnessMatch {
 public:
-    /// Maximum of modes that one `advance` processes: about 20 µs of work.
+    /// Maximum number of modes that one `advance` processes: about 20 µs of work.
     static constexpr std::size_t modesPerCell = 16;
 
     /// `own` are the preset's values.
@@ -48,14 +48,14 @@ public:
     /// Returns the last complete gain.
     double gainDb() const noexcept { return state.gainDb; }
 
-    /// Returns the wheel to rest but keeps the predictions made there. If the values equal those of
-    /// the last such prediction, the next `advance` has their gain and processes no modes. Without
-    /// prepare(), the next call prepares, as after construction.
+    /// Resets the wheel but keeps the predictions for the wheel at rest. If the values
+    /// equal those of the last such prediction, the next `advance` has their gain and processes no
+    /// modes. Without prepare(), the next call prepares, as after construction.
     void reset() noexcept;
 
-    /// Marks the start of a song. If values and wheel equal those of its last start, the next
-    /// `advance` restores the state of that start. So the gain follows the same values in the same
-    /// time on every pass.
+    /// Marks the start of a song. If values and wheel equal those at the song's last start, the
+    /// next `advance` restores the state at that start. So the gain follows the same values in the
+    /// same time on every pass.
     void beginSong() noexcept { songBegins = true; }
 
 private:
@@ -71,7 +71,7 @@ private:
         PhrasePrediction::Loudness lufs{};
     };
     /// One of the two compared sides. Predictions with the wheel at rest have their own place,
-    /// because a reset returns there from any wheel position.
+    /// because a reset needs them at any wheel position.
     struct Side {
         Goal goal;
         Known atRest, away;

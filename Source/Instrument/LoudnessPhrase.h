@@ -12,7 +12,7 @@ namespace idiophone {
 /// Loudness in LUFS (ITU-R BS.1770) of both channels of the phrase at velocity 100, with `level`
 /// and room. Factory presets whose keys play objects have it within 1 LU.
 inline constexpr double factoryLufs = -26;
-/// The same for one of two equal channels, as PhrasePrediction predicts it.
+/// The loudness of one of two equal channels of the phrase, as PhrasePrediction predicts it.
 inline constexpr double factoryChannelLufs = factoryLufs - 3.01;
 
 inline constexpr int loudnessPhraseVelocity = 100;

@@ -11,8 +11,8 @@ namespace {
 
 using enum ParameterId;
 
-/// Restitution of every head on something rigid and heavy. Estimated: wound and solid balls rebound
-/// at 0.5 to 0.9 of their speed, which changes (1 + e) by 1 dB either way.
+/// Restitution of every head on a rigid, heavy object. Estimated: wound and solid balls rebound at
+/// 0.5 to 0.9 of their speed, which changes (1 + e) by 1 dB either way.
 constexpr double headRestitution = 0.7;
 
 StrikePlace placeBeside(double keyAlong, double along, double across) {

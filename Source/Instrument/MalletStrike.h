@@ -34,7 +34,7 @@ double surfaceCompliancePerPa(const Material& own, const ParameterValues& parame
 /// Returns the chosen mallet, as scaled for a key, on a surface of that compliance [1/Pa]; 0 is
 /// rigid. The custom mallet's hardness is the modulus of the whole contact on any surface. A mallet
 /// that follows the keys by a share q has a contact of pitchRatio^(q (p+1)) times the modulus, so
-/// its contact time on something heavy falls as pitchRatio^q. Any thread.
+/// its contact time on a heavy object falls as pitchRatio^q. Any thread.
 Striker
 striker(const KeyMallet& key, const ParameterValues& parameters, double surfaceCompliance = 0);
 

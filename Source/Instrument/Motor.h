@@ -10,18 +10,19 @@ class Motor {
 public:
     explicit Motor(double secondsPerCell) : cellSeconds(secondsPerCell) {}
 
-    /// Turns on by a cell at `turnsPerSecond` ≥ 0. Returns the gain at the cell's end: from 1
-    /// (open) to 1 − `depth` (closed, 0 to 1), twice a turn each. A change of depth takes about 10
-    /// ms.
+    /// Turns the discs for a cell at `turnsPerSecond` ≥ 0. Returns the gain at the cell's end: from
+    /// 1 (open) to 1 − `depth` (closed, 0 to 1), twice a turn each. A change of depth takes about
+    /// 10 ms.
     float advance(double turnsPerSecond, double depth);
     /// Returns the last gain of `advance`; 1 at the start.
     float gain() const { return gainNow; }
 
-    /// Corrects the phase to that of another clock; call it before `advance`. It jumps at once, or
-    /// takes a share of the shorter way to a phase with the same opening.
+    /// Corrects the phase to that of another clock; call it before `advance`. With `isAtOnce` the
+    /// phase jumps. Otherwise it moves by a share of the shorter way to a phase with the same
+    /// opening.
     void keepTo(double turns, bool isAtOnce);
 
-    /// Returns to the start: open.
+    /// Restarts the motor with open discs.
     void reset();
 
 private:

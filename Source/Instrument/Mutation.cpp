@@ -13,7 +13,7 @@ namespace {
 using enum ParameterId;
 
 constexpr double maximumLouderDb = 6;
-constexpr double anyRateHz = 48000; // any rate will do if both predictions have it
+constexpr double anyRateHz = 48000; // any rate, but the same for both predictions
 
 /// Returns −1 to 1. The standard's distributions differ from library to library.
 double nextRandom(std::mt19937& random) {

@@ -23,12 +23,12 @@ struct RingingMode {
 
 /// Keeps the last few modes, with which the next one interferes. The term ∫ v_i v_j dt = Re(A_i
 /// A_j* (a + iΔ))/(a² + Δ²)/2, a = α_i + α_j, Δ = ω_i − ω_j, matters for close modes: the pairs of
-/// round objects, and all modes of soft ones. Add modes in ascending order. Does not allocate.
+/// round objects, and all modes of soft objects. Add modes in ascending order. Does not allocate.
 template <std::size_t levels>
 class NearModes {
 public:
-    /// Returns powers, mean of the channels, for each excitation and note. Decaying as the mode
-    /// does, they carry its energy and that of its interference with the modes before it.
+    /// Returns the mean power of the channels for each excitation and note. If this power decays
+    /// with the mode, it carries the energy of the mode and of its interference with earlier modes.
     std::array<PhraseMeter::NoteFigures, levels>
     add(const RingingMode<levels>& mode, std::size_t firstNote, std::size_t endNote) noexcept {
         std::array<PhraseMeter::NoteFigures, levels> powers{};

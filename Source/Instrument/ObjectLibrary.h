@@ -17,8 +17,8 @@ namespace idiophone {
 class ObjectLibrary {
 public:
     ObjectLibrary() = default;
-    /// Makes a library that asks `others`, which must outlive it, for everything not added to this
-    /// one. A build uses it for names that only that build knows.
+    /// Makes a library that asks `others`, which must outlive it, for names not added to this
+    /// library. A build uses it for names that only that build knows.
     explicit ObjectLibrary(ObjectLibrary& others) : behind(&others) {}
 
     /// Returns the library that all plugin instances in this process share. Never add to it,
@@ -45,7 +45,7 @@ private:
     ObjectLibrary* const behind = nullptr;
     std::mutex mutex;
     std::map<std::string, std::weak_ptr<const ModalObject>>
-        loaded; ///< objects still held by someone
+        loaded; ///< objects that somebody still holds
 };
 
 } // namespace idiophone

@@ -15,7 +15,7 @@ namespace idiophone {
 /// Not for the audio thread.
 class ObjectSurface {
 public:
-    /// `object` must outlive the surface and have shapes at a vertex at least.
+    /// `object` must outlive the surface and have shapes at one vertex or more.
     explicit ObjectSurface(const ModalObject& object);
 
     /// Returns the place with shapes that is nearest to a point in metres. The place is barycentric

@@ -18,8 +18,8 @@ public:
     explicit ParameterGlide(double secondsPerCell);
 
     /// Sets the goal of the parameters that glide: material, size, pitch, listening position, and
-    /// the figures of sustained contacts. All others take their new value at once. So do all values
-    /// after `reset`, and the figures of a newly chosen material.
+    /// the figures of sustained contacts. All other parameters take their new value at once. After
+    /// `reset`, and for a newly chosen material, the gliding parameters do so too.
     void setGoal(const ParameterValues& wanted) noexcept;
     /// Moves on by one cell, on each parameter's own scale.
     void advance() noexcept;

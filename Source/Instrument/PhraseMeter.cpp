@@ -15,7 +15,7 @@ double denominatorPower(double x, double quality) noexcept {
 } // namespace
 
 // Evaluates the analogue filters whose bilinear transforms at 48 kHz give the standard's
-// coefficients. Those leave the high-pass 0.04 dB above 1.
+// coefficients. With these coefficients the high-pass ends 0.04 dB above 1.
 double kWeightingPower(double hz) noexcept {
     constexpr double shelfHz = 1681.974450955533, shelfQuality = 0.7071752369554196;
     constexpr double shelfHigh = 1.584864701130855, shelfMiddle = 1.258720930232562;

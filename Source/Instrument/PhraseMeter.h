@@ -17,7 +17,7 @@ public:
     static constexpr std::size_t notes = 8;
     static constexpr double noteSeconds = 0.5;
 
-    /// One figure for each note.
+    /// A value for each note of the phrase.
     using NoteFigures = std::array<double, notes>;
 
     /// `struck` notes get their energy at the start; `sustained` ones get the same energy

@@ -87,7 +87,7 @@ void PhrasePrediction::beginObject() noexcept {
     conditions.gainRatio /= thicknessRatio;
     conditions.radiationGainRatio /= thicknessRatio;
     listening = slot().object->radiation.empty() ? 0 : settings.radiation;
-    // If notes share the object, the next key holds it: it rings on.
+    // If several notes share the object, the next key holds it, so that it rings on.
     const bool rings = parameters[letRing] != 0 || endNote - firstNote > 1;
     release = rings ? 0 : decayPerSecond(parameters[releaseTime]);
     nearModes = {};

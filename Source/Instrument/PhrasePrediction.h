@@ -36,10 +36,10 @@ public:
     std::size_t advance(std::size_t modes) noexcept;
     bool complete() const noexcept { return phrase == nullptr; }
 
-    /// Returns the loudness once it is complete; −infinity if nothing sounds. It leaves out
-    /// `spread`, `imperfection`, and modes that τ and the mode budget drop. For keys that scrape or
-    /// roll it lacks a constant that depends on speed, force and roughness, and is the same for all
-    /// velocities.
+    /// Returns the loudness of a complete prediction; −infinity if nothing sounds. The prediction
+    /// leaves out `spread`, `imperfection`, and modes that τ and the mode budget drop. For keys
+    /// that scrape or roll it lacks a constant that depends on speed, force and roughness, and is
+    /// the same for all velocities.
     Loudness lufs() const noexcept;
 
 private:
@@ -63,11 +63,11 @@ private:
     std::array<PhraseMeter, levels> meters;
 
     // The object being processed.
-    std::size_t firstNote = 0, endNote = 0; ///< the notes that play it
+    std::size_t firstNote = 0, endNote = 0; ///< the notes that play this object
     std::size_t nextMode = 0;
     LiveConditions conditions;
     double thicknessRatio = 1;
-    double listening = 0; ///< 0 where struck, 1 from afar
+    double listening = 0; ///< share of the far sound, 0 to 1
     double release = 0;   ///< [1/s]
     bool held = false;    ///< scraped or rolled
     std::array<StrikePoint, PhraseMeter::notes> points;
@@ -79,7 +79,7 @@ private:
     std::array<ContactTrain, levels> trains;
     std::array<ContactTrain, PhraseMeter::notes> noteTrains;
     std::array<PressedMotion, levels> pressed;
-    /// Complex velocities, mean of the channels.
+    /// Mean complex velocities of the channels.
     std::array<std::array<std::complex<double>, PhraseMeter::notes>, levels> pressedVelocities{};
     std::array<RigidClick, levels> clicks;  ///< of the middle note
     PhraseMeter::NoteFigures clickShares{}; ///< each note's share of the middle note's click

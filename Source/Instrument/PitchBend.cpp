@@ -144,7 +144,7 @@ void PitchBend::giveRange(int channel, int semitones, int cents) noexcept {
     bendHeldNotes();
 }
 
-/// A zone takes the channels that it asks for from the other zone; zero members end it.
+/// A zone takes the channels that it asks for from the other zone. Zero members end the zone.
 void PitchBend::configure(int managerChannel, int members) noexcept {
     if (managerChannel != lowerManager && managerChannel != upperManager)
         return;

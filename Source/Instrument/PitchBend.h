@@ -42,13 +42,13 @@ public:
 
     /// Returns the values given since the last call.
     Given takeGiven() noexcept { return std::exchange(newlyGiven, {}); }
-    /// Returns zones and ranges to those of the parameters.
+    /// Resets zones and ranges to those of the parameters.
     void forgetGiven() noexcept;
 
     /// Returns the bend by the wheel that the note shares with others. A note that was never
     /// played, or −1 for no note, follows channel 0.
     double commonSemitones(int note) const noexcept;
-    /// Returns the bend that adds to it, by the note's own wheel.
+    /// Returns the bend by the note's own wheel, which adds to `commonSemitones`.
     double ownSemitones(int note) const noexcept {
         return noteSemitones[static_cast<std::size_t>(note)];
     }
@@ -65,7 +65,7 @@ public:
 
     void takeWheelsOf(const PitchBend& other) noexcept;
     void takeSetupOf(const PitchBend& other) noexcept; ///< zones and ranges
-    void reset() noexcept; ///< wheels at rest, no notes; zones and ranges stay
+    void reset() noexcept; ///< wheels at rest, no notes; zones and ranges are kept
 
 private:
     /// A parameter in semitones that MIDI may replace, also with fractions and beyond its range.
@@ -88,8 +88,8 @@ private:
     };
 
     struct Zones {
-        int lowerMembers = 0; ///< channels 1 to this
-        int upperMembers = 0; ///< channels 15 − this to 14
+        int lowerMembers = 0; ///< channels 1 to `lowerMembers`
+        int upperMembers = 0; ///< channels 15 − `upperMembers` to 14
         bool any() const noexcept { return lowerMembers > 0 || upperMembers > 0; }
     };
 

@@ -20,8 +20,8 @@ public:
     void add(const StrikePoint& place, double weight);
 
     /// Returns the mean. Rows of several places count once. If there are more rows than a strike
-    /// point holds, it leaves out the lightest under a fade, so that the sound changes without a
-    /// step as the weights change. If the normals cancel, it takes that of the heaviest place.
+    /// point holds, fades the lightest out, so that the sound changes without a step while the
+    /// weights change. If the normals cancel, takes that of the heaviest place.
     StrikePoint point() const;
 
 private:

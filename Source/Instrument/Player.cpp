@@ -159,7 +159,7 @@ void Player::beginCell(std::optional<double> beats) {
     renderer.moveGain(static_cast<float>(std::pow(10, loudness->gainDb() / 20)));
 }
 
-/// Strikes these notes, and before them those that came between two blocks.
+/// Strikes the notes that came between two blocks, then these notes.
 void Player::strike(std::span<const MidiEvent> notes) {
     if (notes.empty() && lateNotes.empty() && !scheduler.hasSurfaceStrikes())
         return;
@@ -206,7 +206,7 @@ void Player::scrapeSurface(const SurfaceTouch& touch) {
 
 void Player::takeControllersOf(const Player& former) noexcept {
     keys.takeControllersOf(former.keys);
-    if (former.renderer.isSilenced()) // the room behind the player fades under it too
+    if (former.renderer.isSilenced()) // the room behind this player fades too
         renderer.silence();
 }
 
@@ -223,7 +223,7 @@ bool Player::beginSong() {
     return beginsAnew;
 }
 
-/// Returns the sound, the bodies and the grid to the start, and keeps keys and controllers.
+/// Resets the sound, the bodies and the grid, and keeps keys and controllers.
 void Player::restart() {
     renderer.reset();
     glide.reset();

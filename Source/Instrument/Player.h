@@ -73,8 +73,8 @@ public:
     /// Lifts all hands from all surfaces.
     void liftHands() { renderer.liftHands(); }
 
-    /// Acts at the first grid point of the next block, or at the very first one if nothing was
-    /// rendered yet. `reset` keeps it.
+    /// Acts at the first grid point of the next block, or at the very first one if nothing has been
+    /// rendered. `reset` keeps it.
     void setSilencedModes(const SilencedModes& silenced) { renderer.setSilencedModes(silenced); }
 
     /// Acts as `setSilencedModes` does. Keys without a pitch play nothing.
@@ -101,13 +101,13 @@ public:
         songPlace = beats;
     }
     /// Marks that the transport started or looped. Reseeds the strike counter from the song
-    /// position, so that every pass renders the same samples. If nothing sounds or moves, it also
-    /// returns everything but keys and controllers to the start, which makes the passes equal to
-    /// the last bit. Returns whether it did.
+    /// position, so that every pass renders the same samples. If nothing sounds or moves, also
+    /// resets everything except keys and controllers, so that the passes are equal to the last
+    /// bit. Returns whether it did so.
     bool beginSong();
 
-    /// Silences everything, releases all keys, returns controllers to rest and the grid to its
-    /// start. MPE's zones and the bend ranges stay as MIDI has set them.
+    /// Silences everything, releases all keys, resets controllers and restarts the grid. Keeps
+    /// the zones and bend ranges that MIDI has set.
     void reset();
 
     /// Sets the owner's identifier of this player; 0 at first.
@@ -115,10 +115,10 @@ public:
     std::int64_t label() const noexcept { return ownersLabel; }
 
     bool silent() const;
-    /// Tells effects behind the player, such as the room, about All Sound Off. Returns the number
-    /// of samples at the start of the last block that it silences. Returns nothing if it neither
-    /// came since the last call nor silenced any sample of the last block. All Sound Off counts
-    /// from the block's start; for the exact sample, begin a block there.
+    /// Returns how many samples at the start of the last block All Sound Off silences, for effects
+    /// behind the player such as the room. Returns nothing if it neither came since the last call
+    /// nor silenced any sample of the last block. All Sound Off counts from the block's start; for
+    /// the exact sample, begin a block there.
     std::optional<std::size_t> takeSilenced();
     const Synthesiser& synthesiser() const { return renderer.synthesiser(); }
     const Instrument& instrument() const { return *playedInstrument; }

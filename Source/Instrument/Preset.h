@@ -18,7 +18,7 @@
 namespace idiophone {
 
 enum class KeyMapKind {
-    bars,   ///< one object a key
+    bars,   ///< one object per key
     zones,  ///< one object; the strike moves along a path over it as the keys go up
     scaled, ///< one object, resized for each key to its pitch
     scene   ///< a scene of rigid bodies, which keys set in motion (Scene/SceneStage.h)
@@ -42,8 +42,8 @@ struct KeyMap {
     /// one on the surface. `zones` spread the keys along the path; the other maps strike at
     /// `strikeAt`.
     std::vector<std::array<double, 3>> strikePath{{-1, 0, 0}, {1, 0, 0}};
-    /// Place on the path, 0 to 1: one for all keys, or places for evenly spread keys from the
-    /// lowest to the highest, interpolated for the others. Not empty.
+    /// Places on the path, 0 to 1; not empty. One place serves all keys. Several places belong to
+    /// evenly spread keys from the lowest to the highest; other keys interpolate between them.
     std::vector<double> strikeAt{0.5};
     /// Reach of "strike position across" beside the path, in units of the bounding box.
     double strikeWidth = 1; ///< 0 to 1
@@ -86,23 +86,23 @@ struct Preset {
 inline constexpr int presetFormatVersion = 1;
 inline constexpr std::size_t largestPresetBytes = 1 << 20;
 inline constexpr std::size_t maximumTags = 1000;
-/// Longer texts are cut, because the browser draws and searches them all. A state must open
-/// with any name of its preset.
+/// Longer texts are cut, because the browser draws and searches them all. A state must open with
+/// any name of its preset.
 inline constexpr std::size_t longestNameBytes = 500; ///< limit of a name, an author and each tag
 inline constexpr std::size_t longestDescriptionBytes = 4000;
 inline constexpr std::size_t longestTagsBytes = 4000;  ///< together; later tags are dropped
 inline constexpr std::size_t maximumPathPoints = 1000; ///< of KeyMap::strikePath
 
-/// Parses a preset file; `name` stands for it in errors. It fails if the file is too large, not
-/// JSON, or lacks a value or has a wrong one. It does not look for the objects and scenes. Not for
-/// the audio thread.
+/// Parses a preset file; `name` stands for it in errors. Fails if the file is too large or not
+/// JSON, or if a value is missing or wrong. Does not look for the objects and scenes. Not for the
+/// audio thread.
 Result<Preset> parsePreset(std::string_view text, std::string_view name);
 
 /// Parses a preset in a saved state, which may have any length and no name.
 Result<Preset> parseSavedPreset(std::string_view text, std::string_view name);
 
 /// Returns the preset as JSON text. `parseSavedPreset` reads it back to an equal preset; so does
-/// `parsePreset`, within its limits of length and name. Any thread but audio.
+/// `parsePreset`, within its limits of length and name. Any thread except the audio thread.
 std::string encodePreset(const Preset& preset);
 
 } // namespace idiophone

@@ -24,7 +24,7 @@ std::vector<std::filesystem::path> foldersFor(const std::filesystem::path& prese
     return folders;
 }
 
-/// Returns the first of these folders that has a file of that relative path.
+/// Returns the first of the folders that has a file of that relative path.
 std::optional<std::filesystem::path> folderWith(const std::filesystem::path& name,
                                                 const std::filesystem::path& presetFile) {
     std::error_code fault;
@@ -82,7 +82,7 @@ std::optional<std::string> nameBeside(const std::filesystem::path& file,
     const auto& plain = isSame(normal) ? normal : file;
     for (const auto& folder : folders) {
         if (folder == folder.root_path())
-            break; // the whole disk lies below it
+            break; // the whole disk lies below this folder
         const auto name = plain.lexically_relative(folder);
         // Skip the name if a file of that name nearer to the preset would be found first.
         if (!name.empty() && *name.begin() != ".." && folderWith(name, presetFile) == folder)

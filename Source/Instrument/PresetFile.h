@@ -18,9 +18,9 @@ Result<Preset> readPresetFile(const std::filesystem::path& file);
 KeyMap withObjectsBeside(KeyMap keyMap, const std::filesystem::path& presetFile);
 
 /// Returns the relative path by which a preset at that place finds a file (withObjectsBeside),
-/// normalised and with forward slashes. Returns nothing if there is no such file or the preset
-/// cannot find it. The path contains ".." only if the file's path leads up from the preset's folder
-/// in that way.
+/// normalised and with forward slashes. Returns nothing if the file does not exist or the preset
+/// cannot find it. The path contains ".." only if the file's own path leads up from the preset's
+/// folder by "..".
 std::optional<std::string> nameBeside(const std::filesystem::path& file,
                                       const std::filesystem::path& presetFile);
 

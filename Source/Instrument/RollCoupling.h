@@ -22,8 +22,8 @@ private:
     std::size_t used = 0;
 };
 
-/// Returns those of the object's lowest modes that oscillate and are at least 20 Hz, under the
-/// settings. Their poles equal the synthesiser's. Does not allocate.
+/// Returns the modes that oscillate and have at least 20 Hz among the object's lowest modes, under
+/// the settings. Their poles equal the synthesiser's. Does not allocate.
 CoupledModes coupledModes(const LowestModes& lowestModes,
                           const SynthesiserSlot& slot,
                           const SynthesisSettings& settings);

@@ -136,9 +136,9 @@ Tunings::Scale readScale(const ScalaFile& file) {
     return scale;
 }
 
-/// A mapping in the library's terms: a scale of the mapped keys' pitches in order, which repeats at
-/// the formal octave, and the reference. The library's own mappings always repeat at the scale's
-/// last note, not at the formal octave.
+/// A mapping as the library expects it: a scale of the mapped keys' pitches in order, and the
+/// reference. The scale repeats at the formal octave. The library's own mappings always repeat at
+/// the scale's last note.
 struct Mapping {
     Tunings::Scale scale;
     Tunings::KeyboardMapping reference;

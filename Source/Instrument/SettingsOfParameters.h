@@ -45,14 +45,14 @@ ParameterValues effectiveFigures(ParameterValues values, const Material* own);
 /// that they sound as before. Any thread.
 ParameterValues withCustom(ParameterValues values, const FigureChoice& choice, const Material* own);
 
-/// Returns whether the thickness acts on any of these slots. Any thread.
+/// Returns whether the thickness acts on any of the slots. Any thread.
 bool hasLiveThickness(std::span<const SynthesiserSlot> slots);
 
-/// Returns whether any of these slots has a pitch that `keep_pitch` can keep. Any thread.
+/// Returns whether any of the slots has a pitch that `keep_pitch` can keep. Any thread.
 bool hasPitch(std::span<const SynthesiserSlot> slots);
 
 /// Returns the values with that material as the custom one; ParameterValues::set clamps the
-/// figures. They do not include its Poisson ratio and contact figures. Any thread.
+/// figures. The values do not include its Poisson ratio and contact figures. Any thread.
 ParameterValues withCustomMaterial(ParameterValues values, const Material& material);
 
 /// Returns the synthesiser's settings for the values. Any thread.

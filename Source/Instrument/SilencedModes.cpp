@@ -6,7 +6,7 @@
 namespace idiophone {
 namespace {
 
-/// [M] 1 for the modes of the set, or for all others.
+/// Returns [M] flags: 1 for the modes of the set, or with `others` for all other modes.
 std::vector<std::uint8_t>
 flags(const std::set<std::int32_t>& modes, std::size_t count, bool others) {
     std::vector<std::uint8_t> result(count, others ? 1 : 0);

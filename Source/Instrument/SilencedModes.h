@@ -13,20 +13,21 @@ namespace idiophone {
 
 struct SilencedModes {
     struct OfObject {
-        const ModalObject* object = nullptr;  ///< compared, never read
+        const ModalObject* object = nullptr;  ///< compared as an address only
         std::vector<std::uint8_t> isSilenced; ///< [M] 0 or 1
     };
     std::vector<OfObject> objects; ///< objects without an entry have no silenced modes
 };
 
-/// Returns the key by which mode sets identify the object of a slot. It is the lowest note that
-/// plays the object if each key has one, its name on a stage, otherwise "all". It avoids the name,
-/// because files may be renamed and finished analyses replace previews. Any thread but audio.
+/// Returns the key by which mode sets identify the object of a slot. If each key has an object, it
+/// is the lowest note that plays the object. On a stage it is the object's name, otherwise "all".
+/// Outside a stage it does not use the name, because files may be renamed and finished analyses
+/// replace previews. Any thread except the audio thread.
 std::string modeSetKey(const Instrument& instrument, std::size_t slot);
 
-/// Returns the muted modes of every object. If an object has modes heard alone, it returns all its
-/// other modes, muted or not. Ignores modes and objects that the instrument lacks. [any thread but
-/// audio]
+/// Returns the muted modes of every object. If an object has soloed modes, returns all its other
+/// modes, muted or not. Ignores modes and objects that the instrument lacks. Any thread except the
+/// audio thread.
 SilencedModes
 silencedModes(const Instrument& instrument, const ModeSet& muted, const ModeSet& heardAlone);
 

@@ -56,7 +56,8 @@ Eigen::Vector3d vectorOf(const Point& point) {
     return Eigen::Vector3d(point.data());
 }
 
-/// Joins the hits to a path in metres; where rays missed between two hits, it goes round the hole.
+/// Joins the hits to a path in metres. If rays missed between two hits, leads the path around the
+/// hole.
 std::vector<Eigen::Vector3d> roundHoles(const std::vector<std::optional<Eigen::Vector3d>>& hits,
                                         const Mesh& mesh,
                                         const Eigen::Vector3d& facing) {

@@ -11,7 +11,7 @@
 
 namespace idiophone {
 
-/// None of these is for the audio thread.
+/// These functions are not for the audio thread.
 
 /// Returns a map of `kind`, not `bars`, with keys C2 to C7 and the path of `pathOverTop`. Scaled
 /// objects are struck at the place of the path where the lowest modes move most.

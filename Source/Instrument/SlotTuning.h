@@ -1,4 +1,5 @@
-// The pitch of each of an instrument's objects: its key's pitch in the tuning, bent as its note is.
+// The pitch of each of an instrument's objects: its key's pitch in the tuning, plus the bend of its
+// note.
 #pragma once
 
 #include "Instrument/Instrument.h"
@@ -26,7 +27,7 @@ public:
     void setTuning(const KeyTuning& wanted) noexcept { tuning = wanted; }
     /// Returns false if the key has no object, or the tuning has no pitch for it.
     bool sounds(int note) const noexcept;
-    /// Returns how far tunings so far put the lowest slot below equal temperament, or 0.
+    /// Returns how far the tunings put the lowest slot below equal temperament, at least 0.
     double semitonesBelowEqual() const noexcept;
     void noteOn(int note) noexcept;
     /// Call once a cell, before it begins.

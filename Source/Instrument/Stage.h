@@ -50,8 +50,7 @@ class Stage {
 public:
     virtual ~Stage() = default;
 
-    /// Makes a performance for an instrument on this stage. The same seed, notes and offline state
-    /// give the same bits.
+    /// Makes a player of this stage. The same seed, notes and offline state give the same bits.
     virtual std::unique_ptr<StagePlayer> makePlayer(double sampleRateHz,
                                                     std::uint64_t seed) const = 0;
 

@@ -15,7 +15,7 @@ StiffMotion::StiffMotion(double sampleRateHz) noexcept : rateHz(sampleRateHz) {
 }
 
 void StiffMotion::add(double omega, const NoteResidues& residues) noexcept {
-    constexpr double far = 0.6; // distance from resonance over λ; nearer belongs to the resonance
+    constexpr double far = 0.6; // distance over λ beyond which a frequency is off resonance
     const double cosine = std::cos(omega / rateHz), square = omega * omega;
     const double cotangent = 1 / std::tan(omega / rateHz / 2);
     std::array<double, frequencies> compliances;

@@ -1,5 +1,5 @@
-// The motion of modes between their resonances under a continuous force. They follow the force at
-// once: by their stiffness below their frequency, by their mass above.
+// The motion of modes between their resonances under a continuous force. Such modes follow the
+// force at once: by their stiffness below their frequency, by their mass above.
 #pragma once
 
 #include "Instrument/HeldForceSpectrum.h"
@@ -13,9 +13,11 @@ namespace idiophone {
 
 /// v(ω) = iω Σ r/(λ − ω²) F(ω) at a few frequencies, of all modes far from them. It dominates if
 /// the force is strong below the lowest mode, as a roll's is, and modes are damped.
-/// As the engine samples force and response, with θ = ω over the sample rate f_s, it is Σ (Re r i
-/// sin θ − Im r (1 − cos θ) cot θ_i/2)/(cos θ − cos θ_i)/(2 f_s). The imaginary part of a residue
-/// weights the acceleration over ω_i.
+///
+/// The engine samples force and response. With θ = ω over the sample rate f_s the motion is then Σ
+/// (Re r i sin θ − Im r (1 − cos θ) cot θ_i/2)/(cos θ − cos θ_i)/(2 f_s). The imaginary part of a
+/// residue weights the acceleration over ω_i.
+///
 /// Does not allocate.
 class StiffMotion {
 public:
@@ -25,7 +27,7 @@ public:
     StiffMotion() = default;
     explicit StiffMotion(double sampleRateHz) noexcept;
 
-    /// Adds a mode of that angular frequency [rad/s].
+    /// Adds a mode of this angular frequency [rad/s].
     void add(double omega, const NoteResidues& residues) noexcept;
     /// Returns the K-weighted power of each note, mean of the channels.
     PhraseMeter::NoteFigures powers(const HeldForceSpectrum& force) const noexcept;

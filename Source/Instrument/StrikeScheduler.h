@@ -18,7 +18,7 @@ struct SurfaceStrike {
     int velocity = 0;     ///< 1 to 127; 0 strikes nothing and lifts the hand
 };
 
-/// The time of a strike, and what it depends on then.
+/// The time of a strike, and the state of cell, parameters and pedal at that time.
 struct StrikeMoment {
     BegunCell cell;
     double sample; ///< from the cell's start, at most 64
@@ -34,8 +34,8 @@ public:
     /// The seed decides how strikes spread and chatter.
     StrikeScheduler(const Instrument& instrument, std::uint64_t seed);
 
-    /// Schedules the impacts of a note's strike. `placeController`, 0 to 127, moves it along the
-    /// key (HeldContacts::placeMoved).
+    /// Schedules the impacts of a note's strike. `placeController`, 0 to 127, moves the strike
+    /// along the key (HeldContacts::placeMoved).
     void strikeKey(const Key& key, int velocity, int placeController, const StrikeMoment& moment);
 
     /// Keeps a strike until `strikeSurfaces`. Returns false if too many are kept.
@@ -69,7 +69,7 @@ private:
     std::vector<SurfaceStrike> surfaceStrikes;
 };
 
-/// Returns numbers of strikes far apart for successive indices, 0 for 0.
+/// Spreads successive indices to strike numbers that are far apart; 0 stays 0.
 constexpr std::uint32_t distantNumber(std::uint64_t index) {
     return static_cast<std::uint32_t>(index * 0x9e3779b97f4a7c15u >> 32);
 }

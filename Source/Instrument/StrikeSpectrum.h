@@ -19,9 +19,9 @@ double impulseOf(const Strike& strike) noexcept;
 std::complex<double>
 ringingVelocity(const ContactTrain& train, double decay, double omega) noexcept;
 
-/// The motion during a long contact. It is all the motion there is where the pulse has a null at
-/// the lowest mode. Stiff modes follow the force: v = Σ r (I/T) Ω/(λ − Ω²) · sin Ωt. Their
-/// acceleration, divided by ω, is Ω/ω times that amplitude, a quarter of a turn later.
+/// The motion during a long contact. If the pulse has a null at the lowest mode, there is no other
+/// motion. Stiff modes follow the force: v = Σ r (I/T) Ω/(λ − Ω²) · sin Ωt. Their acceleration,
+/// divided by ω, is Ω/ω times that amplitude, a quarter of a turn later.
 class PressedMotion {
 public:
     PressedMotion() = default;
@@ -31,7 +31,8 @@ public:
     /// that λ [rad²/s²] and ω [rad/s]. Returns 0 for a less stiff mode, which rings on and is
     /// louder.
     std::complex<double> velocity(double stiffness, double modeOmega) const noexcept;
-    /// Returns the K-weighted energy (power times seconds) of that amplitude.
+    /// Returns the K-weighted energy (power times seconds) of a sine of this amplitude during the
+    /// contact.
     double energy(double amplitude) const noexcept;
 
 private:

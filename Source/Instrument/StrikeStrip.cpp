@@ -14,8 +14,8 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr int stripAlong = 129;
-// Places on either side of the path. Their number makes a step across one third of the distance
-// between vertices with shapes.
+// Number of places on either side of the path. With it, a step beside the path is a third of the
+// distance between vertices with shapes.
 constexpr int minimumBeside = 1, maximumBeside = 32;
 constexpr double stepsBetweenVertices = 3;
 // Share of the object's size; too small to be heard.

@@ -14,7 +14,7 @@ namespace idiophone {
 
 struct StripPlace {
     StrikePoint point;
-    /// Direction of the path along the surface: unit, or zero if it has none.
+    /// Direction of the path along the surface: unit, or zero if the path has no direction.
     std::array<float, 3> direction{};
 };
 
@@ -39,7 +39,7 @@ struct StrikeStrip {
     /// without steps. Any thread; does not allocate.
     StripPlace between(double along, double across) const;
 
-    /// Returns the two places before and after it along the path. They stay the same while `along`
+    /// Returns the places before and after `along` on the path. They stay the same while `along`
     /// moves between them. Any thread; does not allocate.
     StripStep around(double along, double across) const;
 

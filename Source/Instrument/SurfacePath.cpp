@@ -57,7 +57,8 @@ void SurfacePath::extendTo(const StrikePoint& place, const Point& metres) noexce
     ++count;
 }
 
-// Integrates the spring exactly. From rest behind its end it never overshoots.
+// Integrates the spring exactly. A contact that starts from rest behind the path's end never
+// overshoots.
 double SurfacePath::advance(double seconds, double fastest) noexcept {
     const double stiffness = 1 / springSeconds;
     const double end = corner(count - 1).along;

@@ -19,7 +19,7 @@ public:
     /// 1/ω of the spring. It smooths a hand's 60 events a second; a stop takes about 0.1 s.
     static constexpr double springSeconds = 0.015; // by ear
 
-    /// Starts at rest at a place.
+    /// Places the contact, at rest.
     void begin(const StrikePoint& place, const Point& metres) noexcept;
     /// Extends the path straight to another place. Does nothing if it ends there already.
     void extendTo(const StrikePoint& place, const Point& metres) noexcept;

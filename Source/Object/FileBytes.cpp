@@ -25,7 +25,7 @@ Result<std::string> readBytes(const std::filesystem::path& file, std::uintmax_t 
         return failure("it is a directory");
     const auto size = std::filesystem::file_size(file, fault);
     std::ifstream stream;
-    if (!fault) // do not open a pipe (it has no size): opening it would block
+    if (!fault) // opening a pipe, which has no size, would block
         stream.open(file, std::ios::binary);
     if (!stream.is_open())
         return failure("the file cannot be opened");

@@ -19,9 +19,9 @@ Result<std::string> readBytes(const std::filesystem::path& file, std::uintmax_t 
 std::string nameOf(const std::filesystem::path& file);
 
 /// Returns the path as part of a sentence: printable characters only, and the beginning of a long
-/// path. The path may come from a file by a stranger.
+/// path. The path may come from an untrusted file.
 std::string shownNameOf(const std::filesystem::path& file);
-/// Does the same for a name in UTF-8.
+/// Returns a name in UTF-8 as part of a sentence, like `shownNameOf`.
 std::string shownName(std::string_view name);
 
 /// Returns the path in UTF-8 with forward slashes, to be stored in files: every system reads these.
@@ -35,11 +35,11 @@ std::filesystem::path pathNamed(std::string_view name);
 bool isNetworkName(std::string_view name);
 
 /// Returns isNetworkName(name) on Windows, else false. Windows would contact the named machine and
-/// identify the user to it, so a path from a file must not do this.
+/// identify the user to it, so a path from a file must not name one.
 bool leadsIntoNetwork(std::string_view name);
 
-/// Returns a name from an untrusted file. If it leads into the network, removes its prefix, so that
-/// no file has that name.
+/// Returns a name from an untrusted file. If it leads into the network, removes its prefix; no
+/// file has the shorter name.
 std::string localName(std::string_view name);
 
 } // namespace idiophone

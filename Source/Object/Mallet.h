@@ -1,4 +1,4 @@
-// The mallets. Independent of keys, velocities, parameters and contacts.
+// The list of mallets. It does not know keys, velocities, parameters or contacts.
 #pragma once
 
 #include <cstdint>

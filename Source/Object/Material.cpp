@@ -21,7 +21,7 @@ Result<Material> validated(Material material) {
         double lowest;
         double highest;
     };
-    // Far wider than in nature, so that invented materials pass and nonsense fails.
+    // The ranges are far wider than in nature, so that invented materials pass and nonsense fails.
     const Rule rules[] = {
         {"Young's modulus (Pa)", material.youngsModulusPa, 1, 1e14},
         {"density (kg/m³)", material.densityKgPerM3, 1e-3, 1e6},

@@ -98,10 +98,10 @@ Material parseObject(const json& object, const std::string& defaultName) {
             if (!grain)
                 throw Fault{grain.error().message};
             material.grain = *grain;
-        } else if (key == "colour") { // MaterialLibrary reads it itself
+        } else if (key == "colour") { // MaterialLibrary reads the colour
             if (!value.is_string() || !parseColour(value.get<std::string>()))
                 throw Fault{"'colour' is not of the form '#6b3324'"};
-        } else if (key != "t60_s") { // `idiophone materials --json` adds it for readers
+        } else if (key != "t60_s") { // `idiophone materials --json` adds the T60 for readers
             throw Fault{"a material has no " + inQuotes(key)};
         }
     }

@@ -65,7 +65,7 @@ std::string eigenvaluesFault(const ModalObject& object) {
 std::string decaysFault(const ModalObject& object) {
     // No object decays faster than in a nanosecond.
     constexpr double fastestPerSecond = 1e9;
-    // The damping of other materials is multiplied by this ratio.
+    // This ratio multiplies the damping of other materials.
     constexpr double largestScale = 1e12;
     for (std::size_t mode = 0; mode < object.decaysPerSecond.size(); ++mode) {
         const double decay = object.decaysPerSecond[mode];
@@ -115,7 +115,8 @@ std::string scalarsFault(const ModalObject& object) {
         return "the thickness of the shell is less than a nanometre";
     if (!std::isfinite(object.bandHz) || object.bandHz <= 0)
         return "the analysed band is not a positive number";
-    // From objects whose shapes would be far too large up to the mass of the moon.
+    // The minimum is the mass of objects whose shapes would be far too large, the maximum that of
+    // the moon.
     const double massKg = object.mass.massKg;
     if (!(massKg >= 1e-18 && massKg <= 1e23))
         return "the mass is not between 1e-18 and 1e23 kg";

@@ -27,7 +27,7 @@ json describeMetadata(const ModalObject& object) {
         {"analysis_s", object.provenance.analysisSeconds},
         {"analysed_vertices", static_cast<std::uint64_t>(object.provenance.analysedVertices)},
         {"zero_modes", static_cast<std::uint64_t>(object.provenance.zeroModes)}};
-    // Metadata of safetensors maps texts to texts, therefore JSON inside JSON. Names come from
+    // Metadata of safetensors maps texts to texts, so it contains JSON as text. Names come from
     // people and files: replace invalid UTF-8.
     const auto inner = [](const json& section) {
         return section.dump(-1, ' ', false, json::error_handler_t::replace);
@@ -50,7 +50,7 @@ std::vector<std::byte> encodeModalObject(const ModalObject& object, ShapePrecisi
     safetensors::Writer writer(describeMetadata(object));
     const auto modes = object.modeCount();
     const auto shapeVertices = object.shapeVertexCount();
-    // Wide numbers come first, so that every tensor is aligned to its own size.
+    // Write the widest numbers first, so that every tensor is aligned to the size of its numbers.
     writer.add("eigenvalues", "F64", {modes}, object.eigenvalues);
     const auto addIfAny = [&](const char* name, const std::vector<double>& values) {
         if (!values.empty())

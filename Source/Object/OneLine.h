@@ -12,7 +12,7 @@ namespace idiophone {
 /// count as control characters.
 std::string oneLine(std::string_view text, std::size_t maximumBytes = 100);
 
-/// Does the same and adds single quotes.
+/// Returns `oneLine(text)` in single quotes.
 std::string inQuotes(std::string_view text);
 
 /// Writes control characters as JSON does ("\u001b"), except line ends and tabs, so that a terminal

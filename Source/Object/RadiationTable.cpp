@@ -8,7 +8,7 @@ namespace idiophone {
 namespace {
 
 bool isUnit(const std::array<float, 3>& direction) {
-    // This form also refuses NaN.
+    // This comparison also refuses NaN.
     return std::abs(std::hypot(direction[0], direction[1], direction[2]) - 1) <= 1e-4f;
 }
 

@@ -42,12 +42,12 @@ private:
 } // namespace
 
 json parseUntrusted(std::string_view text) {
-    // Checks the depth in a pass of its own. With a callback, the parser searches a whole array at
+    // Checks the depth in a separate pass. With a callback, the parser searches a whole array at
     // the end of each object in it, which takes quadratic time.
     FaultFinder finder;
     finder.deepest = 64;
     if (!json::sax_parse(text, &finder))
-        return json(json::value_t::discarded); // braces would make a list of it
+        return json(json::value_t::discarded); // parentheses, because braces would make a list
     return json::parse(text, nullptr, false);
 }
 
@@ -65,7 +65,7 @@ std::string placeOfJsonFault(std::string_view text) {
         return {};
     const auto before = text.substr(0, *fault);
     const auto line = 1 + std::ranges::count(before, '\n');
-    const auto lineStart = before.rfind('\n') + 1; // 0 if there is none
+    const auto lineStart = before.rfind('\n') + 1; // 0 in the first line
     return " (line " + std::to_string(line) + ", column " +
            std::to_string(before.size() - lineStart + 1) + ")";
 }

@@ -18,7 +18,8 @@ nlohmann::json parseUntrusted(std::string_view text);
 /// for JSON, even if it is nested too deeply.
 std::optional<std::size_t> firstByteNotJson(std::string_view text);
 
-/// Returns the same place as the end of a sentence: " (line 3, column 7)". Empty for JSON.
+/// Returns the place of `firstByteNotJson` as the end of a sentence: " (line 3, column 7)". Empty
+/// for JSON.
 std::string placeOfJsonFault(std::string_view text);
 
 } // namespace idiophone

@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 #if defined(_WIN32)
 
 fs::path settingsFolder() {
-    const wchar_t* value = _wgetenv(L"APPDATA"); // the narrow one lacks some names
+    const wchar_t* value = _wgetenv(L"APPDATA"); // getenv loses characters of some names
     return value != nullptr ? fs::path(value) : fs::path();
 }
 

@@ -24,8 +24,8 @@ struct WorkControl {
         if (progress)
             progress(fraction, step);
     }
-    /// Returns a control that reports its progress as the range `from` to `to` of this one, which
-    /// must outlive it.
+    /// Returns a control that reports its progress as the range `from` to `to` of this control,
+    /// which must outlive it.
     WorkControl part(double from, double to) const {
         return {.progress =
                     [this, from, to](double fraction, std::string_view step) {
@@ -33,7 +33,7 @@ struct WorkControl {
                     },
                 .cancelled = cancelled};
     }
-    /// Returns a control without progress that is cancelled together with this one.
+    /// Returns a control without progress that is cancelled together with this control.
     WorkControl quiet() const { return {.progress = {}, .cancelled = cancelled}; }
 };
 

@@ -128,8 +128,8 @@ void DelayNetwork::diffuse(std::array<Delay, diffuserCount>& diffusers,
         }
 }
 
-/// Processes a piece no longer than the shortest line, so that all outputs are known before its
-/// inputs.
+/// Processes a piece no longer than the shortest line, so that all outputs are known before any
+/// input.
 void DelayNetwork::processPiece(std::span<float> left, std::span<float> right) noexcept {
     const auto count = left.size();
     diffuse(diffusers[0], left);

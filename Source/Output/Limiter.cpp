@@ -155,8 +155,8 @@ void Limiter::remember(const Frame& frame) noexcept {
             pending[channel].push(frame[channel]);
 }
 
-/// Recomputes the pending values from the recent samples. The result equals pushing each in its
-/// time, because earlier samples contribute to no pending value.
+/// Recomputes the pending values from the recent samples. The result is the same as if each sample
+/// had been pushed in turn, because earlier samples contribute to no pending value.
 void Limiter::catchUp() noexcept {
     if (isPendingCurrent)
         return;

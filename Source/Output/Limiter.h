@@ -11,10 +11,10 @@
 namespace idiophone {
 
 /// Sound whose true peak (ITU-R BS.1770-4) stays below `threshold` passes bit for bit. White noise
-/// just below it may not, because later samples decide about its peaks. Louder sound gets one gain
-/// for all channels. The gain falls within the sample and returns to exactly 1. Call `prepare`
-/// while nothing processes. The other functions are for the audio thread; none allocates, locks or
-/// throws. The samples do not depend on block sizes.
+/// just below the threshold may change, because later samples decide about its peaks. Louder sound
+/// gets one gain for all channels. The gain falls within the sample and returns to exactly 1. Call
+/// `prepare` while nothing processes. The other functions are for the audio thread; none allocates,
+/// locks or throws. The samples do not depend on block sizes.
 class Limiter {
 public:
     static constexpr float threshold = 0.8912509f; ///< -1 dB of full scale
@@ -49,7 +49,7 @@ private:
     float gain = 1;
     std::size_t holdSamples = 0, heldSamples = 0;
     float releasePerSample = 1;          ///< factor of the gain
-    float share = 1, sharePerSample = 1; ///< of the reduction in effect; 0: off
+    float share = 1, sharePerSample = 1; ///< share of the reduction in effect; 0: off
     bool startsAtTarget = true;
 };
 

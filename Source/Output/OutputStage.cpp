@@ -18,7 +18,7 @@ float gainOf(const ParameterValues& values) {
     return juce::Decibels::decibelsToGain(static_cast<float>(values[ParameterId::level]));
 }
 
-/// Has no branch for each sample.
+/// Tests without a branch per sample.
 bool allFinite(std::span<const float> samples) {
     constexpr std::uint32_t exponent = 0x7f800000u;
     bool finite = true;
@@ -48,14 +48,14 @@ void OutputStage::reset() noexcept {
     limiter.reset();
 }
 
-/// Moves the whole level behind the room.
+/// Applies the whole level behind the room.
 void OutputStage::forgetChanges() noexcept {
     ownLevelAtChange = 1;
     highestLevel = std::numeric_limits<float>::infinity();
     heldSamples = 0;
 }
 
-/// Keeps the level, which from now on applies to new reverb too.
+/// Keeps the level that sounds now, and applies it behind the room from now on.
 void OutputStage::moveLevelBehindRoom() noexcept {
     forgetChanges();
     level.setCurrentAndTargetValue(ownLevel.getTargetValue() * level.getTargetValue());
@@ -74,7 +74,7 @@ float OutputStage::changeSound(const ParameterValues& values, double fadeSeconds
         forgetChanges();
     level.setCurrentAndTargetValue(now / ownLevelAtChange);
     ownLevel.setCurrentAndTargetValue(ownLevelAtChange);
-    highestLevel = level.getCurrentValue(); // also in a silent room: the fade may ring there
+    highestLevel = level.getCurrentValue(); // the fade may reverberate in a silent room
     heldSamples = static_cast<std::size_t>(fadeSeconds * samplesPerSecond) + 1;
     return before / now;
 }

@@ -24,7 +24,7 @@ public:
 
     void prepare(double sampleRateHz, int maximumBlockSize);
 
-    /// Silences the stage. The next block starts at its values without a ramp.
+    /// Silences the stage. The next block starts at its parameter values without a ramp.
     void reset() noexcept;
 
     /// Starts another sound with the next block. Its level applies at once, because levels differ
@@ -43,8 +43,8 @@ public:
                  std::span<float* const> channels,
                  const ParameterValues& values) noexcept;
 
-    /// Fades the reverb over the ramp. The next `unanswered` samples get no reverb; later samples
-    /// do.
+    /// Fades the reverb out over the ramp. Only input after the next `unanswered` samples makes new
+    /// reverb.
     void hush(std::size_t unanswered) noexcept { room.hush(unanswered); }
 
     /// Returns true if there is no more reverb.

@@ -47,8 +47,8 @@ double autocorrelation(std::size_t lag) {
 } // namespace
 
 struct PendingPeaks::Tables {
-    std::array<float, count> ofNext{}; ///< contribution of a next sample of 1 to each value
-    std::array<std::array<float, count>, taps / 2> ofFuture{}; ///< contributions of later samples
+    std::array<float, count> ofNext{}; ///< weights of the next sample in the values
+    std::array<std::array<float, count>, taps / 2> ofFuture{}; ///< weights of later samples
     std::array<float, count> shareToCome{};                    ///< see Bounds
     /// The weights of `next` and the remembered samples, newest first, for each predicted sample.
     std::array<std::array<float, remembered>, taps / 2> prediction{};
@@ -185,8 +185,8 @@ bool PendingPeaks::isWithin(const Bounds& bounds, float next) const noexcept {
 }
 
 float PendingPeaks::maximumGainWithin(const Bounds& bounds,
-                                   float next,
-                                   float maximumGain) const noexcept {
+                                      float next,
+                                      float maximumGain) const noexcept {
     float gain = maximumGain;
     for (std::size_t i = 0; i < count; ++i) {
         const float added = tables.ofNext[i] * next;

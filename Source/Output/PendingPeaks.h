@@ -1,5 +1,5 @@
 // The inter-sample values of one channel that depend on its newest samples and on samples to come.
-// They tell which peaks a true-peak meter will find, as far as known.
+// From these values the limiter predicts the peaks of a true-peak meter.
 #pragma once
 
 #include <array>

@@ -107,7 +107,7 @@ void Room::ring(std::span<float> left, std::span<float> right) noexcept {
     if (!isSilent) {
         networks[playing].process(left, right);
         if (hasInput || std::max(highest(left), highest(right)) > silence)
-            quietSamples = -gridSamples; // excludes this cell
+            quietSamples = -gridSamples; // the count of quiet samples starts after this cell
     }
     gridPosition += static_cast<int>(left.size());
     if (gridPosition == gridSamples) {

@@ -31,7 +31,7 @@ public:
     /// `rampSeconds` is at most `earliestSeconds`.
     void prepare(double sampleRateHz, int maximumBlockSize, double rampSeconds);
 
-    /// Silences the room. The next block starts at its values without a ramp.
+    /// Silences the room. The next block starts at its parameter values without a ramp.
     void reset() noexcept;
 
     /// Fades the reverb over the ramp from the next sample on. The next `unanswered` samples get no
@@ -61,7 +61,7 @@ private:
     int quietSamples = 0;       ///< silent samples before that cell
     bool isSilent = true;       ///< of the active network
     int fadeSamples = 0;        ///< length of the ramp
-    int fadeLeft = 0;           ///< samples left of the fade
+    int fadeLeft = 0;           ///< remaining samples of the fade
     std::size_t unanswered = 0; ///< samples that get no reverb
     bool startsAtTarget = true;
 };

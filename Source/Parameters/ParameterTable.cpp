@@ -8,7 +8,7 @@ namespace {
 
 using enum ParameterScale;
 
-// As a fraction of the maximum. Smaller values are 0, because their digits would not end.
+// A fraction of the maximum. Smaller values become 0, because they would need too many digits.
 constexpr double smallestCubicShare = 5e-7;
 
 bool isWhole(ParameterScale scale) {

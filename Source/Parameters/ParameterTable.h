@@ -22,7 +22,7 @@ enum class ParameterId : std::size_t {
 inline constexpr std::size_t parameterCount = static_cast<std::size_t>(ParameterId::count);
 
 /// `cubic` starts at 0 and grows with the cube of the normalised value, which gives small values
-/// much room. Values below 5e-7 of the maximum are 0.
+/// a large part of the range. Values below 5e-7 of the maximum are 0.
 enum class ParameterScale { linear, logarithmic, steps, onOff, choice, cubic };
 
 /// The maximum effect of a mutation (Instrument/Mutation.h) on a parameter. Chosen, not derived: at

@@ -26,7 +26,7 @@ void AudioEngine::process(juce::AudioBuffer<float>& buffer,
         write(rendered, channels);
         sendReport(channels, piece->length);
     }
-    midi.clear(); // some wrappers send on the events left in it
+    midi.clear(); // some wrappers would send the remaining events on
 }
 
 void AudioEngine::takeReset() noexcept {
@@ -63,7 +63,8 @@ Player* AudioEngine::takeSound(const juce::MidiBuffer& midi) noexcept {
     return next;
 }
 
-/// Follows learned controllers. Those after the block's last program change count as set after it.
+/// Follows learned controllers. A controller after the block's last program change counts as set
+/// after that change.
 void AudioEngine::followControllers(const juce::MidiBuffer& midi) noexcept {
     const auto behind = programs.behindLast(midi);
     messages.controllers.follow(midi.begin(), behind, parameters);
@@ -98,7 +99,8 @@ void AudioEngine::followTransport(const juce::AudioPlayHead* playHead, int block
         output.reset();
 }
 
-/// Leaves them in the queue while blocks without samples keep too many events.
+/// Takes the window's events. If blocks without samples keep too many events, leaves them in the
+/// queue.
 void AudioEngine::takeWindowEvents() noexcept {
     if (pieces.room() >= WindowEvents::maximumNotes)
         messages.window.read(sound.player(), [this](const MidiEvent& note) { pieces.add(note); });
@@ -128,7 +130,7 @@ void AudioEngine::render(const StereoSpan& rendered, std::span<const MidiEvent> 
 }
 
 /// Moves the parameters of the MPE zones and bend ranges that MIDI sets, as learned controllers do.
-/// They are shown and saved.
+/// The window shows these values, and the project keeps them.
 void AudioEngine::followGivenBends(Player& player) noexcept {
     using enum ParameterId;
     const auto given = player.bend().takeGiven();
@@ -141,8 +143,8 @@ void AudioEngine::followGivenBends(Player& player) noexcept {
     move(mpeBendRange, given.memberRange);
 }
 
-/// A player whose output is not finite would stay so: resets it, so that the next note starts from
-/// silence.
+/// Resets a player whose output is not finite, because it would not recover. The next note then
+/// starts from silence.
 void AudioEngine::write(const StereoSpan& rendered, std::span<float* const> channels) noexcept {
     if (output.process(rendered.left, rendered.right, channels, values))
         return;
@@ -195,7 +197,7 @@ void AudioEngine::prepare(double sampleRateHz, std::unique_ptr<Player> player) {
     transport.forget();
     report.tempo = 0;
     messages.reset = false;
-    ++report.callbacks; // counts the first callback in advance
+    ++report.callbacks; // the first callback, counted in advance
     values = parameters.values();
     prepared = true;
 }

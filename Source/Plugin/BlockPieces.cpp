@@ -30,7 +30,7 @@ void BlockPieces::begin(const juce::MidiBuffer& midi, int blockSamples) noexcept
     finished = false;
 }
 
-// Some hosts stamp events outside their block.
+// Some hosts give events a time outside their block.
 int BlockPieces::stampOf(const juce::MidiMessageMetadata& metadata) const noexcept {
     return std::clamp(metadata.samplePosition, position, std::max(position, samples - 1));
 }

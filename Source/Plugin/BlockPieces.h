@@ -11,7 +11,7 @@
 
 namespace idiophone {
 
-/// [audio thread] throughout; neither allocates, locks nor throws.
+/// For the audio thread; neither allocates, locks nor throws.
 class BlockPieces {
 public:
     static constexpr int maximumSamples = 1024;
@@ -28,9 +28,9 @@ public:
         std::span<const MidiEvent> events;            ///< channel messages, offsets from `start`
     };
 
-    /// Starts a block; `midi` must live until its last piece. Skips other system
-    /// messages. Keeps the events of a block without samples for the
-    /// next block, unless a system exclusive message comes with them.
+    /// Starts a block; `midi` must live until its last piece. Skips other system messages. Keeps
+    /// the events of a block without samples for the next block, unless a system exclusive message
+    /// comes with them.
     void begin(const juce::MidiBuffer& midi, int blockSamples) noexcept;
 
     /// Returns how many events fit now.

@@ -16,16 +16,16 @@ namespace idiophone {
 
 /// "Session" is any thread that holds the session's lock (SoundSession).
 struct EngineMessages {
-    Handoff<Player> players; ///< [session] the newest player, and former ones back
+    Handoff<Player> players; ///< [session] new players, and the return of former ones
     /// [session] Odd while values and their player are being handed over.
     std::atomic<std::uint32_t> soundChanges{0};
     ModeSilencer silencer;                      ///< [session] muted modes
     Tuner tuner;                                ///< [session] the instance's own tuning
-    MidiLearn controllers;                      ///< [message thread; a state: session]
+    MidiLearn controllers;                      ///< [message thread; session for a state]
     WindowEvents window;                        ///< [message thread] keys and hands
-    std::atomic<bool> stagePaused{false};       ///< [message thread; a new sound: session]
+    std::atomic<bool> stagePaused{false};       ///< [message thread; session for a new sound]
     std::atomic<bool> stageReset{false};        ///< [message thread] until the player is reset
-    std::atomic<bool> forgetsGivenBends{false}; ///< [session] until the player has forgotten them
+    std::atomic<bool> forgetsGivenBends{false}; ///< [session] until the bends are forgotten
     std::atomic<bool> reset{false};             ///< [host] until everything is silent
 };
 

@@ -10,15 +10,15 @@
 
 namespace idiophone {
 
-/// The audio thread writes every field once a callback, and any thread reads it. Exceptions are
-/// named.
+/// The audio thread writes every field once per callback, and any thread reads it. Comments name
+/// the exceptions.
 struct EngineReport {
     SoundMonitor monitor; ///< the sound as the window shows it; for the message thread
     StageCapture capture; ///< the impacts of a stage's bodies; for the message thread
 
     std::atomic<std::uint32_t> callbacks{0}; ///< one more for each `prepare`
-    std::atomic<std::int64_t> notFinite{0};  ///< how often the output was silenced for that
-    std::atomic<float> peak{0};              ///< of the output; its reader sets it to 0
+    std::atomic<std::int64_t> notFinite{0};  ///< how often output that was not finite was silenced
+    std::atomic<float> peak{0};              ///< of the output; the reader sets it to 0
     std::atomic<int> modulationWheel{HeldContacts::controllerAtRest};
     std::atomic<std::int64_t> modesMixed{0};
     std::atomic<std::int64_t> lateEvents{0};

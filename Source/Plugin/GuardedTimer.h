@@ -15,7 +15,7 @@ public:
     /// [any thread] Waits for a running call, unless that call destroys the timer. No call comes
     /// afterwards.
     ~GuardedTimer();
-    /// [any thread but the audio thread] Calls back once more, as soon as the message thread can.
+    /// [any thread except the audio thread] Calls back once more, as soon as possible.
     void callSoon();
     GuardedTimer(const GuardedTimer&) = delete;
     GuardedTimer& operator=(const GuardedTimer&) = delete;

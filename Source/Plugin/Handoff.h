@@ -8,7 +8,7 @@
 
 namespace idiophone {
 
-/// [message side] is any thread but the audio thread, one at a time: the caller serialises.
+/// [message side] is any thread except the audio thread, one at a time: the caller serialises.
 /// [audio thread] runs the callback; it may hold two `Built`s at a time.
 template <class Built>
 class Handoff {

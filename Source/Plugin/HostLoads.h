@@ -10,7 +10,7 @@
 
 namespace idiophone {
 
-/// For any thread but audio.
+/// For any thread except the audio thread.
 class HostLoads {
 public:
     /// Counts a state or a program that the host has loaded.
@@ -18,7 +18,7 @@ public:
         ++loads;
         takeBeforePrograms();
     }
-    /// Returns how many there were. Does not count refused states or programs that MIDI asked for.
+    /// Returns the number of loads. Does not count refused states or programs that MIDI asked for.
     int counted() const noexcept { return loads; }
 
     /// Keeps the sound before a program that MIDI asked for, unless one is kept.

@@ -26,7 +26,7 @@ public:
     void load(const ParameterValues& values) noexcept;
 
     /// [message side, one at a time] Sets the values that differ between `before` and `after`, all
-    /// at once as `load` does. Leaves the others alone.
+    /// at once as `load` does. Keeps the others.
     void loadChanges(const ParameterValues& before, const ParameterValues& after) noexcept;
 
     /// [any thread] Returns the values that `loadChanges` would leave.
@@ -48,7 +48,7 @@ public:
     /// [any thread] Calls `forgetLastSent` on every parameter.
     void forgetLastSent() const noexcept;
 
-    /// [audio thread] Brings the values up to date, or leaves them alone during a `load`.
+    /// [audio thread] Brings the values up to date, or leaves them unchanged during a `load`.
     void read(ParameterValues& values) const noexcept;
 
 private:

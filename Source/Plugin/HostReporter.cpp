@@ -12,7 +12,7 @@ HostReporter::HostReporter(juce::AudioProcessor& ofHost,
     : processor(ofHost), parameters(hostParameters), pollSoon(std::move(callsPoll)) {}
 
 /// Off the message thread, JUCE's VST3 keeps the values for the next callback's output, but asks
-/// the host on the message thread to read all values anew. If the host reads first, it finds the
+/// the host on the message thread to read all values again. If the host reads first, it finds the
 /// former values in the controller, and Ardour sends them back as changes. So the message thread
 /// reports them again, before the program. A host that reads the values while another of its
 /// threads moves them may keep the values read, as JUCE's does. So the next polls report the values
@@ -30,7 +30,7 @@ void HostReporter::reportSound() {
     }
     if (processor.wrapperType == juce::AudioProcessor::wrapperType_LV2)
         return; // LV2 reports values only this way, and no program
-    // Report twice: the wrapper reports nothing until some time after a state is restored.
+    // Report twice, because the wrapper reports nothing until some time after a state is restored.
     soundsToReport = 2;
     pollSoon();
 }
@@ -51,7 +51,7 @@ void HostReporter::poll(MidiLearn& controllers) {
     if (restorings > 0)
         return;
     if (soundsToReport > 0) {
-        --soundsToReport; // first: another sound may arrive meanwhile
+        --soundsToReport; // before the report, because another sound may arrive meanwhile
         reportSound();
     } else if (movesToReport > 0) {
         --movesToReport;

@@ -18,22 +18,23 @@ public:
                  HostParameters& parameters,
                  std::function<void()> pollSoon);
 
-    /// [any thread but audio, but offline also that] Reports all values and the program to the
+    /// [any thread except the audio thread, offline any] Reports all values and the program to the
     /// host.
     void reportSound();
     /// [message thread] Reports another program, or its name.
     void reportProgram();
     /// [message thread] Reports that the state has changed outside the parameters.
     void reportState();
-    /// [any thread but audio] Between them a state is restored, and JUCE's VST3 reports nothing.
+    /// [any thread except the audio thread] Call before and after restoring a state. JUCE's VST3
+    /// reports nothing in between, so `poll` delays the reports of the sound.
     void beginRestoring() noexcept { ++restorings; }
     void endRestoring() noexcept { --restorings; }
     /// [message thread] Drops all further reports, before the host has asked for anything.
     void forget() noexcept { soundsToReport = movesToReport = 0; }
 
-    /// [message thread] Reports the moves of controllers and what is left of `reportSound`. Do not
-    /// call it during an offline render: a late echo from the host would make the render depend on
-    /// time.
+    /// [message thread] Reports the moves of controllers and the remaining reports of
+    /// `reportSound`. Do not call it during an offline render: a late echo from the host would make
+    /// the render depend on time.
     void poll(MidiLearn& controllers);
 
 private:
@@ -41,7 +42,7 @@ private:
     HostParameters& parameters;
     std::function<void()> pollSoon;
     std::atomic<int> soundsToReport{0}; ///< further reports of the sound
-    int movesToReport = 0; ///< further reports of values that moved meanwhile; the message thread's
+    int movesToReport = 0; ///< further reports of moved values; only for the message thread
     std::atomic<int> restorings{0};
 };
 

@@ -21,7 +21,7 @@ std::string HostSession::save() {
         state.controllers = shared.messages.controllers.assignments();
         state.tuning = tuning.files();
     }
-    // Pack without the lock: objects never saved before take a while.
+    // Pack without the lock: objects never saved before take a while to pack.
     state.parameters = sound.parameters;
     state.preset = std::move(sound.preset);
     if (sound.missing != nullptr) {
@@ -110,7 +110,7 @@ void HostSession::chooseProgram(int index, ProgramChanges::Request request) {
 }
 
 /// Call with the lock. Values moved since MIDI's request are kept, as in an offline render, where
-/// the program is there at once. Returns false if MIDI has asked for another program meanwhile.
+/// the program loads at once. Returns false if MIDI has asked for another program meanwhile.
 Result<bool> HostSession::loadProgram(int index, ProgramChanges::Request request) {
     const auto& preset = factoryPresets()[static_cast<std::size_t>(index)];
     auto sound = factorySound(preset);

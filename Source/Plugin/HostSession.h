@@ -10,7 +10,8 @@
 
 namespace idiophone {
 
-/// For any thread but audio; an offline render also follows requests between two blocks.
+/// For any thread except the audio thread. An offline render also follows requests between two
+/// blocks.
 class HostSession {
 public:
     HostSession(SharedParts& sharedParts, SoundSession& soundSession, TuningSession& tuningSession)

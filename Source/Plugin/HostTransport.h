@@ -7,10 +7,10 @@
 namespace idiophone {
 
 /// For the audio thread; neither allocates, locks nor throws. If the host reports nothing for a
-/// block, the last report goes on: LV2 hosts report only changes.
+/// block, the last report stays valid: LV2 hosts report only changes.
 class HostTransport {
 public:
-    /// Call once a callback, with its number of samples; `host` is nullptr if there is no play
+    /// Call once per callback, with its number of samples; `host` is nullptr if there is no play
     /// head. A block without samples is ignored. A position reported twice in a row counts as none,
     /// because some hosts report whole beats.
     void follow(const juce::AudioPlayHead* host, int blockSamples, double sampleRateHz) noexcept;

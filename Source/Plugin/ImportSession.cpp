@@ -13,7 +13,7 @@
 namespace idiophone {
 
 void ImportSession::begin(int originOfJob) {
-    history.keepAudition(); // the user wants the sound: it is analysed again
+    history.keepAudition(); // analysing an auditioned sound keeps it
     origin = originOfJob;
     failureShown = false;
 }
@@ -86,7 +86,7 @@ bool ImportSession::playsPreview() const {
     const auto object = imported.lock();
     if (!importedIsPreview || object == nullptr || !plays(session.instrument(), *object))
         return false;
-    const auto stage = workshop.status().stage; // if it is done, the whole object follows
+    const auto stage = workshop.status().stage; // the whole object of a finished import follows
     return stage == ImportStatus::Stage::previewed || stage == ImportStatus::Stage::done;
 }
 
@@ -111,7 +111,7 @@ void ImportSession::poll() {
 
 void ImportSession::play(const ObjectWorkshop::Product& product) {
     if (product.isFirst)
-        history.keepAudition(); // recording would end the audition, and so load
+        history.keepAudition(); // recording would end the audition and load the sound before it
     const auto now = session.loaded();
     if (now.origin != origin)
         return;
@@ -155,8 +155,8 @@ void ImportSession::renewHistory(const ModalObject& preview, const Sound& whole)
 }
 
 /// Plays the wanted sound instead of the loaded one, and changes only the parameters that differ
-/// between the two. Returns the number of the load. Returns nothing if the loaded sound plays no
-/// more, or if memory does not suffice, which it reports.
+/// between the two. Returns the number of the load. Returns nothing if the loaded sound no longer
+/// plays, or if memory does not suffice, which it reports.
 std::optional<int> ImportSession::playInstead(const SoundSession::Loaded& now,
                                               const Sound& wanted) {
     int number;
@@ -205,7 +205,7 @@ void ImportSession::setStrikePath(std::size_t index,
         playMapped(now, map, "Strike path");
 }
 
-/// Plays the same objects by other keys or at other places.
+/// Plays the same objects with another key map.
 void ImportSession::playMapped(const SoundSession::Loaded& now,
                                const KeyMap& map,
                                const std::string& step) {
@@ -223,7 +223,7 @@ void ImportSession::playMapped(const SoundSession::Loaded& now,
     mapped.preset.keyMap = map;
     mapped = asLoudAs(now.sound, std::move(mapped), session.rateHz());
     const bool isOurs = origin == now.origin;
-    history.keepAudition(); // the user wants the sound: its keys are changed
+    history.keepAudition(); // changing the keys of an auditioned sound keeps it
     std::optional<int> number;
     history.record(step, [&] { number = playInstead(now, mapped); });
     if (number)

@@ -7,13 +7,14 @@
 
 namespace idiophone {
 
-/// "171 modes from 412 Hz to 44.0 kHz; 32.7 kg of Steel, 200 x 200 x 200 mm".
+/// Returns a summary such as "171 modes from 412 Hz to 44.0 kHz; 32.7 kg of Steel, 200 x 200 x 200
+/// mm".
 std::string summaryOf(const ModalObject& object);
 
-/// Returns the sentence on its unit, then the notes of its analysis.
+/// Returns the sentence about the mesh's unit, then the notes of the object's analysis.
 std::string notesOf(const ModalObject& object, const std::string& unitSentence);
 
-/// made from the content, so that different objects have different names.
+/// Returns a name made from the content, so that different objects have different names.
 std::string uniqueName(const ModalObject& object);
 
 } // namespace idiophone

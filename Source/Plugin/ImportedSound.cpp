@@ -26,7 +26,7 @@ Preset presetOf(const ObjectWorkshop::Product& product, Preset preset) {
     preset.name = object.name;
     preset.author.clear();
     preset.description = object.name + ": " + summaryOf(object);
-    if (product.isPreview) // a project saved now keeps it
+    if (product.isPreview) // a project saved now keeps the preview
         preset.description += ". A preview of few elements: analyse it again for all modes.";
     preset.tags = {"imported"};
     preset.mutedModes = {};

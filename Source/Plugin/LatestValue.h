@@ -16,8 +16,8 @@ public:
     LatestValue(const LatestValue&) = delete;
     LatestValue& operator=(const LatestValue&) = delete;
 
-    /// [the writing thread] Returns the buffer that `publish` hands over. It holds some old value
-    /// first.
+    /// [the writing thread] Returns the buffer that `publish` hands over. At first the buffer holds
+    /// an old value.
     Value& next() noexcept { return values[writing]; }
     void publish() noexcept { writing = spare.exchange(writing | isNew) & index; }
 
@@ -36,7 +36,7 @@ private:
     std::array<Value, 3> values;
     unsigned writing = 0;           ///< the writing thread's
     unsigned reading = 1;           ///< the reading thread's
-    std::atomic<unsigned> spare{2}; ///< in neither thread; `isNew`: not read yet
+    std::atomic<unsigned> spare{2}; ///< held by neither thread; with `isNew` if unread
     static_assert(std::atomic<unsigned>::is_always_lock_free);
 };
 

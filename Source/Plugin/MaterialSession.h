@@ -16,9 +16,9 @@ namespace idiophone {
 class MaterialSession final : public MaterialView {
 public:
     MaterialSession(HostParameters& hostParameters,
-                  SoundSession& soundSession,
-                  SoundHistory& soundHistory,
-                  ParameterEdits& parameterEdits)
+                    SoundSession& soundSession,
+                    SoundHistory& soundHistory,
+                    ParameterEdits& parameterEdits)
         : parameters(hostParameters), session(soundSession), history(soundHistory),
           edits(parameterEdits) {}
 
@@ -34,7 +34,7 @@ private:
     SoundSession& session;
     SoundHistory& history;
     ParameterEdits& edits;
-    std::vector<Material> materials; ///< as last read
+    std::vector<Material> materials; ///< as read last
 };
 
 } // namespace idiophone

@@ -30,7 +30,7 @@ public:
     /// [message thread] Returns whether a controller was learned or forgotten since the last call.
     bool takeReassigned() noexcept { return reassigned.exchange(false); }
 
-    /// [any thread but audio]
+    /// [any thread except the audio thread]
     ControllerAssignments assignments() const noexcept;
     void assign(const ControllerAssignments& assignments) noexcept;
 

@@ -29,7 +29,7 @@ const SoundFrame* ModeSession::takeSoundFrame() {
     const auto playing = subject.instrument;
     if (playing == nullptr || playing->slots().empty())
         return nullptr;
-    // A new instrument has other objects.
+    // Watch no object of the last instrument.
     if (std::exchange(watchedInstrument, subject.instrumentNumber) != subject.instrumentNumber)
         watchObject(std::nullopt);
     picture.show(std::move(subject));

@@ -1,4 +1,4 @@
-// Shows the modes that sound to the window, mutes them and plays them alone.
+// Shows the modes that sound to the window, and mutes or solos them.
 #pragma once
 
 #include "Editor/SoundView.h"
@@ -27,7 +27,7 @@ public:
 
 private:
     /// Changes the modes of an object, by its key in mode sets and its number of modes. Returns
-    /// whether there was something to change.
+    /// whether any mode changed.
     using Change = std::function<bool(const std::string& key, std::size_t modeCount)>;
     bool change(std::size_t object, const Change& changeModes);
     bool record(const std::string& step, std::size_t object, const Change& changeModes);

@@ -212,7 +212,7 @@ std::optional<std::string> firstMissing(const KeyMap& keyMap,
         std::error_code fault;
         if (!std::filesystem::exists(file, fault))
             return shown(keyMap.object);
-        const auto scene = readSceneFile(file); // a damaged one fails when it is built
+        const auto scene = readSceneFile(file); // building reports a damaged one
         return scene ? firstMissingIn(*scene) : std::nullopt;
     }
     // Only the lowest key must have an object of its own.

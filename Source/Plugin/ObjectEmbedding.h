@@ -53,11 +53,11 @@ struct MissingObjects {
     std::string first; ///< from `firstMissing`
     KeyMap keyMap;
     ModeSet mutedModes;
-    std::vector<EmbeddedObject> objects; ///< those that the state carries
+    std::vector<EmbeddedObject> objects; ///< the other objects of the state
 };
 
-/// If a state's preset lacks an object, gives it the stand-in's key map and returns its own.
-/// Otherwise returns null.
+/// If a state's preset lacks an object, replaces its key map by the stand-in's and returns the
+/// original. Otherwise returns null.
 std::shared_ptr<const MissingObjects> replaceMissing(Preset& preset,
                                                      const std::vector<EmbeddedObject>& objects);
 

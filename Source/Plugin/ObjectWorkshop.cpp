@@ -114,7 +114,7 @@ void ObjectWorkshop::start(std::shared_ptr<Job> job) {
         if (!worker.joinable())
             worker = std::thread([this] { run(); });
     } catch (const std::system_error& fault) {
-        shown.stage = ImportStatus::Stage::failed; // no worker shares it
+        shown.stage = ImportStatus::Stage::failed; // without a lock, because no worker runs
         shown.error = sentenceOf(fault, shown.fileName);
         shown.step.clear();
         waiting.reset();
@@ -188,7 +188,7 @@ Result<void> ObjectWorkshop::make(const Job& job) {
     {
         const std::scoped_lock lock(mutex);
         if (!job.cancelled)
-            mesh = source; // it was empty: `start` cleared it
+            mesh = source; // `start` has left it empty
     }
     return makeFromMesh(job, *source);
 }

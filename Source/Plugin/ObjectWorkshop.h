@@ -61,7 +61,7 @@ private:
     struct Source {
         std::string name; ///< file name, or the name given
         Mesh mesh;
-        bool isMetres = false; ///< otherwise in the file's unit
+        bool isMetres = false; ///< if not, the unit is the file's
     };
     struct Job {
         std::filesystem::path file;

@@ -12,7 +12,7 @@
 
 namespace idiophone {
 
-/// [audio thread] throughout; neither allocates, locks nor throws.
+/// For the audio thread; neither allocates, locks nor throws.
 class PendingKeys {
 public:
     /// Follows changes to programs 0 to `programCount` - 1 and ignores others.

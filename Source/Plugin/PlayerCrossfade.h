@@ -12,8 +12,8 @@
 
 namespace idiophone {
 
-/// Owns its players and gives them back through the handoff. All but the constructor, the
-/// destructor and `install` is for the audio thread and neither allocates, locks nor throws.
+/// Owns its players and gives them back through the handoff. Except the constructor, the destructor
+/// and `install`, all functions are for the audio thread and neither allocate, lock nor throw.
 class PlayerCrossfade {
 public:
     static constexpr double fadeSeconds = 0.005; // by ear: short, and no click
@@ -24,14 +24,14 @@ public:
     ~PlayerCrossfade(); ///< [message side] Call after the last callback.
 
     /// [message side] Call while no callback runs. Plays this player from its start, at once.
-    /// Controllers are at rest, but MPE zones and bend ranges stay as MIDI has set them.
+    /// Controllers are at rest, but zones and bend ranges that MIDI has set are kept.
     void install(std::unique_ptr<Player> player);
 
     /// Plays `next`, now owned, with pedals and controllers where they are; the old player fades
     /// out under it at the values `former`. A second change within a fade cuts the player that has
     /// just begun and lets the older one finish its fade. The fading player goes through the
-    /// current output level. `levelBefore` is the old level divided by the new one and corrects
-    /// that. Ignores nullptr.
+    /// current output level; `levelBefore`, the old level divided by the new one, compensates for
+    /// that level. Ignores nullptr.
     void changeTo(Player* next, const ParameterValues& former, float levelBefore = 1) noexcept;
 
     /// Renders the next samples, at most `BlockPieces::maximumSamples`; see `Player::process`.

@@ -14,7 +14,7 @@ juce::File below(const juce::File& settings, const char* name) {
     return settings == juce::File() ? settings : settings.getChildFile(name);
 }
 
-/// Leaves the folder empty.
+/// Returns a preset's details with an empty folder.
 PresetDetails detailsOf(const Preset& preset) {
     return {.name = preset.name,
             .folder = {},
@@ -194,8 +194,8 @@ PresetCollection::save(Sound sound,
             sound.presetContent = PresetFolder::contentOf(file);
             sound.stored = sound.parameters;
             holder.relabel(sound);
-            // Undo steps may hold the preset as it was until now: let them be saved over it too.
-            // Leave steps from before another program wrote the file.
+            // Undo steps may hold the former preset. Mark those as current too, so that they can be
+            // saved over the file. Leave out steps from before another program wrote the file.
             history.renewSounds([&](Sound& known) {
                 if (known.presetId != id || known.presetContent != replaced)
                     return;
@@ -217,8 +217,8 @@ Result<void> PresetCollection::renamePreset(const std::string& id, const std::st
                 return false;
             known.preset.name = name;
             known.presetId = newId;
-            // If another program changed the file meanwhile, keep that change, and do not let this
-            // sound replace it.
+            // If another program changed the file meanwhile, keep the known hash, so that this
+            // sound cannot replace that change.
             if (known.presetContent == before)
                 known.presetContent = content;
             return true;

@@ -40,8 +40,8 @@ public:
     Result<juce::File> placeFor(const std::string& name, const std::string& folder) const;
     /// Returns the hash of the file's present content, or 0 if it cannot be read.
     static std::uint64_t contentOf(const juce::File& file);
-    /// Returns an error if the preset's file is gone or has other content, because another window
-    /// or program changed it. The sentence says what to do.
+    /// Returns an error if the preset's file is missing or has other content, because another
+    /// window or program changed it. The sentence says what to do.
     Result<void> checkContent(const std::string& id, std::uint64_t content);
 
     /// Writes a file beside it first, so that an existing file is never half overwritten. Returns

@@ -14,7 +14,7 @@ inline constexpr const char* presetObjectFolder = "Objects";
 
 /// Writes the instrument's objects below `folder`, except factory objects and files already there.
 /// Returns the key map with names relative to `folder` ("Objects/Bowl-1f3a.modal"). The instrument
-/// was built from the key map. Not for the audio thread, nor is `withSceneBeside`.
+/// was built from the key map. This and `withSceneBeside` are not for the audio thread.
 Result<KeyMap>
 writePresetObjects(const KeyMap& keyMap, const Instrument& instrument, const juce::File& folder);
 

@@ -70,8 +70,8 @@ void Processor::releaseResources() {
     shared.messages.players.collect();
 }
 
-/// Some wrappers call it with every block. Offline, the host hears of no controller and so sends no
-/// echo.
+/// Forgets the sent values only on a change, because some wrappers call this for every block.
+/// Offline, no controller value is sent to the host, so no value from the host is an echo.
 void Processor::setNonRealtime(bool isOffline) noexcept {
     if (isOffline != isNonRealtime())
         shared.parameters.forgetLastSent();

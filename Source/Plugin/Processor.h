@@ -50,7 +50,7 @@ public:
     bool hasEditor() const override { return true; }
     juce::AudioProcessorEditor* createEditor() override;
 
-    /// The parts, for the window and for tests; each says its threads.
+    /// The parts, for the window and for tests; each names its threads.
     ProcessorView& view() { return window.view; }
     SoundSession& soundSession() { return session; }
     WindowSession& windowSession() { return window; }

@@ -1,4 +1,4 @@
-// Carries MIDI program changes from the audio thread to the session, and the answers back.
+// Carries MIDI program changes from the audio thread to the session, and answers in return.
 #pragma once
 
 #include "Plugin/HostParameters.h"
@@ -15,8 +15,8 @@ namespace idiophone {
 
 class ProgramChanges {
 public:
-    /// A serial number in the upper bits, as MIDI may ask for the same program again, and the
-    /// program.
+    /// The program, with a serial number in the upper bits, because MIDI may ask for the same
+    /// program again.
     using Request = std::int64_t;
     static constexpr Request none = -1;
     static constexpr int programOf(Request request) { return int(request % programsOfMidi); }
@@ -35,9 +35,9 @@ public:
 
     // [audio thread] Neither allocates, locks nor throws.
 
-    /// Returns the place behind the block's last program change, or its begin.
+    /// Returns the place behind the block's last program change, or its start.
     juce::MidiBufferIterator behindLast(const juce::MidiBuffer& midi) const noexcept;
-    /// Keeps the moment for the next request.
+    /// Keeps the current values for the next request.
     void keepMoment(const HostParameters& parameters, std::uint32_t soundChanges) noexcept;
     /// Takes channel messages, in order of time, and requests the last program among them.
     void follow(std::span<const MidiEvent> events) noexcept;
@@ -71,13 +71,13 @@ private:
     std::atomic<Request> requested{none}, refused{none};
     LatestValue<Moment> moments{{}};
 
-    // Owned by the audio thread.
+    // Members of the audio thread.
     PendingKeys keys;
     Moment atLastChange;
-    Request requests = 0;      ///< made so far
-    Request unanswered = none; ///< the last one
+    Request requests = 0;      ///< number of requests
+    Request unanswered = none; ///< the last request
 
-    // Owned by the session.
+    // Members of the session.
     Request answered = none;
     Moment newest;
 };

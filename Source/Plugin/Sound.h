@@ -1,4 +1,4 @@
-// Holds a whole sound that can be kept and played again. Cheap to copy, as objects are shared.
+// Holds a whole sound that can be kept and played again. Cheap to copy, because objects are shared.
 #pragma once
 
 #include "Instrument/Instrument.h"

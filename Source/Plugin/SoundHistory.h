@@ -23,8 +23,8 @@ struct OtherVariant {
 };
 
 /// For the message thread. A state or program loaded by the host clears all steps and the other
-/// variant. Programs that MIDI asks for are a step. Consecutive ones
-/// are one step, as a song may change them all the time.
+/// variant. Programs that MIDI asks for are a step. Consecutive ones are one step, because a song
+/// may change them all the time.
 class SoundHistory final : public EditHistory {
 public:
     /// Does not call the holder yet.
@@ -51,7 +51,7 @@ public:
     /// sound stays the same, for example after a failure.
     void record(const std::string& name, const std::function<void()>& load);
 
-    /// Makes one step of a change outside the sound that is done already.
+    /// Makes one step of a finished change outside the sound.
     void recordDone(const std::string& name,
                     const std::function<void()>& undone,
                     const std::function<void()>& doneAgain);
@@ -61,9 +61,9 @@ public:
     /// Call it within `record`, so that a change belongs to its step.
     OtherVariant& otherVariant() noexcept { return other; }
 
-    /// Passes every sound of the steps and the other variant through `renew`. For data that was
-    /// replaced for good, also for the current sound: a preview by the whole analysis, or a preset
-    /// file by saving. Makes no step.
+    /// Passes every sound of the steps and the other variant through `renew`, and makes no step.
+    /// Use it for data that is replaced for good: a preview by the whole analysis, or a preset file
+    /// by saving. The caller renews the current sound.
     void renewSounds(const std::function<void(Sound&)>& renew);
 
     /// Plays sounds for listening, without steps. `keepAudition` makes one step of all of them;
@@ -89,7 +89,7 @@ private:
     };
 
     Session session() const { return {.playing = holder.loadedSound(), .other = other}; }
-    /// Returns whether it plays. If a step fails, all steps are cleared.
+    /// Plays a session and returns whether that succeeded. If a step fails, all steps are cleared.
     bool play(const Session& wanted);
     void followHost();
     void beginStep();

@@ -74,7 +74,7 @@ void SoundMonitor::takePicture(const Player& player) noexcept {
     seen.modeBudget = synthesiser.settings().modeBudget;
     seen.load = static_cast<float>(load.getLoadAsProportion());
     seen.peaks = std::exchange(peaks, {});
-    // Clear before publishing: the reader sets it to ask for the next picture.
+    // Clear the request before publishing: the reader sets it to ask for the next picture.
     wanted = false;
     latest->publish();
 }

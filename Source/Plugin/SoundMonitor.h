@@ -44,14 +44,14 @@ public:
     /// or nullptr. Calling makes the audio thread take the next one. The first call allocates.
     const MonitoredSound* take();
 
-    /// [message thread] Chooses the slot of `instrument` to show; of slots that share its object,
-    /// shows the one played last. Without a slot always shows the one played last.
+    /// [message thread] Chooses the slot of `instrument` to show. Of slots that share its object,
+    /// shows the slot played last. If no slot is chosen, shows the slot played last of all.
     void watch(std::optional<std::size_t> slot) noexcept {
         watchedSlot = slot ? static_cast<int>(*slot) : -1;
     }
 
-    /// [audio thread] Lives for one callback: measures its duration for display and takes a picture
-    /// when one is due. Neither allocates, locks nor throws. Costs nothing while nobody asks.
+    /// [audio thread] One object per callback measures its duration for display and takes a picture
+    /// if one is due. Neither allocates, locks nor throws. Does nothing if no window asks.
     class Callback {
     public:
         Callback(SoundMonitor& monitor, const PlayerCrossfade& sound, int samples) noexcept;

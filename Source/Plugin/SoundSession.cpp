@@ -11,8 +11,8 @@
 namespace idiophone {
 namespace {
 
-/// [dB] A ringing sound ramps to the new level while a new strike starts at the former one. A
-/// larger change could make either a burst.
+/// [dB] A ringing sound ramps to the new level while a new strike starts at the former one. After a
+/// larger change, one of the two could be a burst.
 constexpr double maximumLevelChange = 12;
 
 bool sharesObject(const std::shared_ptr<const Instrument>& one,
@@ -93,7 +93,7 @@ bool SoundSession::playSound(const Sound& wanted) {
             const bool sameModes = wanted.preset.mutedModes == current.preset.mutedModes;
             current = wanted;
             playingProgram = factoryProgram(current.presetId);
-            if (!sameModes && *player == nullptr) // a new player starts with its silences
+            if (!sameModes && *player == nullptr) // a new player starts with its silenced modes
                 sendSilences();
             goOn(std::move(*player), [&] {
                 shared.parameters.load(wantedNow());

@@ -21,7 +21,7 @@ public:
     using PlayerResult = Result<std::unique_ptr<Player>>;
 
     /// The sound that plays and the number of its load. A sound made from it is played only if no
-    /// other thread has loaded something since.
+    /// other thread has loaded a sound since.
     struct Loaded {
         Sound sound;
         int number = 0;
@@ -36,7 +36,8 @@ public:
     /// with the lock, while no callback runs.
     void prepare(double sampleRateHz, const std::function<void(std::unique_ptr<Player>)>& install);
     /// [message thread] Reports an output that was not finite, destroys players that faded out and
-    /// keeps what a stage's bodies struck. If another thread holds the lock, the next poll does so.
+    /// stores the impacts of a stage's bodies. If another thread holds the lock, waits for the next
+    /// poll.
     void poll();
 
     Sound loadedSound() const override;
@@ -49,7 +50,7 @@ public:
     Loaded loaded() const;
     /// Returns the playing instrument, or null if none could be loaded.
     std::shared_ptr<const Instrument> instrument() const;
-    /// Returns the prepared rate, or a usual one before.
+    /// Returns the prepared rate, or before preparation a usual one.
     double rateHz() const;
     /// Changes with each load.
     int number() const noexcept { return loads; }

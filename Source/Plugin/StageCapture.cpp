@@ -36,7 +36,7 @@ std::vector<int> notesOf(const Instrument& instrument) {
         if (notes[own] >= 0)
             continue;
         while (instrument.keysHaveObjects() && next < 128 && instrument.key(next).slot >= 0)
-            ++next; // a key has this note
+            ++next; // skips the notes of keys
         for (std::size_t slot = 0; slot < slots.size(); ++slot)
             if (slots[slot].object == slots[own].object && next < 128)
                 notes[slot] = next;

@@ -22,8 +22,8 @@ public:
     /// Impacts not read in time are lost.
     void take(Player& player) noexcept;
 
-    /// [message thread] Stores the queued impacts. Starts again with another instrument or
-    /// performance.
+    /// [message thread] Stores the queued impacts. Starts again if the instrument changes, or if
+    /// the stage was stopped or reset.
     void follow(const std::shared_ptr<const Instrument>& instrument);
     void clear() { kept.clear(); }
     std::size_t count() const { return kept.size(); }
@@ -45,7 +45,7 @@ private:
 
     boost::lockfree::spsc_queue<Message, boost::lockfree::capacity<1024>> messages;
     std::shared_ptr<const Instrument> played;
-    std::uint32_t performance = 0; ///< performance number of `kept`
+    std::uint32_t performance = 0; ///< StagePlayer::number of `kept`
     std::vector<PlacedImpact> kept;
 };
 

@@ -1,4 +1,4 @@
-// Shows a stage to the window, pauses and resets it, and writes what its bodies have struck.
+// Shows a stage to the window, pauses and resets it, and writes the impacts of its bodies.
 #pragma once
 
 #include "Editor/StageView.h"

@@ -27,7 +27,7 @@ inline constexpr std::int64_t largestEmbeddedBytes = std::int64_t{1} << 30;
 struct EmbeddedObject {
     std::string name;             ///< as the preset's key map names it
     std::vector<std::byte> modal; ///< the .modal file; may be empty if `packed` is given
-    std::shared_ptr<const std::string> packed = {}; ///< the same, packed for a state, or null
+    std::shared_ptr<const std::string> packed = {}; ///< the file packed for a state, or null
 
     bool operator==(const EmbeddedObject& other) const {
         return name == other.name && modal == other.modal;

@@ -16,17 +16,16 @@ class SurfaceHand {
 public:
     explicit SurfaceHand(WindowEvents& eventsOfWindow) : events(eventsOfWindow) {}
 
-    /// Strikes the slot's object at the place nearest to a point, in metres of its
-    /// own mesh. The strike acts at the next sample. Velocity is 1 to 127; 0 lifts the hand. If the
-    /// queue is full, a strike is lost, but a lift never is. The slot exists.
+    /// Strikes the slot's object at the place nearest to a point, in metres of its own mesh. The
+    /// strike acts at the next sample. Velocity is 1 to 127; 0 lifts the hand. A full queue loses
+    /// strikes, but no lifts. `slot` must exist.
     void strike(const std::shared_ptr<const Instrument>& instrument,
                 std::size_t slot,
                 const std::array<double, 3>& pointMetres,
                 int velocity);
 
-    /// Drags over the slot's object, straight to the place nearest to a point.
-    /// Pressure is 0 to 1; 0 lifts the hand. If the queue is full, part of the path is lost, but a
-    /// lift never is. The slot exists.
+    /// Drags over the slot's object, straight to the place nearest to a point. Pressure is 0 to 1;
+    /// 0 lifts the hand. A full queue loses part of the path, but no lifts. `slot` must exist.
     void scrape(const std::shared_ptr<const Instrument>& instrument,
                 std::size_t slot,
                 const std::array<double, 3>& pointMetres,

@@ -20,7 +20,7 @@ public:
     void setTuning(const KeyTuning& keys) noexcept;
 
     /// [any thread] Returns the time that a stage's bodies move, plus the decay of the lowest mode
-    /// by 96 dB (one 16-bit step), plus the decay of the room by as much. Takes the mode as low as
+    /// by 96 dB (one 16-bit step), plus the decay of the room by 96 dB. Takes the mode as low as
     /// wheels may bend it. At most `maximumSeconds`: lightly damped objects ring for minutes, and
     /// hosts would render as long. Ignores dampers, whatever `let_ring` is: pedals hold released
     /// keys, and many hosts ask only once.

@@ -18,7 +18,7 @@ constexpr std::array<juce::uint8, 21> equalTemperament{0xf0, 0x7e, 0x7f, 0x08, 0
                                                        0x7f, 64,   64,   64,   64,   64,   64,
                                                        64,   64,   64,   64,   64,   64,   0xf7};
 
-/// Returns whether each pitch follows its key number (single notes) instead of being a dump of all
+/// Returns whether a message lists single notes, each with its key number, and not a dump of all
 /// keys.
 bool namesKeys(std::span<const juce::uint8> message) {
     return message[4] == 0x02 || message[4] == 0x07;
@@ -92,7 +92,7 @@ void Tuner::retuneKeys(std::span<const juce::uint8> keys, bool areNamed) noexcep
     }
 }
 
-/// The client forgets only by a message: zero offset for all twelve notes.
+/// Only a message makes the client forget a tuning: zero offset for all twelve notes.
 void Tuner::followForgetting() noexcept {
     if (!forgetsMessages)
         return;

@@ -18,18 +18,18 @@ namespace idiophone {
 
 class Player;
 
-/// Construct and destroy off the audio thread. Registered as a client of MTS-ESP while it lives.
+/// Construct and destroy off the audio thread. While it lives, a tuner is a client of MTS-ESP.
 class Tuner {
 public:
     Tuner();
 
-    /// [message side, one at a time] Sets the own tuning from the next callback on; nothing leaves
-    /// the tuning to the session.
+    /// [message side, one at a time] Sets the own tuning from the next callback on. Without an own
+    /// tuning, that of the session acts.
     void setOwn(const std::optional<KeyTuning>& tuning) noexcept;
 
-    /// [any thread but the audio thread] Returns whether a master tunes the session's plugins.
+    /// [any thread except the audio thread] Returns whether a master tunes the session's plugins.
     bool hasMaster() const;
-    /// [any thread but the audio thread] Returns the name of the master's scale; may be empty.
+    /// [any thread except the audio thread] Returns the name of the master's scale; may be empty.
     std::string masterScaleName() const;
 
     /// [any thread] Returns whether messages of the MIDI Tuning Standard have tuned keys.
@@ -38,9 +38,10 @@ public:
     void forgetMessages() noexcept { forgetsMessages = true; }
 
     /// [audio thread] Call once a callback and after `retune`: gives the tuning in effect to the
-    /// player, if there is one. Neither allocates, locks nor throws, nor does `retune`.
+    /// player, if there is one. Neither allocates, locks nor throws.
     void tune(Player* player) noexcept;
     /// [audio thread] Reads a system exclusive message; ignores those that are not for tuning.
+    /// Neither allocates, locks nor throws.
     void retune(std::span<const juce::uint8> message) noexcept;
 
 private:

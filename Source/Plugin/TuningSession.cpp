@@ -41,7 +41,7 @@ void TuningSession::record(const std::string& step,
     const auto tune = [this](const ScalaTuning& wanted) {
         {
             const auto held = session.lock();
-            if (const auto keys = keyTuning(wanted)) // valid when it was recorded
+            if (const auto keys = keyTuning(wanted)) // a recorded tuning was valid
                 tuneTo(wanted, *keys);
         }
         shared.reporter.reportState();

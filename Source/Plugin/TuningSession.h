@@ -12,8 +12,8 @@
 
 namespace idiophone {
 
-/// For the message thread, but for functions marked [lock]: any thread that holds the session's
-/// lock calls them.
+/// For the message thread, except functions marked [lock]: any thread that holds the session's lock
+/// calls them.
 class TuningSession final : public TuningView {
 public:
     TuningSession(SharedParts& sharedParts, SoundSession& soundSession, SoundHistory& soundHistory)
@@ -29,8 +29,8 @@ public:
 
     /// [lock]
     const ScalaTuning& files() const noexcept { return scala; }
-    /// [lock] Sets the tuning of valid files. Moves their texts instead of copying, so that nothing
-    /// fails within a hand-over.
+    /// [lock] Sets the tuning of valid files. Moves their texts instead of copying, so that a
+    /// hand-over cannot fail.
     void tuneTo(ScalaTuning files, const KeyTuning& keys) noexcept;
 
 private:

@@ -10,7 +10,7 @@
 namespace idiophone {
 
 /// Writes like `replaceFile` (Object/FileBeside.h), and makes the folder. On failure an existing
-/// file stays, and the error is a sentence that names the file and the fault. Not for the audio
+/// file is kept, and the error is a sentence that names the file and the fault. Not for the audio
 /// thread.
 Result<void> writeWhole(const juce::File& file, std::span<const std::byte> bytes);
 

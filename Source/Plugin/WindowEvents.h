@@ -13,10 +13,10 @@ namespace idiophone {
 
 /// A key of the on-screen keyboard, or a hand on an object of the picture.
 struct WindowEvent {
-    std::uint64_t instrument = 0; ///< serial number of the struck or touched one
+    std::uint64_t instrument = 0; ///< serial number of the struck or touched instrument
     std::variant<MidiEvent, SurfaceStrike, SurfaceTouch> played;
 
-    /// Returns whether it releases a key or lifts a hand.
+    /// Returns whether the event releases a key or lifts a hand.
     bool releases() const noexcept;
 };
 

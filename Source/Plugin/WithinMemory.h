@@ -11,7 +11,7 @@
 
 namespace idiophone {
 
-/// Returns the sentence for a subject after a system error, mostly that no more threads start.
+/// Returns the sentence for a subject after a system error, usually a failure to start a thread.
 inline std::string sentenceOf(const std::system_error& fault, std::string_view subject) {
     if (fault.code() == std::errc::resource_unavailable_try_again)
         return std::string(subject) + " needs a thread, and this machine starts no more";

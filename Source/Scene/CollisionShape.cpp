@@ -94,7 +94,7 @@ btCollisionShape* CollisionShape::hull(const std::vector<Eigen::Vector3d>& point
         return computer.compute(points.front().data(), sizeof(Eigen::Vector3d),
                                 static_cast<int>(points.size()), margin, maximumMarginOfDepth);
     };
-    // A body that lies askew in its box is thinner than it; compute() reduces the margin then.
+    // A body that lies askew in its box is thinner than the box. compute() then reduces the margin.
     double margin = compute(
         std::min(maximumMarginMetres, marginShare * boundingBox(points).sizes().minCoeff()));
     if (computer.vertices.size() == 0) // too thin for any margin

@@ -10,8 +10,8 @@
 namespace idiophone {
 
 /// A shape in body coordinates, with the parts that it consists of. Immutable. Bodies of a kind
-/// share it on one thread, because Bullet's shapes cache. Not for the audio thread. Expects a model
-/// that makeRigidBodyModel has checked.
+/// share it on one thread only, because Bullet's shapes hold caches. Not for the audio thread.
+/// Expects a model that makeRigidBodyModel has checked.
 class CollisionShape {
 public:
     explicit CollisionShape(const RigidBodyModel& model);

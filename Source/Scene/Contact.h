@@ -11,7 +11,7 @@ namespace idiophone {
 struct Impact {
     double seconds = 0;                   ///< when the bodies met, between two steps
     std::size_t body = 0;                 ///< the struck body
-    std::size_t other = 0;                ///< the body that strikes it
+    std::size_t other = 0;                ///< the striking body
     Eigen::Vector3d pointMetres;          ///< in the mesh coordinates of `body`
     Eigen::Vector3d impulseNewtonSeconds; ///< on `body`, in its mesh coordinates
     double contactSeconds = 0;            ///< duration of the Hertz contact

@@ -9,8 +9,8 @@
 namespace idiophone {
 namespace {
 
-/// Slower approaches belong to a lasting contact: 5 mm/s is a fall of 1.3 µm. So does the speed
-/// that two steps of gravity add.
+/// Slower approaches belong to a lasting contact: 5 mm/s is a fall of 1.3 µm. So do approaches
+/// below the speed that two steps of gravity add.
 constexpr double slowestStrikeMetresPerSecond = 0.005;
 constexpr double stepsOfRest = 2;
 /// An impact passed on through bodies in contact changes their speed by at least this many steps of
@@ -64,12 +64,13 @@ void ContactReader::read(const btPersistentManifold& manifold, std::span<const B
     const auto secondNumber = static_cast<std::size_t>(manifold.getBody1()->getUserIndex());
     const Pair pair{firstNumber, secondNumber, bodies[firstNumber], bodies[secondNumber]};
     if (!moves(*pair.first.rigid) && !moves(*pair.second.rigid))
-        return; // the contact is stale: it is from the step in which both fell asleep
+        return; // the contact is from the step in which both bodies fell asleep
 
     Pressing pressing;
     for (int k = 0; k < manifold.getNumContacts(); ++k) {
         const auto& contact = manifold.getContactPoint(k);
-        // The solver handles overlapping points only. The impulse of other points is an old one.
+        // The solver handles overlapping points only. Other points still hold the impulse of an
+        // earlier step.
         if (contact.getDistance() > 0 || !(contact.getAppliedImpulse() > 0))
             continue;
         const auto point = pointOf(contact, pair);
@@ -129,7 +130,7 @@ void ContactReader::addTouch(const Pressing& pressing, const Pair& pair) {
 void ContactReader::addImpact(const Point& point, const Pair& pair) {
     const auto& [firstNumber, secondNumber, first, second] = pair;
     const double speed = point.approach > slowestStrike ? point.approach : point.speedChange();
-    // Since they met, the bodies have approached by the depth.
+    // Since the bodies met, they have approached by the depth.
     const double sinceSeconds =
         point.approach > 0 ? std::min(point.depthMetres / point.approach, stepSeconds) : 0;
     Impact impact{.seconds = std::max(startSeconds - sinceSeconds, 0.0),

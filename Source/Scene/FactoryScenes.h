@@ -9,7 +9,7 @@
 
 namespace idiophone {
 
-/// Returns the scenes in a fixed order. Parses them once. Any thread but the audio thread.
+/// Returns the scenes in a fixed order. Parses them once. Any thread except the audio thread.
 std::span<const Scene> factoryScenes();
 
 /// Returns the factory scene of that name (case-insensitive), or nullptr.

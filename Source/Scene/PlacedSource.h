@@ -20,7 +20,7 @@ public:
              const HeardPath& path,
              const CellOutput& ears) noexcept;
 
-    void reset() noexcept; ///< to the state after construction
+    void reset() noexcept; ///< restores the constructed state
 
     /// Returns true if no added sound is still on its way.
     bool silent() const noexcept { return quietSamples >= lineSize; }

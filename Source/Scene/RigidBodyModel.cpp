@@ -26,7 +26,7 @@ Eigen::Matrix3d principalAxes(const Eigen::Matrix3d& inertia, Eigen::Vector3d& m
     return axes;
 }
 
-/// The radius of flat bodies: rounder than anything that falls on them.
+/// The radius of flat bodies, larger than that of any body that falls on them.
 constexpr double flatRadiusMetres = 1000;
 
 /// Returns the radius where a body is most likely to be touched. Fixed bodies are flat. Edges and

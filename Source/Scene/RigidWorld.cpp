@@ -15,8 +15,8 @@ namespace {
 constexpr double slowestReboundMetresPerSecond = 0.02; // slower falls do not rebound
 constexpr double sleepMetresPerSecond = 0.003, sleepRadiansPerSecond = 0.03;
 constexpr int solverIterations = 30;
-/// A resting body keeps an overlap of this many steps' fall. Otherwise it would touch only in every
-/// other step.
+/// A resting body overlaps by the distance that it falls in this many steps. Otherwise it would
+/// touch only in every other step.
 constexpr double restingStepsOfFall = 2;
 // Measured costs of pairs in contact: a pair, a pair with a mesh and up to `someFaces` nearby
 // faces, and each further face.

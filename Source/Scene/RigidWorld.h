@@ -42,9 +42,9 @@ public:
     /// Reserves a number that never has a rigid body, for example for a hand.
     std::size_t addAbsent();
     void remove(std::size_t body);
-    BodyMotion motion(std::size_t body) const;      ///< of a body that has not been removed
-    Eigen::Vector3d centre(std::size_t body) const; ///< of mass of such a body
-    /// In m/s and rad/s, of such a body.
+    BodyMotion motion(std::size_t body) const;      ///< not of a removed body
+    Eigen::Vector3d centre(std::size_t body) const; ///< of mass; not of a removed body
+    /// In m/s and rad/s; not of a removed body.
     void
     setVelocity(std::size_t body, const Eigen::Vector3d& velocity, const Eigen::Vector3d& spin);
 
@@ -52,11 +52,11 @@ public:
     void step();
     double seconds() const;
     double stepSeconds() const;
-    /// Returns whether the pairs of bodies, or of their parts, exceeded `maximumPairs`. The pairs
-    /// beyond pass through each other, so that further steps are useless.
+    /// Returns whether the pairs of bodies, or of their parts, exceeded `maximumPairs`. The bodies
+    /// of further pairs pass through each other, so that further steps are useless.
     bool isCrowded() const;
-    /// Returns the work of all steps so far, in units of about a microsecond: bodies and their
-    /// pairs.
+    /// Returns the work of all steps since construction, in units of about a microsecond: bodies
+    /// and their pairs.
     double work() const;
     std::span<const Impact> impacts() const; ///< of the last step, in order of time
     std::span<const Touch> touches() const;  ///< of the last step, in order of bodies

@@ -17,10 +17,10 @@ namespace idiophone {
 
 /// The shape of a body in collisions.
 enum class BodyForm {
-    hull,   ///< convex hull of the mesh; a shell extends by half its thickness all around
-    ring,   ///< round about the mesh's z axis and open in the middle: capsules or hulls of sectors
-    sphere, ///< centred in the bounding box, as wide as its mean size
-    cylinder, ///< round about the mesh's z axis, with closed ends
+    hull,     ///< convex hull of the mesh; a shell extends by half its thickness all around
+    ring,     ///< about the mesh's z axis, open in the middle: capsules or hulls of sectors
+    sphere,   ///< centred in the bounding box, as wide as its mean size
+    cylinder, ///< about the mesh's z axis, with closed ends
     surface,  ///< the smoothed mesh, for hollow fixed bodies
     ground    ///< everything below the top of the mesh's bounding box, for fixed bodies
 };
@@ -130,7 +130,7 @@ struct Listener {
 struct Scene {
     std::string name;
     std::string description;
-    double seconds = 10; ///< minimum duration; then it lasts until it is silent
+    double seconds = 10; ///< minimum duration; the scene then lasts until it is silent
     std::uint32_t seed = 1;
     double stepsPerSecond = 2000; ///< of the rigid bodies, 1000 to 20000
     double gravityMetresPerSecond2 = 9.81;

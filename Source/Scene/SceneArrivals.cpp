@@ -14,7 +14,7 @@ namespace idiophone {
 namespace {
 
 constexpr double ringingSeconds = 2;          // a removed body's slot is free after this time
-constexpr std::uint32_t firstNote = 1u << 24; // number of its random sequence
+constexpr std::uint32_t firstNote = 1u << 24; // number of the note's random sequence
 
 Eigen::Quaterniond turned(const Eigen::Vector3d& degrees) {
     const double angle = degrees.norm();

@@ -26,7 +26,7 @@ struct SimulationSetup {
     std::optional<double> seconds = {};     ///< replaces the scene's duration
     double raisedMetres = 0;                ///< added to the initial height of moving bodies
     double speedRatio = 1;                  ///< factor of initial speeds
-    /// In the units of `RigidWorld::work`. The simulation stops when it has done this much.
+    /// The work after which the simulation stops, in the units of `RigidWorld::work`.
     double maximumWork = std::numeric_limits<double>::infinity();
     /// Set by another thread to stop the simulation. May be null.
     const std::atomic<bool>* isStopped = nullptr;
@@ -40,7 +40,7 @@ struct SceneArrivals {
         double seconds = 0;
         std::size_t role = 0;
         std::size_t slot = 0;
-        BodyMotion motion; ///< at that time
+        BodyMotion motion; ///< at `seconds`
         double lastsUntil = 0;
     };
 

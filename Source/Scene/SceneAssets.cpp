@@ -106,7 +106,7 @@ Result<void> SceneAssets::loadKinds(ObjectLibrary& library) {
             return tl::unexpected(object.error());
         if (auto done = addRole(kind, *object, 1 << k, collidingGroups(played.kinds, k)); !done)
             return done;
-        // Count a surface once for each kind: every performance builds a shape for each.
+        // Count a surface once for each kind: every simulation builds a shape for each.
         const auto& own = allRoles.back().kind.model->touchingFaces;
         touching.pairs += own.pairs;
         touching.boxes += own.boxes;

@@ -16,7 +16,7 @@
 
 namespace idiophone {
 
-/// Immutable, so that any number of performances share it.
+/// Immutable, so that any number of simulations share it.
 class SceneAssets {
 public:
     struct Role {

@@ -122,13 +122,14 @@ void ScenePlayer::waitFor(std::int64_t cell) noexcept {
 }
 
 void ScenePlayer::waitForSimulation() noexcept {
-    takeBlocks(); // gives back those of former notes, so that the worker may go on
+    takeBlocks(); // gives back blocks of former notes, so that the worker may go on
     while (worker.help())
         takeBlocks();
 }
 
 void ScenePlayer::play(Simulation& simulation, const BegunCell& cell) noexcept {
-    // The simulation's cells lie between those of the sound. This cell ends within its cell `now`.
+    // The simulation's cells and those of the sound begin at different times. This cell ends within
+    // the simulation's cell `now`.
     const auto now = cell.index - simulation.startCell;
     const double startSeconds =
         (static_cast<double>(now * cellSamples) - simulation.startSample) / rate;
@@ -144,7 +145,7 @@ void ScenePlayer::play(Simulation& simulation, const BegunCell& cell) noexcept {
                 ++lateCount;
             strike(impact, sample, cell);
         }
-        // A contact that was late in several cells of the block counts once, by the last of them.
+        // A contact that was late in several cells of the block counts once, in the last of them.
         const auto lastLate = std::min(now - 1, block.endCell()) - 1;
         for (const auto& touched : block.touches)
             if (touched.cell == now - 1)

@@ -45,10 +45,10 @@ private:
     struct Simulation {
         std::uint32_t number = 0; ///< of its note; 0: idle
         std::int64_t startCell = 0;
-        double startSample = 0;                            ///< within that cell
+        double startSample = 0;                            ///< start of the note within that cell
         SimulationBlock *first = nullptr, *last = nullptr; ///< received, and not played completely
         std::size_t impactsDone = 0;                       ///< of the first block
-        std::int64_t contactCells = 0; ///< the contacts of the cells before are played or late
+        std::int64_t contactCells = 0; ///< contacts of earlier cells are played or late
         std::int64_t knownCells = 0;
         bool isAllKnown = false;
         bool isPlaced = false;

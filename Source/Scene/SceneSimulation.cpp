@@ -11,7 +11,7 @@ namespace idiophone {
 namespace {
 
 constexpr double lowestMetres = -100;         // bodies below are removed
-constexpr std::uint32_t firstKick = 1u << 25; // number of its random sequence
+constexpr std::uint32_t firstKick = 1u << 25; // number of the throw's random sequence
 
 std::vector<RigidWorld::Kind> kindsOf(const SceneAssets& assets) {
     std::vector<RigidWorld::Kind> kinds;
@@ -84,7 +84,7 @@ void SceneSimulation::placeSlots() {
             const auto slot = now.slots[side];
             if (slot != noSlot && slotPoses[slot])
                 from = radiationDirection(slot, *slotPoses[slot], slotPlaces[slot]);
-            else if (before.pair == now.pair) // the body was removed: it fades where it was
+            else if (before.pair == now.pair) // the body was removed: it fades at its last place
                 from = before.points[side].point.radiationDirection;
         }
     }
@@ -121,7 +121,7 @@ std::span<const Touch> SceneSimulation::withHand(double from, double until) {
     if (played == present.end())
         return rigid.touches();
     for (auto impact : hand->tapsBetween(from, until, played->body, handBody)) {
-        impact.seconds += leadSeconds; // to the world's time
+        impact.seconds += leadSeconds; // converts to the world's time
         addImpact(impact);
     }
     touchesWithHand.assign(rigid.touches().begin(), rigid.touches().end());
@@ -130,8 +130,8 @@ std::span<const Touch> SceneSimulation::withHand(double from, double until) {
     return touchesWithHand;
 }
 
-/// Adds the bodies that are due. One due between two steps is moved to where it is now. Half a step
-/// of gravity ahead makes the fall exact at every step.
+/// Adds the bodies that are due. Moves a body that was due between two steps to its current place.
+/// Half a step of gravity in advance makes the fall exact at every step.
 void SceneSimulation::addDueBodies(double now) {
     for (; nextArrival < arrivals.bodies.size() && arrivals.bodies[nextArrival].seconds <= now &&
            !isCrowded();
@@ -209,7 +209,7 @@ std::optional<SceneImpact> SceneSimulation::takeImpact(double beforeSeconds) {
 }
 
 bool SceneSimulation::finished() const {
-    // One more step, so that bodies due for removal are gone.
+    // Make one more step, so that bodies due for removal are removed.
     return isCrowded() || isCutShort() ||
            rigid.seconds() - leadSeconds > arrivals.lastsUntil + rigid.stepSeconds();
 }

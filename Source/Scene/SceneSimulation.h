@@ -24,7 +24,7 @@ struct SceneImpact {
     Eigen::Vector3d pointMetres = Eigen::Vector3d::Zero(); ///< on the object, not scaled
 };
 
-/// Returns the error for a scene whose run is crowded.
+/// Returns the error for a scene whose simulation is crowded.
 Error crowdedFault(const Scene& scene);
 
 /// One thread at a time; not for the audio thread. The same scene assets and setup give the same
@@ -57,13 +57,15 @@ public:
     /// Returns true if nothing more will happen: the scene and all notes are over, or it ended
     /// early.
     bool finished() const;
-    /// Returns whether it ended early because the world is crowded (`RigidWorld::isCrowded`).
+    /// Returns whether the simulation ended early because the world is crowded
+    /// (`RigidWorld::isCrowded`).
     bool isCrowded() const { return rigid.isCrowded(); }
-    /// Returns whether it ended early because of the setup's `maximumWork` or `isStopped`.
+    /// Returns whether the simulation ended early because of the setup's `maximumWork` or
+    /// `isStopped`.
     bool isCutShort() const;
 
     struct Figures {
-        std::int64_t bodies = 0; ///< present now, with fixed ones
+        std::int64_t bodies = 0; ///< present now, including fixed ones
         std::int64_t impacts = 0;
     };
     const Figures& figures() const { return counted; }

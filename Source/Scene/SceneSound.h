@@ -38,8 +38,8 @@ public:
               std::span<const Eigen::Vector3d> places,
               const CellOutput& ears) noexcept;
 
-    void reset() noexcept; ///< to the state after construction
-    /// Returns whether no impact is pending and no sound on its way to the listener.
+    void reset() noexcept; ///< restores the constructed state
+    /// Returns whether no impact is pending and no sound is on its way to the listener.
     bool silent() const noexcept;
 
     TouchVoices contacts;

@@ -21,10 +21,10 @@ Result<std::shared_ptr<const Instrument>> buildInstrument(const KeyMap& keyMap,
 /// Returns the pose of a slot's body for the window.
 BodyPose bodyPose(const SceneSimulation& run, std::size_t slot);
 
-/// Several notes sound at a time, each in a simulation of its own. A fixed
-/// body has one slot in all of them; a moving body has one slot in each. If the scene has `notes`,
-/// every body hits after the same delay, the longest fall, so that a chord stays together.
-/// Otherwise a note restarts all moving bodies.
+/// Several notes sound at a time, each in a simulation of its own. A fixed body has one slot in all
+/// of them; a moving body has one slot in each. If the scene has `notes`, every body hits after the
+/// same delay, the longest fall, so that a chord stays together. Otherwise a note restarts all
+/// moving bodies.
 class SceneStage final : public Stage {
 public:
     static constexpr std::size_t maximumSimulations = 8;

@@ -12,7 +12,7 @@
 namespace idiophone {
 namespace {
 
-// Generous bounds, as in HandText.h.
+// The bounds are generous, as in HandText.h.
 constexpr double fastestMetresPerSecond = 100;
 constexpr double fastestTurnsPerSecond = 100;
 constexpr int maximumBodies = 10000;

@@ -42,7 +42,7 @@ private:
 
     struct Simulation {
         SimulationNote note;
-        bool begins = false;                  ///< its run has not been created yet
+        bool begins = false;                  ///< its simulation has not been created yet
         std::unique_ptr<SceneSimulation> run; ///< null while the simulation is idle
         std::int64_t cellsDone = 0;
         std::size_t blocksOut = 0; ///< blocks that have not been given back
@@ -64,7 +64,7 @@ private:
     Queue<SimulationNote, 256> notes;
     Queue<SimulationBlock*, blockCapacity> ready, used;
 
-    std::mutex working; ///< its owner does the worker's job
+    std::mutex working; ///< the thread that owns it does the worker's job
     std::condition_variable stopped;
     std::atomic<bool> isStopping{false};
     std::vector<Simulation> simulations;

@@ -8,8 +8,8 @@ namespace idiophone {
 
 /// A BoxTree in Bullet's format, so that Bullet's searches cost as much as BoxTree counted.
 /// Bullet's own trees widen boxes to 2 mm or round them to a fraction of the whole surface. Small
-/// faces, or all faces beside a distant one, then count as neighbours. They also split uneven
-/// surfaces badly.
+/// faces, or all faces beside a distant one, then count as neighbours. Bullet's trees also split
+/// uneven surfaces badly.
 class SurfaceTree final : public btOptimizedBvh {
 public:
     /// Expects valid indices and finite coordinates.

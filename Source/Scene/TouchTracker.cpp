@@ -7,7 +7,7 @@ namespace idiophone {
 namespace {
 
 constexpr double smoothingSeconds = 0.004;   // of force and speeds, which jitter from step to step
-constexpr double longestPauseSeconds = 0.03; // a pair keeps its voice during a hop this long
+constexpr double longestPauseSeconds = 0.03; // a pair keeps its voice during a shorter hop
 constexpr double spacingMetres = 0.002;      // a contact point that moved further is computed again
 constexpr double slowestMetresPerSecond = 1e-3;
 

@@ -45,7 +45,7 @@ private:
         std::array<std::size_t, 2> bodies{};
         std::array<Eigen::Vector3d, 2> pointMetres; ///< where `points` were computed
         double fadeSteps = 0;  ///< steps until the voice is free; > 0 since its last contact
-        bool isPlaced = false; ///< whether its points are known
+        bool isPlaced = false; ///< whether the contact points are known
     };
 
     std::size_t voiceFor(const Touch& touch);

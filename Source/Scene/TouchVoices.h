@@ -26,7 +26,7 @@ public:
     /// Fades the voice's force to 0 until the end of the current cell.
     void release(std::size_t voice, const BegunCell& cell) noexcept;
 
-    void reset() noexcept; ///< to the state after construction
+    void reset() noexcept; ///< restores the constructed state
 
 private:
     struct Voice {

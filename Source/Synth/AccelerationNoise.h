@@ -9,8 +9,8 @@
 
 namespace idiophone {
 
-/// A rigid body as a source of sound. Rotation about the centre of mass is ignored, as it displaces
-/// no net volume of air.
+/// A rigid body as a source of sound. Rotation about the centre of mass is ignored, because it
+/// displaces no net volume of air.
 struct RigidRadiator {
     double massKg = 0; ///< 0: no click
     /// [3,3] symmetric: displaced volume V plus the volume of the air that moves along [m³]. An

@@ -10,7 +10,7 @@ namespace {
 
 constexpr float faintEnergy = 1e-36f; // faintestVelocity²
 
-/// Far below hearing, far above the rounding error of sums of shares.
+/// This level is far below hearing and far above the rounding error of sums of shares.
 constexpr float smallestFade = 1e-6f;
 
 } // namespace
@@ -27,8 +27,8 @@ bool ActiveModes::holdsAboveTau() const noexcept {
                        [&](float energy) { return energy > tauEnergy(); });
 }
 
-// The amplitude decays as e^{−αt} and reaches τ at t_c. Comparing the two at every grid point finds
-// it without a logarithm per struck mode.
+// The amplitude decays as e^{−αt} and reaches τ at t_c. A comparison at every grid point finds t_c
+// without a logarithm per struck mode.
 void ActiveModes::survey(Change allowed) noexcept {
     const EnergySurvey found =
         surveyEnergies(bank.energies(), bank.poles().audibleWeights(), tauEnergy(), faintEnergy,
@@ -200,7 +200,7 @@ void ActiveModes::regroup(const ModeGroups& groups, std::int64_t grid) noexcept 
 }
 
 /// Collects the flags of the new groups in `scratch`, as the fades still need the old ones. A new
-/// group rings or is mixed if any old part of it was.
+/// group rings or is mixed if any old part of the group was.
 void ActiveModes::handOnFlags(const ModeGroups& groups) noexcept {
     std::ranges::fill(scratch.aboveTau, std::uint16_t{0});
     std::ranges::fill(scratch.wanted, std::uint16_t{0});

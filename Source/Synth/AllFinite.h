@@ -17,7 +17,7 @@ inline bool allFinite(std::span<const float> values) noexcept {
 
 /// Returns whether each value is a number between −limit and limit (≥ 0).
 inline bool allWithin(std::span<const float> values, float limit) noexcept {
-    // As integers, the bits of magnitudes sort like the magnitudes; NaN sorts last.
+    // The bits of magnitudes, read as integers, sort like the magnitudes; NaN sorts last.
     const auto limitBits = std::bit_cast<std::int32_t>(limit);
     std::int32_t room = 0; // negative if a value exceeds the limit
     for (const float value : values)

@@ -1,6 +1,6 @@
 // The path of a bank's sound into the cell: fades of modes, the damper, and a motor's discs in the
-// tubes. Sounds are rendered for open discs; the part that the discs block is taken out again. So
-// states know neither damper nor discs.
+// tubes. Sounds are rendered for open discs, and then the part that the discs block is removed. So
+// the states do not depend on damper and discs.
 #pragma once
 
 #include "Synth/CellOutput.h"
@@ -17,8 +17,8 @@ namespace idiophone {
 /// Memory is reserved by the constructor; every other member is for the audio thread.
 class BankOutput {
 public:
-    /// `tubeShares` [modes of the object], or empty: no tube (TubeShares.h). Bank and scratch
-    /// outlive this.
+    /// `tubeShares` [modes of the object], or empty: no tube (TubeShares.h). Bank and scratch must
+    /// outlive this object.
     BankOutput(ModalBank& bank,
                std::vector<float> tubeShares,
                double sampleRateHz,
@@ -43,7 +43,7 @@ public:
     bool tubesPulse() const noexcept { return !tubeParts.empty() && !scratch.tubes.isFull(); }
     /// Returns the tube's parts of the modes in ascending runs, valid until the next call.
     std::span<const ModePart> tubePartsOf(std::span<const ModeRun> runs) const noexcept;
-    /// Returns the same if the discs change the sound, or nothing.
+    /// Returns `tubePartsOf(runs)` if the discs change the sound, otherwise nothing.
     std::span<const ModePart> pulsing(std::span<const ModeRun> runs) const noexcept {
         return tubesPulse() ? tubePartsOf(runs) : std::span<const ModePart>();
     }

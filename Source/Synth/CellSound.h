@@ -8,7 +8,7 @@
 namespace idiophone {
 
 /// Maximum number of channels, one per listening direction. A merged group needs a state for each,
-/// as its modes are heard in different proportions.
+/// because its modes are heard in different proportions.
 inline constexpr std::size_t maximumChannels = 2;
 
 /// The buffers that each channel is added to.

@@ -68,7 +68,7 @@ public:
     /// anything but zeros.
     bool render(const ContactMotion& motion, std::span<float, cellSamples> forceNewtons) noexcept;
 
-    /// Stops the contact and returns it to the seed's place on the profile. The settings stay.
+    /// Stops the contact and returns it to the seed's place on the profile. The settings are kept.
     void reset() noexcept;
 
 private:

@@ -46,7 +46,8 @@ ForcedResponse::ForcedResponse(const ModalPole& pole,
 }
 
 Motion ForcedResponse::motion(std::complex<double> phase) const noexcept {
-    // 1/P(δ) − e^{iΩt}/P(δ + iΩ) over a common denominator, as the difference is small at phase 1.
+    // 1/P(δ) − e^{iΩt}/P(δ + iΩ) over a common denominator, because the difference is small at
+    // phase 1.
     const auto numerator = stiffnessIncrease + constantStiffness * (1.0 - phase);
     const auto displacement = quotient(numerator, constantStiffness * swingStiffness);
     return {steady + product(swing, phase).real(), contactRate * displacement.real()};

@@ -173,7 +173,8 @@ void ContactSet::startClick(const Contact& contact,
         clicks.push_back(click);
 }
 
-/// Moves the forced parts of every mode, as the ends of the contacts will.
+/// Moves the forced parts of every mode into or out of the free motion, as the end of a contact
+/// does.
 void ContactSet::move(Forced become, std::int64_t grid) noexcept {
     if (contacts.empty())
         return;
@@ -196,7 +197,7 @@ void ContactSet::move(Forced become, std::int64_t grid) noexcept {
     bank.join(scratch.increments, {});
 }
 
-/// Does this for one contact, whose residues are `factor` times the current ones.
+/// Moves the forced parts of one contact, whose residues are `factor` times the current ones.
 void ContactSet::move(Contact& contact, double factor, Forced become, std::int64_t grid) noexcept {
     const std::complex<double> phase = contact.phaseAt(grid, 0, output.sampleRateHz());
     scratch.contact.setForced(bank.poles(), {.contactSeconds = contact.strike.durationSeconds,

@@ -45,7 +45,7 @@ class ContactSet {
 public:
     static constexpr std::size_t capacity = 64;
 
-    /// The arguments outlive this.
+    /// The arguments must outlive this object.
     ContactSet(const ModalObject& object,
                ModalBank& bank,
                BankOutput& output,
@@ -81,7 +81,7 @@ public:
                     const CellOutput& cell) noexcept;
 
     /// Turns the forced parts of all contacts into free motion at the grid point, or takes them out
-    /// of it again, so that poles, damping and radiation may change in between.
+    /// again. Poles, damping and radiation may change in between.
     void free(std::int64_t grid) noexcept { move(Forced::freed, grid); }
     void holdAgain(std::int64_t grid) noexcept { move(Forced::held, grid); }
 

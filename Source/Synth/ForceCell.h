@@ -25,7 +25,7 @@ struct ForcePoint {
 /// the contact is near, so that only new points cost time.
 struct ForcePlace {
     std::array<ForcePoint, 2> points;
-    float fraction = 0; ///< 0 at the first to 1 at the second point, which is not read at 0
+    float fraction = 0; ///< 0 at the first point to 1 at the second; at 0 the second is not read
 
     bool operator==(const ForcePlace&) const = default;
 };

@@ -11,7 +11,7 @@ namespace {
 
 /// Returns the immediate sound of an impulse in each channel, to be added to the motion of the
 /// modes in `runs`. Together with half of the motion's first sample it makes a constant force
-/// silent, as velocity and acceleration are then 0. About Σ Im r/(ω × sample time).
+/// silent, because velocity and acceleration are then 0. About Σ Im r/(ω × sample time).
 ///
 /// Σ' ρ^k b over k ≥ 0, the first term halved, is b (1 + ρ)/(2 (1 − ρ)) with b = 1 + iα/ω.
 std::array<float, maximumChannels> directSound(const ModalBank& bank,

@@ -14,7 +14,7 @@ namespace idiophone {
 /// thread.
 class ForceResponses {
 public:
-    /// The arguments outlive this.
+    /// The arguments must outlive this object.
     ForceResponses(ModalBank& bank,
                    BankOutput& output,
                    ActiveModes& active,
@@ -61,7 +61,7 @@ private:
     SynthesisScratch& scratch;
     std::uint64_t version = 1;
     std::int64_t lastCell = never;          ///< the last cell with a force
-    Listening startListening, endListening; ///< of that cell
+    Listening startListening, endListening; ///< of the last cell with a force
 };
 
 } // namespace idiophone

@@ -15,7 +15,7 @@ namespace idiophone {
 /// Memory is reserved by the constructor; every other member is for the audio thread.
 class GroupResidues {
 public:
-    /// The arguments outlive this. The bank has the modes of `groups`.
+    /// The arguments must outlive this object. The bank has the modes of `groups`.
     GroupResidues(const ModalObject& object,
                   ModeGroups& groups,
                   const ModalBank& bank,
@@ -28,7 +28,7 @@ public:
                  const std::array<float, 3>& impulseNewtonSeconds,
                  const Listening& listening) noexcept;
 
-    /// Frequency times size over the reference's, the radiation table's argument.
+    /// The radiation table's argument: frequency times size, relative to the reference.
     double radiationRatio() const noexcept { return wantedRatio; }
     void setRadiationRatio(double ratio) noexcept { wantedRatio = ratio; }
 

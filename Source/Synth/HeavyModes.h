@@ -44,7 +44,7 @@ public:
         return {from, std::ranges::lower_bound(from, modes.end(), end, {}, &HeavyMode::mode)};
     }
 
-    /// Makes residues real with the same magnitude, as these modes have no phase.
+    /// Makes residues real with the same magnitude, because these modes have no phase.
     void makeReal(ModeResidues& residues, std::size_t channels) const noexcept;
 
     void setForced(const PulseInstant& pulse, UnitContact& unit) const noexcept;
@@ -60,8 +60,8 @@ public:
                 std::size_t channels,
                 StateIncrements& increments) const noexcept;
 
-    /// Saves the states of modes `first` to `end` − 1. The functions below replace what a SIMD loop
-    /// has made of them since.
+    /// Saves the states of modes `first` to `end` − 1 before a SIMD loop. The functions below
+    /// replace the loop's results for these modes.
     void save(const ModeStates& states,
               std::size_t first,
               std::size_t end,
@@ -72,7 +72,7 @@ public:
                  double factor,
                  std::size_t channels,
                  ModeStates& states) const noexcept;
-    /// Also fills in `ahead` and `energies`, which start at `first`.
+    /// Moves the modes by a cell. Also fills in `ahead` and `energies`, which start at `first`.
     void advanceCell(std::size_t first,
                      std::size_t end,
                      double scale,

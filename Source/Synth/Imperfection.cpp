@@ -9,7 +9,7 @@ namespace idiophone {
 std::vector<ModePair> modePairs(const ModalObject& object, std::uint32_t seed) {
     constexpr double pairRatio = 1.001; // of eigenvalues: 0.05 % in frequency
     std::vector<ModePair> pairs;
-    std::mt19937 random(seed); // its first numbers differ even between small seeds
+    std::mt19937 random(seed); // differs from the first number on, even for small seeds
     const auto drawn = [&random] { return static_cast<float>(random() / 4294967296.0); };
     for (std::size_t mode = 0; mode + 1 < object.modeCount(); ++mode) {
         const bool isShared = object.isShared(mode) || object.isShared(mode + 1);

@@ -11,8 +11,8 @@
 
 namespace idiophone {
 
-/// A pair of modes of equal frequency. The angle rotates their shapes to those two that stay
-/// uncoupled when mass is added somewhere.
+/// A pair of modes of equal frequency. The angle rotates their shapes to the two that stay
+/// uncoupled when mass is added at one place.
 struct ModePair {
     std::int32_t first = 0; ///< first mode; the second is the next one
     float cosine = 1, sine = 0;

@@ -20,8 +20,9 @@ void startIncrements(const PoleArrays& poles,
                      std::size_t channels,
                      StateIncrements& increments) noexcept;
 
-/// Adds `factor` times the residues times the unit's forced states. The imaginary parts of residues
-/// hear `force` at once: the force over Ω, for a unit impulse.
+/// Adds `factor` times the residues times the unit's forced states. Adds `force` times the
+/// imaginary part of each residue, which is heard at once. `force` is the force over Ω, for a unit
+/// impulse.
 void gatherIncrements(const UnitContact& unit,
                       const ModeResidues& residues,
                       double factor,
@@ -30,9 +31,9 @@ void gatherIncrements(const UnitContact& unit,
                       std::size_t channels,
                       StateIncrements& increments) noexcept;
 
-/// Sets the increments to those of a whole contact: the increment at its end minus the rest of the
-/// one at its start. For contacts much shorter than a period this difference is small, and still
-/// has the full single precision.
+/// Sets the increments to those of a whole contact: the increment at its end minus the remainder of
+/// the increment at its start. For contacts much shorter than a period this difference is small,
+/// and still has the full single precision.
 void finishIncrements(const PoleArrays& poles,
                       const UnitContact& end,
                       const BeforeSample& before,

@@ -27,8 +27,8 @@ struct PitchMode {
 
 struct LiveConditions {
     PoleLaw law;
-    double gainRatio = 1;          ///< of near residues: 1/mass ratio
-    double radiationGainRatio = 1; ///< of far residues, on top of the radiation table
+    double gainRatio = 1;          ///< for the near sound: 1/mass ratio
+    double radiationGainRatio = 1; ///< for the far sound, on top of the radiation table
     /// Argument of RadiationTable::weightsAt: frequency times size, relative to the reference. A
     /// live thickness moves each mode by its own ratio; the weights remain those of the shapes at
     /// the analysed thickness.

@@ -27,7 +27,7 @@ public:
     StateIncrements emptyIncrements() const; ///< allocates
 
     /// Number of channels in use, at most the capacity. New channels start as copies of the first.
-    /// States passed in are read and written for this many.
+    /// Functions read and write passed states in this many channels.
     std::size_t channels() const noexcept { return channelCount; }
     void setChannels(std::size_t wanted) noexcept;
 
@@ -37,10 +37,10 @@ public:
     void regroup(std::size_t count, std::span<const ModeShare> shares, ModeStates& room) noexcept;
 
     /// Sets every mode's pole by `law`, from its reference eigenvalue [size] and damping ([size],
-    /// or empty: the law's). States stay, so that the velocity does not step. If the coordinates
-    /// change near critical damping, velocity and displacement stay. Modes outside `lowestHz` ≤ f <
-    /// `highestHz` (natural frequency) become inaudible, and so do modes with `silenced` ≠ 0
-    /// ([size], or empty: none).
+    /// or empty: the law's). The states are kept, so that the velocity does not step. If the
+    /// coordinates change near critical damping, velocity and displacement are kept. Modes outside
+    /// `lowestHz` ≤ f < `highestHz` (natural frequency) become inaudible, and so do modes with
+    /// `silenced` ≠ 0 ([size], or empty: none).
     void movePoles(std::span<const double> referenceEigenvalues,
                    const PoleLaw& law,
                    double lowestHz,
@@ -78,7 +78,7 @@ public:
         renderStates(states, energy.data(), blocks, runs, scale, outputs, parts, partOutputs);
     }
 
-    /// Does the same with other states and moves those; stores no energies.
+    /// Renders other states in the same way and moves those. Stores no energies.
     void renderFrom(ModeStates& from,
                     std::span<const ModeRun> runs,
                     const ChannelOutputs& outputs) noexcept;

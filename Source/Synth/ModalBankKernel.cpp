@@ -115,9 +115,9 @@ void advanceBatch(const ModeRotations& rotations,
         advance<true>(rotations, count, scale, x, y, energies, ahead);
 }
 
-/// Mixes sub-blocks `Start` to `Start + Count − 1`. The sums stay in registers, as the loops over
-/// them are fully unrolled. With few sub-blocks each sum is split into `Ways` partial sums: one sum
-/// takes one product in the time in which the CPU can compute eight.
+/// Mixes sub-blocks `Start` to `Start + Count − 1`. The sums stay in registers, because the loops
+/// over them are fully unrolled. With few sub-blocks each sum is split into `Ways` partial sums:
+/// one sum takes one product in the time in which the CPU can compute eight.
 template <std::size_t Start, std::size_t Count, std::size_t Ways>
 HWY_INLINE void mixSubBlocks(const float* HWY_RESTRICT table,
                              const float* HWY_RESTRICT x,
@@ -230,7 +230,7 @@ EnergySurvey survey(const float* HWY_RESTRICT energies,
             std::uint8_t lanes[8] = {};
             hn::StoreMaskBits(f, rings, lanes);
             bits |= (lanes[0] | (std::uint32_t{lanes[1]} << 8)) << k;
-            // Decaying into denormals, or not finite.
+            // The group decays into denormals or is not finite.
             const auto fading = hn::And(hn::Lt(energy, faint), hn::Gt(energy, hn::Zero(f)));
             outside = hn::Or(outside, hn::Or(fading, hn::Not(hn::Lt(energy, largest))));
         }

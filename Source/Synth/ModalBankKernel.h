@@ -1,5 +1,5 @@
 // The inner loops of synthesis, with SIMD chosen at run time: they move the states of many modes by
-// a cell and add their sound to a buffer. Arrays in, arrays out; no state.
+// a cell and add their sound to a buffer. They read and write arrays and keep no state.
 #pragma once
 
 #include <cstddef>
@@ -23,12 +23,12 @@ inline constexpr float largestEnergy = 1e36f;
 inline constexpr float largestResidue = 1e17f;
 inline constexpr float largestForceNewtons = 1e12f;
 
-/// Smaller table entries become zero. This is far below the rounding of a table and, even when
+/// Smaller table entries become zero. The limit is far below the rounding of a table and, even when
 /// multiplied by a faint state, far above denormals.
 inline constexpr double faintestTableEntry = 1e-15;
 
-/// States below this [m/s], −360 dB of full scale, become zero. This is far above single-precision
-/// denormals.
+/// States below this limit [m/s], −360 dB of full scale, become zero. It is far above
+/// single-precision denormals.
 inline constexpr double faintestVelocity = 1e-18;
 
 /// Number of modes whose states are computed before they are mixed; their data stays in the L1

@@ -12,7 +12,7 @@ namespace {
 constexpr double oscillatingShare = 0.99;
 
 // Near critical damping the two terms diverge. Widening the gap of the roots to a tenth of α keeps
-// a true bound, as sinh(βt)/β grows with β.
+// a true bound, because sinh(βt)/β grows with β.
 constexpr double minimumGap = 0.1;
 
 double rootGap(const ModalPole& pole) noexcept {

@@ -147,7 +147,7 @@ void ModalResonator::catchUp(const SynthesisSettings& settings) noexcept {
     if (!controlsChanged || !contacts.empty())
         return;
     increments.takeIn(cellIndex + 1);
-    ++cellIndex; // the states hold there
+    ++cellIndex; // the grid point of the states
     applySettings(settings);
     --cellIndex;
 }

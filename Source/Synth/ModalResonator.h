@@ -39,7 +39,7 @@ public:
     void setDamping(double dampingPerSecond) noexcept;
     void setFrequencyRatio(double ratio) noexcept;
     double frequencyRatio() const noexcept { return requestedFrequencyRatio; }
-    /// Replaces the settings' material; empty: use the settings'. Its values must be in range.
+    /// Replaces the settings' material, or stops replacing it. All values must be in range.
     void setMaterial(const std::optional<LiveMaterial>& material) noexcept;
     /// Mutes modes with values ≠ 0 from the next `beginCell` on ([modes of the object], or empty:
     /// none). They fade out and in, and ring on unmixed in between.

@@ -25,7 +25,8 @@ appendModes(std::size_t block, unsigned bits, std::vector<std::int32_t>& modes) 
         modes.push_back(static_cast<std::int32_t>(block * modeBlock) + std::countr_zero(bits));
 }
 
-/// Keeps the modes with the largest energies; of two equal ones the lower index.
+/// Keeps the modes with the largest energies. Of two equal modes, keeps the one with the lower
+/// index.
 inline void
 keepLoudest(std::vector<std::int32_t>& modes, const float* energies, std::size_t maximum) noexcept {
     if (modes.size() <= maximum)

@@ -31,7 +31,7 @@ struct FirstMode {
             return true;
         if (!oscillates || !isOscillating(next))
             return false;
-        // Compare squares, as a root for every mode would dominate the cost.
+        // Compare squares, because a root for every mode would dominate the cost.
         const double meanDecay = (pole.damping + next.damping) / 4;
         const double tolerance = std::min(noticeable, meanDecay);
         const double squared = next.stiffness - next.damping * next.damping / 4;

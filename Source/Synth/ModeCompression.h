@@ -37,7 +37,7 @@ inline bool isShared(std::span<const std::complex<float>> gains, std::size_t mod
 /// Modes whose λ agree within 1e-9 and whose damping is equal are one pole. They always join, even
 /// at compression 0. Modes of different `kinds` (empty: all alike) never join. Modes with a gain
 /// other than 1 (`gains` empty: none) join no group. Bar and tube share such modes in pairs, which
-/// cancel at first and diverge into the bloom.
+/// cancel at first and then diverge, so that the sound builds up.
 std::size_t groupModes(std::span<const double> referenceEigenvalues,
                        const PoleLaw& law,
                        double compression,

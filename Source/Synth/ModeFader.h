@@ -19,9 +19,9 @@ public:
     /// Works for modes of this bank.
     ModeFader(const ModalBank& bank, double sampleRateHz);
 
-    /// Fades out the given share of each mode from the next sample on, as the mode is no longer
-    /// rendered. A share below 0 fades in: the mode is rendered in full from now on, and the fade
-    /// subtracts the held-back part.
+    /// Fades out the given share of each mode from the next sample on, because the mode is no
+    /// longer rendered. A share below 0 fades in: the mode is rendered in full from now on, and the
+    /// fade subtracts the held-back part.
     void change(ModalBank& bank,
                 std::span<const std::int32_t> modes,
                 std::span<const float> shares) noexcept;
@@ -29,7 +29,7 @@ public:
     /// Adds the next cell of the fades and moves on by a cell.
     void addCell(const ChannelOutputs& cell) noexcept;
 
-    /// Multiplies the rest of the fades.
+    /// Multiplies the remaining fades by `factor`.
     void scale(float factor) noexcept;
 
     /// Copies the first channel's fades to the second.

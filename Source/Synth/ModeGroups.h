@@ -32,7 +32,7 @@ public:
     using ModeWeights = std::shared_ptr<const std::vector<double>>;
 
     /// Each mode begins as a group of its own. `weights` [M] are the object's `summedSquareShapes`.
-    /// `seed` draws the imperfection. Object and scratch outlive this.
+    /// `seed` draws the imperfection. Object and scratch must outlive this object.
     ModeGroups(const ModalObject& object,
                ModeWeights weights,
                std::uint32_t seed,
@@ -51,8 +51,8 @@ public:
     std::span<const ModePair> pairs() const noexcept { return modePairs; }
 
     const GroupConditions& conditions() const noexcept { return current; }
-    /// Requests modes with values ≠ 0 to be silenced ([M], or empty: none). Returns whether this is
-    /// new.
+    /// Requests modes with values ≠ 0 to be silenced ([M], or empty: none). Returns whether the
+    /// request changes the silenced modes.
     bool requestSilenced(std::span<const std::uint8_t> silenced) noexcept;
     /// Returns whether `set` would change anything.
     bool differFrom(const GroupConditions& wanted) const noexcept {
@@ -94,7 +94,7 @@ private:
     double sampleRate;
     GroupConditions current;
     bool behind = true;
-    bool eigenvaluesAreBehind = false; ///< they ignore a new thickness or imperfection so far
+    bool eigenvaluesAreBehind = false; ///< not yet computed for a new thickness or imperfection
     std::vector<std::uint8_t> requestedSilences, silencedModes; ///< [M], or empty: none
     bool silencesChange = false;
     ModeWeights modeWeights;

@@ -13,7 +13,7 @@ ModePoles::ModePoles(std::size_t capacity, double sampleRateHz)
 }
 
 void ModePoles::regroup(std::size_t modes, std::span<const ModeShare> shares) noexcept {
-    // `update` refills these two.
+    // `update` fills `cellRe` and `cellIm` again afterwards.
     auto& newStiffness = coefficients.cellRe;
     auto& newDamping = coefficients.cellIm;
     std::ranges::fill(newStiffness, 1.0);

@@ -9,7 +9,7 @@
 namespace idiophone {
 
 /// Complex residues of the modes in one channel, zero in the padding. A mode of state s sounds Re(r
-/// s), so the imaginary part hears the acceleration over the frequency.
+/// s), so the imaginary part gives the acceleration over the frequency.
 struct ChannelResidues {
     AlignedVector<float> re;
     AlignedVector<float> im;

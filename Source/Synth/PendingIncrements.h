@@ -35,7 +35,8 @@ public:
     void finish(double contactSeconds, double end) noexcept;
     /// Adds the sound of the increments, which hold at sample `from`, up to `until`.
     void sound(int from, int until, const CellOutput& cell) noexcept;
-    /// Does the same up to the end of the cell, and keeps the increments until the next grid point.
+    /// Adds their sound up to the end of the cell, and keeps the increments until the next grid
+    /// point.
     void soundAndKeep(int from, const CellOutput& cell) noexcept;
     /// Adds pending increments to the states, which hold at `grid`, the end of their cell.
     void takeIn(std::int64_t grid) noexcept;

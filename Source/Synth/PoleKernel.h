@@ -30,7 +30,7 @@ struct PoleArrays {
     AlignedVector<float> tables;                 ///< [modes,2,16]
 };
 
-/// Fills in all arrays but λ and d. The caller corrects modes that do not oscillate.
+/// Fills in all arrays except λ and d. The caller corrects modes that do not oscillate.
 void rotationsOfPoles(PoleArrays& poles, std::size_t count, double sampleSeconds) noexcept;
 
 /// Multiplies `count` states x + iy by `factor` e^{(−α + iω)t}: free motion of the modes from

@@ -8,10 +8,10 @@ namespace idiophone {
 
 namespace {
 
-// Above any budget; keeps an infinite Q within integers.
+// This value is above any budget and keeps an infinite Q within integers.
 constexpr double largestBudget = 1e9;
 
-// Finite, and greedy for any number of objects.
+// This slope is finite, and greedy for any number of objects.
 constexpr double steepestSlope = 1e12;
 
 /// Entitlements fall on a line: `top` for the first rank, `fall` less from each rank to the next.

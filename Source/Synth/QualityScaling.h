@@ -16,8 +16,8 @@ struct ModeDemand {
 /// Returns the entitlement of rank r < n of n objects, in modes; see shareModeBudget.
 double modeEntitlement(std::size_t rank, std::size_t objects, double budget, double slope) noexcept;
 
-/// Divides `budget` Q among n objects. They are ranked by amplitude, loudest first; equal ones keep
-/// their order. Rank r = 0, 1, … is entitled to max(0, a − S·r·Q/n²), with a such that the
+/// Divides `budget` Q among n objects. They are ranked by amplitude, loudest first; equal objects
+/// keep their order. Rank r = 0, 1, … is entitled to max(0, a − S·r·Q/n²), with a such that the
 /// entitlements sum to Q. S = 0 gives equal shares; S = ∞ entitles the first to everything. The
 /// unneeded part of a share goes to the next rank.
 ///

@@ -29,7 +29,7 @@ struct ResonPole {
         return at(equalParts, 2 * std::numbers::pi * equalParts, sampleRateHz);
     }
 
-    /// Returns the input gain for which Im z answers a constant with itself. The transfer function
+    /// Returns the input gain for which Im z equals a constant input. The transfer function
     /// is then that of the resonance (d² + ω²)/((s + d)² + ω²).
     double unitGainAtZero() const noexcept {
         return ((1 - real) * (1 - real) + imaginary * imaginary) / imaginary;

@@ -1,6 +1,6 @@
-// Shared by the SIMD kernels and compiled for each instruction set: vector types, complex numbers
-// in lanes, and conversions between double states and single-precision sums. Include it after
-// foreach_target.h.
+// The SIMD kernels share this file, which is compiled for each instruction set: vector types,
+// complex numbers in lanes, and conversions between double states and single-precision sums.
+// Include it after foreach_target.h.
 #if defined(IDIOPHONE_SIMD_COMPLEX_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef IDIOPHONE_SIMD_COMPLEX_INL_H
 #undef IDIOPHONE_SIMD_COMPLEX_INL_H

@@ -20,7 +20,7 @@ struct BeforeSample {
 /// A time of free motion, and the damper's attenuation over it in octaves (≥ 0).
 struct IncrementMove {
     double seconds = 0;
-    double samples = 0; ///< the same time in samples
+    double samples = 0; ///< time in samples
     double damperOctaves = 0;
 };
 

@@ -1,4 +1,4 @@
-// A strike between something hard and an object: place, impulse and duration.
+// The strike of a hard body on an object: place, impulse and duration.
 #pragma once
 
 #include <array>
@@ -17,8 +17,8 @@ struct StrikePoint {
     /// The outward normal, of length 1 (not checked). The near sound is the velocity of the point
     /// along it, so a wrong normal is heard too softly.
     std::array<float, 3> normal{0, 0, 1};
-    /// Direction for the far sound of a strike here: an index in the object's RadiationTable for
-    /// all channels, or −1: each channel has its own.
+    /// The direction of the far sound: an index in the object's RadiationTable for all channels. At
+    /// −1 each channel has its own direction.
     std::int32_t radiationDirection = -1;
 
     bool operator==(const StrikePoint&) const = default;

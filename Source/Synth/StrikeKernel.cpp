@@ -92,8 +92,7 @@ HWY_INLINE PoleInPulse poleInPulse(const PoleArrays& poles, double perOmega, std
             demoted(excess(decayLower, frequencyLower), excess(decayUpper, frequencyUpper))};
 }
 
-// The closed form of ForcedResponse, which explains it, in units of Ω. The contact's rate 1/T is
-// then 1/2π.
+// The closed form that ForcedResponse explains, in units of Ω. The contact's rate 1/T is then 1/2π.
 void forced(const PulseInstant& pulse,
             const PoleArrays& poles,
             std::size_t count,

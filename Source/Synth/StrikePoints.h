@@ -18,7 +18,7 @@ public:
 
     /// Returns the nearest vertex with shapes and its outward normal. The point is in metres, in
     /// the coordinates of the object's mesh; divide it by the size of a scaled slot. Takes time
-    /// proportional to the number of such vertices.
+    /// proportional to the number of vertices with shapes.
     StrikePoint nearest(const std::array<double, 3>& pointMetres) const noexcept;
 
 private:

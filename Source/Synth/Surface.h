@@ -1,5 +1,5 @@
-// The sound of a surface when something is dragged or rolled over it: plain data, after van den
-// Doel, Kry & Pai 2001, section 5. File format: docs/surfaces.md.
+// The sound of a surface when a body is dragged or rolled over it: plain data, after van den Doel,
+// Kry & Pai 2001, section 5. File format: docs/surfaces.md.
 #pragma once
 
 #include "Object/Result.h"

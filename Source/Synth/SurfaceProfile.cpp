@@ -115,7 +115,7 @@ double SurfaceProfile::gain(double speedRatio) const noexcept {
     return gains[index] + (place - static_cast<double>(index)) * (gains[index + 1] - gains[index]);
 }
 
-/// In continuous time the rms would be the same at all speeds, as the sound is only stretched.
+/// In continuous time the rms would be the same at all speeds, because the sound is only stretched.
 double SurfaceProfile::scrapeRms(double speedRatio) const {
     const ResonPole pole = resonPole(speedRatio);
     const double inputGain = pole.unitGainAtZero();

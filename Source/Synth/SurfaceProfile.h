@@ -20,8 +20,8 @@ public:
     /// Table entries per sample. The table holds nothing above an eighth of its own rate, so that
     /// linear interpolation is clean at every speed.
     static constexpr std::size_t oversampling = 4;
-    /// The longest wavelength as a fraction of the period. Longer ones, below about 20 Hz at the
-    /// reference speed, would only be heard as unsteady loudness.
+    /// The longest wavelength as a fraction of the period. Longer wavelengths, below about 20 Hz at
+    /// the reference speed, would only be heard as unsteady loudness.
     static constexpr std::size_t lowestHarmonic = 32;
 
     /// The same surface and seed give the same table everywhere, except for the last bits of the

@@ -53,7 +53,7 @@ struct SynthesisScratch {
     UnitContact contact;                           ///< [G]
     StateIncrements increments;                    ///< [G] increments that are not kept
     ModeResidues startResidues; ///< [G] at a force's place at the start of a cell
-    ModeResidues endResidues;   ///< [G] at its place at the end
+    ModeResidues endResidues;   ///< [G] at the force's place at the end of the cell
     std::array<CachedResponses, forceCapacity> responses;
     std::uint64_t responseUses = 0;      ///< counter for ForceResponse::lastUse
     std::vector<std::uint16_t> aboveTau; ///< per block: modes above τ
@@ -66,9 +66,9 @@ struct SynthesisScratch {
     TubeOpening tubes;               ///< of the current cell
     float tubesNow = 1;              ///< gain of the tubes at the grid point where states hold
     std::vector<ModePart> tubeParts; ///< tube parts of the current modes
-    alignas(64) CellSound tubeSound; ///< their sound
+    alignas(64) CellSound tubeSound; ///< sound of `tubeParts`
 
-    // For changes of groups.
+    // Scratch for changes of groups.
     std::vector<std::uint8_t> silencedGroups; ///< [G]
     std::vector<std::int32_t> groupStarts;    ///< [G+1] of the new groups
     std::vector<ModeShare> groupShares;       ///< shares that the new groups take over

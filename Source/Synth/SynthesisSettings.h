@@ -48,9 +48,8 @@ struct SynthesisSettings {
     double frequencyRatio = 1; ///< > 0: multiplies every frequency (tuning, bend)
     /// Slots with a pitch (SynthesiserSlot) keep it under any material, size and thickness.
     bool keepPitch = false;
-    /// 0 (contact microphone at the struck point) to 1 (pressure that the whole
-    /// surface radiates at 1 m, if the object has a radiation table). Applies to strikes from now
-    /// on.
+    /// 0 (contact microphone at the struck point) to 1 (pressure that the whole surface radiates at
+    /// 1 m, if the object has a radiation table). Applies to strikes from now on.
     double radiation = 0;
     /// Material of every slot without its own (Synthesiser::setMaterial); empty: the object's.
     std::optional<LiveMaterial> material = {};

@@ -217,7 +217,7 @@ bool Synthesiser::applyForce(std::size_t slot,
 
 void Synthesiser::reset() noexcept {
     auto& all = *implementation;
-    // Skip the others: their banks are in the reset state already, and may be large.
+    // Skip untouched slots: their banks are in the reset state already, and may be large.
     for (std::size_t slot = 0; slot < all.objects.size(); ++slot)
         if (std::exchange(all.wasTouched[slot], 0) != 0)
             all.objects[slot].reset();

@@ -45,8 +45,8 @@ public:
     double frequencyRatio(std::size_t slot) const noexcept;
 
     /// Sets the material of one slot from the next `beginCell` on, instead of
-    /// `SynthesisSettings::material`; empty: use that one again. A material with a value out of
-    /// range is ignored.
+    /// `SynthesisSettings::material`. If empty, the settings' material applies again. A material
+    /// with a value out of range is ignored.
     void setMaterial(std::size_t slot, const std::optional<LiveMaterial>& material) noexcept;
 
     /// Mutes modes of one slot with values ≠ 0 from the next `beginCell` on ([modes of its object],
@@ -59,14 +59,15 @@ public:
 
     /// Moves on by one cell and overwrites `cell` with the sound of ringing modes.
     void beginCell(const CellOutput& cell) noexcept;
-    /// Does the same with a cell per slot, for listeners that place the slots apart.
+    /// Moves on by one cell with a separate cell for each slot, for listeners that place the slots
+    /// apart.
     void beginCell(std::span<const CellOutput> cellsOfSlots) noexcept;
 
     /// Strikes a slot at `sampleInCell` (0 ≤ s < 64, may be fractional) of the current cell and
-    /// adds the sound to the rest of it. Modes that the strike lifts above τ sound at once, if the
-    /// budget permits: the slot's share, an equal share, or the unused rest. During a contact its
-    /// modes stay mixed. A contact time within 1 % of a lightly damped mode's period changes by up
-    /// to 3 %.
+    /// adds the sound to the rest of the cell. Modes that the strike lifts above τ sound at once,
+    /// if the budget permits: the slot's share, an equal share, or the unused rest. During a
+    /// contact its modes stay mixed. A contact time within 1 % of a lightly damped mode's period
+    /// changes by up to 3 %.
     ///
     /// Returns false and does nothing if 64 contacts that outlast this cell are under way in this
     /// slot; if the slot, a shape row or the far direction does not exist; if `sampleInCell` or the
@@ -93,11 +94,11 @@ public:
     struct SlotStatus {
         float amplitude = 0;            ///< summed amplitude of the modes, m/s
         std::int32_t modesRinging = 0;  ///< above τ
-        std::int32_t modesMixed = 0;    ///< of these, within its share of the budget
+        std::int32_t modesMixed = 0;    ///< modes within the slot's share of the budget
         std::int32_t channels = 0;      ///< channels of its sound; a single one goes to both
         std::int32_t share = 0;         ///< modes that the budget granted, at most the ringing ones
         std::int32_t groups = 0;        ///< groups of modes, after compression
-        std::int32_t groupsAudible = 0; ///< of these, those within the band and not silenced
+        std::int32_t groupsAudible = 0; ///< groups within the band and not silenced
     };
     /// Returns the status as of the current cell.
     std::span<const SlotStatus> status() const noexcept;

@@ -261,7 +261,8 @@ TEST_CASE("Two bars radiate within 1 dB of an independent boundary-element solut
 TEST_CASE("A solution with symmetry equals the one without") {
     std::mt19937 random(7);
     std::normal_distribution<double> normal;
-    // Mirrors; rotations with a mirror across; mirrors that map faces onto themselves.
+    // These meshes have mirrors, rotations with a mirror across, and mirrors that map faces onto
+    // themselves.
     const auto hoop = closedSurface(hoopMesh(0.5, 0.2, 24, 2), 0.02);
     REQUIRE(hoop);
     for (const Mesh& mesh : {octasphere(5), hoop->mesh, icosphereMesh(1, 2)}) {

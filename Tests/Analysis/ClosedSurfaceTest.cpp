@@ -14,7 +14,7 @@ using Catch::Matchers::WithinRel;
 
 namespace {
 
-/// Returns a [3N×1] shape in which every vertex moves alike.
+/// Returns a [3N×1] shape that moves every vertex by the same vector.
 Eigen::MatrixXd translation(const Mesh& mesh, const Eigen::Vector3d& by) {
     return by.replicate(mesh.vertexCount(), 1);
 }
@@ -33,7 +33,7 @@ TEST_CASE("A sheet is closed by two faces and a rim and encloses its volume") {
     CHECK_THAT(up.col(0).dot(faceAreas(closed->mesh)), WithinAbs(0, 1e-12));
 }
 
-TEST_CASE("A closed body stays unchanged beside a sheet that gets closed") {
+TEST_CASE("A closed body stays unchanged beside a sheet that is closed") {
     const Mesh ball = icosphereMesh(0.1, 2), sheet = sheetMesh(0.3, 0.2, 100);
     Mesh both{Eigen::MatrixXd(ball.vertexCount() + sheet.vertexCount(), 3),
               Eigen::MatrixXi(ball.faceCount() + sheet.faceCount(), 3)};

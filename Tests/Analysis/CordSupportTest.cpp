@@ -75,7 +75,7 @@ TEST_CASE("Cords lie at the nodes of a uniform bar's fundamental, 22.4 % from it
     CHECK_THAT(places[1], WithinAbs((0.5 - node) * lengthMetres, 1e-4 * lengthMetres));
 }
 
-TEST_CASE("Each cord at a node adds R phi^2 / 2 to other modes' decay rates, nothing to the "
+TEST_CASE("Each cord at a node adds R phi^2 / 2 to other modes' decay rates and nothing to the "
           "fundamental") {
     const auto added = addedBy({.resistanceNsPerM = 3, .spreadOverLength = 0});
     CHECK_THAT(added[fundamental], WithinAbs(0, 1e-3));

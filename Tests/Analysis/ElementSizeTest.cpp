@@ -19,7 +19,7 @@ using namespace idiophone::test;
 using Catch::Matchers::WithinRel;
 
 TEST_CASE(
-    "The shortest wavelength is a thin plate's at low and a surface wave's at high frequencies") {
+    "The shortest wavelength is a plate's at low frequencies and a surface wave's at high ones") {
     const auto law = elasticLaw(referenceWood(0.3));
     const double h = 0.01;
     const double bending = std::sqrt(2 * std::numbers::pi * h / 10) * std::pow(20e9 / 12e3, 0.25);

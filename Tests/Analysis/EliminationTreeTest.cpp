@@ -25,8 +25,8 @@ Eigen::SparseMatrix<double> randomPlaces(int n, double perColumn, unsigned seed)
     return places;
 }
 
-/// Returns for each unknown the later ones that it connects to after elimination of all before it.
-/// Eliminates explicitly.
+/// Returns, for each unknown, the later unknowns that it couples to once all unknowns before it are
+/// eliminated. Eliminates explicitly.
 std::vector<std::set<int>> fill(const Eigen::SparseMatrix<double>& places,
                                 const std::vector<int>& place) {
     std::vector<std::set<int>> below(place.size());

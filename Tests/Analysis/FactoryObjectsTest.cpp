@@ -1,4 +1,4 @@
-// Tests of the stored factory bars: all of them as stored, and one per octave analysed anew.
+// Tests of the stored factory bars: all of them as stored, and one per octave analysed again.
 #include "Analysis/FactoryObjects.h"
 #include "Analysis/FactoryBars.h"
 #include "Object/ModalObjectFile.h"
@@ -76,7 +76,7 @@ TEST_CASE("Every stored bar is in tune: fundamental within 1 cent, tuned partial
                 return cents(heardHz(bar, static_cast<std::size_t>(modes.at(partial))),
                              ratio * noteFrequencyHz(note));
             };
-            CHECK_THAT(missCents(0, 1), WithinAbs(0, 1)); // 0.5 by tuning, the tube adds
+            CHECK_THAT(missCents(0, 1), WithinAbs(0, 1)); // 0.5 from tuning, the rest from the tube
             if (asked.targets.secondRatio > 0)
                 CHECK_THAT(missCents(1, asked.targets.secondRatio), WithinAbs(0, 2));
             if (asked.targets.thirdRatio > 0)
@@ -176,7 +176,7 @@ TEST_CASE("A tube makes a marimba's A3 decay clearly faster and 15 to 25 dB loud
     CHECK(tubed.levelDb - bare.levelDb < 25);
 }
 
-TEST_CASE("One bar per octave of each instrument, analysed anew, equals the stored one") {
+TEST_CASE("One bar per octave of each instrument, analysed again, equals the stored one") {
     for (const auto& instrument : barInstruments())
         for (int note = instrument.lowestNote; note <= instrument.highestNote; note += 12) {
             const auto anew = makeFactoryObject(instrument.barName(note));

@@ -122,7 +122,7 @@ TEST_CASE("The lowest pair of the steel ring is Hoppe's ring mode") {
     checkFile(ring, 160000);
 }
 
-TEST_CASE("The handbell sounds C5 with its second partial a twelfth above, each a pair") {
+TEST_CASE("The handbell sounds C5 and a twelfth above it, each as a pair of modes") {
     const auto bell = made("handbell");
     CHECK(std::abs(cents(frequencyHz(bell, 0), 523.2511)) < 3);
     CHECK(std::abs(cents(frequencyHz(bell, 2), 3 * frequencyHz(bell, 0))) < 3);

@@ -50,7 +50,7 @@ TEST_CASE("Fewer shapes are a subset in half precision, spread over the whole su
     }
 }
 
-TEST_CASE("All shapes stay if there are few enough, and rounding twice equals rounding once") {
+TEST_CASE("All shapes are kept if they are few enough, and rounding twice equals rounding once") {
     const auto whole = plate();
     const auto rounded = withFewerShapes(whole, 100000);
     CHECK(rounded.shapeVertices == whole.shapeVertices);

@@ -9,7 +9,7 @@
 namespace idiophone::test {
 
 struct HostileMesh {
-    std::string name; ///< its family and the damage done to it
+    std::string name; ///< the mesh's family and its damage
     Mesh mesh;        ///< a few decimetres, unless its size is the damage
 };
 

@@ -26,7 +26,7 @@ Eigen::SparseMatrix<double> chainMass(Index n) {
 
 } // namespace
 
-TEST_CASE("The kernel for this processor multiplies like Eigen for every remainder") {
+TEST_CASE("The kernel for this processor multiplies like Eigen for all sizes") {
     for (const Index rows : {1, 3, 4, 9, 18})
         for (const Index columns : {1, 3, 4, 5, 8, 13, 29})
             for (const Index inner : {0, 1, 7, 33}) {
@@ -57,8 +57,8 @@ TEST_CASE("A symmetric matrix given by its lower triangle multiplies like the fu
     CHECK((symmetricTimes(lower, x) - whole * x).cwiseAbs().maxCoeff() < 1e-14);
 }
 
-TEST_CASE(
-    "Orthonormal columns times their triangle give the vectors back, even near-parallel ones") {
+TEST_CASE("Orthonormal columns times their triangle give the vectors back, even if these are "
+          "near-parallel") {
     const auto mass = chainMass(300);
     const MassSpace space(mass);
     Vectors block = fixedRandomBlock(300, 8, 4);

@@ -41,7 +41,7 @@ Mesh twoCrossedBoxes() {
 
 } // namespace
 
-TEST_CASE("Closed chunky meshes are analysed as solids, thin or open ones as shells") {
+TEST_CASE("Closed thick meshes are analysed as solids, thin or open ones as shells") {
     CHECK(choiceFor(boxMesh({0.35, 0.05, 0.02}, {14, 2, 1})).method == AnalysisMethod::tetrahedra);
     CHECK(choiceFor(icosphereMesh(0.1, 2)).method == AnalysisMethod::tetrahedra);
     CHECK(choiceFor(torusMesh(0.1, 0.01, 40, 10)).method == AnalysisMethod::tetrahedra);
@@ -70,7 +70,7 @@ TEST_CASE("An analysis without a given method reports its choice and the reason"
     CHECK_THAT(shell->provenance.notes, ContainsSubstring("is open"));
 }
 
-TEST_CASE("A solid bar read as a coarse box matches Timoshenko within 1 %") {
+TEST_CASE("A solid bar given as a coarse box matches Timoshenko within 1 %") {
     // 0.4 x 0.05 x 0.02 m, Y 20 GPa, nu 0.25: 569.6 1545.4 2963.4 Hz.
     const auto object = analyse(boxMesh({0.4, 0.05, 0.02}, {1, 1, 1}), settingsOf(4000));
     REQUIRE(object);
@@ -100,7 +100,7 @@ TEST_CASE("Finite elements for a mesh without a body give a one-sentence error")
                ContainsSubstring("passes through itself"));
 }
 
-TEST_CASE("A band beyond the element budget ends earlier and says so") {
+TEST_CASE("A band beyond the element budget ends earlier, and a note says so") {
     Material soft = referenceWood();
     soft.youngsModulusPa = 1e7; // rubber: waves of a few millimetres
     AnalysisSettings settings = settingsOf(44000);
@@ -122,7 +122,7 @@ TEST_CASE("Vertices chosen for shapes are found again on a remeshed surface") {
     REQUIRE(object->shapeVertices.size() == 2);
     for (const std::int32_t vertex : object->shapeVertices) {
         const auto* at = object->vertices.data() + 3 * static_cast<std::size_t>(vertex);
-        CHECK_THAT(std::abs(at[0]), WithinRel(0.175f, 1e-5f)); // corners stay
+        CHECK_THAT(std::abs(at[0]), WithinRel(0.175f, 1e-5f)); // corners are kept
         CHECK_THAT(std::abs(at[1]), WithinRel(0.025f, 1e-5f));
     }
 }

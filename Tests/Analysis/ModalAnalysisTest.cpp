@@ -72,7 +72,7 @@ TEST_CASE("Striking at i and listening at j equals striking at j and listening a
     auto settings = barSettings();
     settings.thicknessMetres = 0.003;
     const auto object = analyse(mesh, settings);
-    // The same body with reversed vertex order.
+    // The second body has its vertices in reverse order.
     Mesh reversed{mesh.vertices.colwise().reverse(),
                   static_cast<int>(mesh.vertexCount()) - 1 - mesh.faces.array()};
     const auto other = analyse(reversed, settings);
@@ -144,7 +144,7 @@ TEST_CASE("The same input gives the same object bit for bit") {
     }
 }
 
-TEST_CASE("The literal model of a box warns of zero modes; the two-layer model has only six") {
+TEST_CASE("The spring-mass model of a box warns of zero modes; the two-layer model has only six") {
     const auto mesh = boxMesh({0.4, 0.05, 0.02}, {20, 4, 2});
     auto settings = barSettings();
     settings.thicknessMetres = 0.005;

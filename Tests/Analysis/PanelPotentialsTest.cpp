@@ -77,7 +77,7 @@ TEST_CASE("Uniform layers on a closed surface give -1 inside, 0 outside, and no 
     }
 }
 
-TEST_CASE("In its own plane a triangle's double layer is zero and its field a finite part") {
+TEST_CASE("In its own plane a triangle's double layer is zero and its field is a finite part") {
     const auto triangle = corners();
     const auto normal = normalOf(triangle);
     const Eigen::Vector3d centroid = triangle.rowwise().mean();

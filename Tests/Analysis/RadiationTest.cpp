@@ -79,8 +79,8 @@ Body sphere(const std::function<Eigen::Vector3d(const Eigen::Vector3d& normal)>&
     return body;
 }
 
-/// From below the audible band's lower end at 20 Hz (ka = 0.0037) to near its upper end at 22 kHz
-/// (4.03).
+/// The ratios reach from below the audible band's lower end at 20 Hz (ka = 0.0037) to near its
+/// upper end at 22 kHz (4.03).
 const std::vector<double> sphereRatios{0.004, 0.02, 0.1, 0.5, 1, 1.5, 1.9, 2.5, 3.9};
 const std::vector<Eigen::Vector3d> alongZ{Eigen::Vector3d::UnitZ()};
 
@@ -215,7 +215,7 @@ TEST_CASE("Weights beyond the audible band equal those at its ends") {
     CHECK(at(3) == at(4));
 }
 
-TEST_CASE("Listening from outside the centre only adds a delay") {
+TEST_CASE("A shift of the centre only delays the radiation") {
     const std::vector<double> ratios{1};
     auto body = sphere([](const Eigen::Vector3d& n) -> Eigen::Vector3d {
         return (1 + n.x() + 2 * n.z() * n.z() * n.z() + n.x() * n.y()) * n;
@@ -312,7 +312,7 @@ TEST_CASE("A strike sounds the same for any signs of the shapes") {
 TEST_CASE("A strike sounds the same for any basis of equal poles") {
     const auto mesh = GENERATE(hoopMesh(0.07, 0.015, 48, 4), icosphereMesh(0.05, 2));
     auto body = analysed(mesh, 0.004, 30000);
-    // Makes pairs equal that mesh and solver leave a rounding error apart.
+    // Makes the eigenvalues of pairs equal. Mesh and solver leave a rounding error between them.
     for (Eigen::Index mode = 1; mode < body.eigenvalues.size(); ++mode)
         if (body.eigenvalues(mode) < body.eigenvalues(mode - 1) * (1 + 1e-7))
             body.eigenvalues(mode) = body.eigenvalues(mode - 1);
@@ -321,7 +321,7 @@ TEST_CASE("A strike sounds the same for any basis of equal poles") {
 }
 
 TEST_CASE("A strike sounds the same for any basis of equal poles with weights in quadrature") {
-    // Even and odd modes along a sheet have imaginary and real weights. Put three on one pole.
+    // Even and odd modes along a sheet have imaginary and real weights. Give three modes one pole.
     auto body = analysed(sheetMesh(0.3, 0.1, 300), 0.01, 8000);
     body.centreMetres = {0.02, 0.01, 0.03};
     for (Eigen::Index mode = 0; mode < body.eigenvalues.size(); ++mode)

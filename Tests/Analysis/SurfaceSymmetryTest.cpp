@@ -9,7 +9,7 @@
 using namespace idiophone;
 
 TEST_CASE("The symmetry of generated meshes is found") {
-    CHECK(surfaceSymmetry(sheetMesh(0.3, 0.2, 200)).order() == 8); // flat: mirrored across too
+    CHECK(surfaceSymmetry(sheetMesh(0.3, 0.2, 200)).order() == 8); // mirrored in its plane too
     CHECK(surfaceSymmetry(hoopMesh(0.1, 0.05, 24, 2)).order() == 48);
     const auto cup = latheMesh({{0.05, 0, 0.002}, {0.08, 0.1, 0.002}}, 0.01);
     CHECK(surfaceSymmetry(cup.mesh).order() >= 12);

@@ -79,7 +79,7 @@ TEST_CASE("Elements have the same orientation, fill the body, and have nodes at 
     CHECK(outerFaces(*mesh) == surface.faceCount());
 }
 
-TEST_CASE("The mean edge of a chunky body is within 20 % of the target") {
+TEST_CASE("The mean edge of a thick body is within 20 % of the target") {
     const double edge = GENERATE(0.25, 0.125);
     const int segments = static_cast<int>(std::lround(1 / edge));
     const auto surface = boxMesh({1, 1, 1}, {segments, segments, segments});

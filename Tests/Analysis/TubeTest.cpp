@@ -173,7 +173,7 @@ TEST_CASE("Without coupling the bar's mode stays unchanged and the tube is silen
     CHECK(std::abs(modes[1 - own].gain) < 1e-6);
 }
 
-TEST_CASE("A tube shares modes at its odd multiples and leaves the others") {
+TEST_CASE("A tube shares modes at its odd multiples and leaves the others unchanged") {
     const auto object = withTube(bar({200, 400, 600, 800}));
     REQUIRE(object.modeCount() == 6);
     CHECK(validated(object));

@@ -11,7 +11,7 @@ using Catch::Matchers::WithinRel;
 
 namespace {
 
-/// The reference's Timoshenko bar with nu = 0.25.
+/// The material of the reference values below, with nu = 0.25.
 const BeamMaterial wood{.youngsModulusPa = 2e10,
                         .shearModulusPa = 8e9,
                         .shearCoefficient = rectangularShearCoefficient(0.25),

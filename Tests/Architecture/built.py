@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Checks that every *Test.cpp is a source in its folder's CMakeLists.txt. Others would never run.
+"""Checks that every *Test.cpp is a source in its folder's CMakeLists.txt. Other files would
+never run.
 
     built.py TESTS_FOLDER
 """

@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
 """Checks that the package's headers include and mention only headers and names of the package.
 
-A word in a comment that is spelt like a type, function or header (aWord, AWord, Module/Header.h) must
-occur in the code of an installed header or be the name of one. The same holds for a type of another
-header whose name is an ordinary word (Player), in backticks or capitalised within a sentence.
+Checks each word in a comment that looks like a type, function or header (aWord, AWord,
+Module/Header.h). It must occur in the code of an installed header, or be the name of one. Some types
+of other headers have an ordinary word as their name (Player). They are checked in backticks, or
+capitalised within a sentence.
 
     installed_headers.py SOURCE_FOLDER MODULE/HEADER ...      without .h
 """

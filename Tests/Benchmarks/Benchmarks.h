@@ -1,5 +1,5 @@
-// The benchmarks of `idiophone-bench`. All but `plugin` use the engine through its headers, without
-// JUCE. Every ratio comes from times measured side by side in one run.
+// The benchmarks of `idiophone-bench`. All except `plugin` use the engine through its headers,
+// without JUCE. Every ratio comes from times measured side by side in one run.
 #pragma once
 
 #include "Benchmarks/Report.h"

@@ -64,8 +64,8 @@ private:
 
 using Cell = std::array<float, cellSamples>;
 
-/// Both contestants of one size. Their modes never decay, because the timing takes many times a
-/// mode's life.
+/// Both contestants of one size. Their modes never decay, because the timing takes many decay
+/// times.
 struct SizeContest {
     std::vector<FullBank> ours;
     std::vector<NaiveBank> naive;

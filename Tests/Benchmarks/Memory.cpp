@@ -78,7 +78,7 @@ Result<void> measure(const Plate& plate, BenchSection& section) {
                                          {"after_million", after},
                                          {"dense_million", worst},
                                          {"analysis_s", object->provenance.analysisSeconds}});
-    // The paper: 225 million entries to 15 million at 5000 vertices.
+    // The paper reduces 225 million entries to 15 million at 5000 vertices.
     if (plate.vertices == 5000) {
         section.goals.push_back({"memory: gain matrix after over before at 5000 vertices",
                                  after / before, BenchGoal::Kind::atMost, 15.0 / 225});

@@ -1,4 +1,4 @@
-// The mixing loop of the paper: every mode, every sample, one complex multiplication in float,
+// The mixing loop of the paper: one complex multiplication in float for every mode and sample,
 // without manual optimisation (Raghuvanshi & Lin 2006, section 4.1). A reference for measurements,
 // not for use.
 #pragma once

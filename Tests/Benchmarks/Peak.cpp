@@ -13,7 +13,7 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-// More than latency times ports of any core, fewer than AVX2's 16 registers.
+// This is more than latency times ports of any core, and fewer than AVX2's 16 registers.
 constexpr std::size_t accumulators = 12;
 
 using Floats = hn::CappedTag<float, 16>;

@@ -1,5 +1,5 @@
 // The maximum rate of fused multiply-adds on one core: registers only, on the widest vectors of the
-// synthesiser's SIMD target. The measure of 100 %, not a kernel.
+// synthesiser's SIMD target. Benchmarks of kernels count this rate as 100 %.
 #pragma once
 
 #include <cstddef>

@@ -41,7 +41,7 @@ std::string figure(double value, int digits = 3);
 std::string benchText(const std::vector<BenchSection>& sections);
 
 /// Returns `goals` at the top level (name, measured, relation "at least" or "at most", bound, met).
-/// The SIMD target and the compiler are under `build`, the figures of each benchmark under
+/// The SIMD target and the compiler are under `build`, and the figures of each benchmark are under
 /// `benchmarks`.
 nlohmann::ordered_json benchDocument(const std::vector<BenchSection>& sections);
 

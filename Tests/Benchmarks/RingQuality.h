@@ -15,7 +15,7 @@ struct FixedQuality {
 inline constexpr std::size_t loudestJudged = 10;
 inline constexpr double fixedQualityDb = -40;
 
-/// Renders the scene repeatedly for `cells` cells with all `settings` but the budget. Judges the
+/// Renders the scene repeatedly for `cells` cells with all `settings` except the budget. Judges the
 /// ten objects of greatest energy by the energy of the difference from their unscaled render.
 FixedQuality
 findFixedQuality(const RingScene& scene, const SynthesisSettings& settings, std::size_t cells);

@@ -13,7 +13,7 @@ namespace idiophone {
 inline constexpr std::size_t ringCount = 100;
 inline constexpr double ringStrikeSeconds = 1; ///< all strikes occur within this time
 
-/// Slots 0 to 99 are the rings, 100 is the table.
+/// Slots 0 to 99 are the rings, and 100 is the table.
 struct RingScene {
     std::vector<SynthesiserSlot> slots = {};
     std::vector<SynthesiserSlot> undampedSlots = {}; ///< the same slots without damping

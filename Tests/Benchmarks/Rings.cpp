@@ -16,7 +16,7 @@ namespace {
 constexpr double sceneSeconds = 2;
 constexpr int replays = 5;
 
-// The threshold at which the paper hears no loss.
+// The threshold at which the paper reports no audible loss.
 constexpr double tau = 2;
 
 const SynthesisSettings everyMode{.tau = 0, .modeBudget = 1e9, .compression = 0, .material = {}};
@@ -24,7 +24,7 @@ const SynthesisSettings reduced{.tau = tau, .modeBudget = 1e9, .compression = 1,
 
 using PolesOf = std::vector<ModalPole> (*)(const ModalObject&);
 
-/// The paper's loop over every mode of all objects struck so far.
+/// The paper's loop over every mode of all objects that have been struck.
 class NaiveScene {
 public:
     NaiveScene(const RingScene& scene, PolesOf poles)

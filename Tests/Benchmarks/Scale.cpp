@@ -70,7 +70,7 @@ struct Run {
 };
 
 Run figuresOf(BenchScene& scene, const CellTimes& times) {
-    // Not all bodies have been struck in the first half second.
+    // Leave out the first half second, in which not all bodies have been struck.
     const std::size_t cells = cellsIn(sceneSeconds), first = cellsIn(0.5);
     const auto modes = scene.modesMixed(cells);
     const auto counted = std::span(modes).subspan(first);
@@ -129,7 +129,7 @@ Result<BenchSection> benchScale(const BenchContent& content) {
             {"bodies", bodies}, {"scaled", describe(budgeted)}, {"unscaled", describe(free)}};
         one["heap_bytes"] = nullptr;
         if (heapBefore && heapAfter) {
-            // The engine allocates only when it is constructed, so this is its peak.
+            // The engine allocates only when it is constructed, so its memory now is its peak.
             const auto bytes = *heapAfter - *heapBefore;
             one["heap_bytes"] = bytes;
             section.row(name + ", memory", figure(static_cast<double>(bytes) / 1e6) + " MB");

@@ -7,7 +7,7 @@
 namespace idiophone {
 namespace {
 
-// Figure 4 does not name its note. This is the lowest bar, struck with 20 g at 1 m/s.
+// Figure 4 does not name its note. This test uses the lowest bar, struck with 20 g at 1 m/s.
 constexpr const char* barName = "xylophone-65";
 constexpr double impulseNewtonSeconds = 0.02;
 constexpr double longestSeconds = 3;
@@ -117,7 +117,7 @@ Result<BenchSection> benchTau(const BenchContent& content) {
     const double saved = 1 - found[1].modeSeconds / found[0].modeSeconds;
     section.row("saved by tau = 2", figure(100 * saved) + " % of the mode-seconds");
     section.figures["saved"] = saved;
-    // The paper: more than 30 %.
+    // The paper reports more than 30 %.
     section.goals.push_back(
         {"tau: share of mode-seconds saved", saved, BenchGoal::Kind::atLeast, 0.30});
     return section;

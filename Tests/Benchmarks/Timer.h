@@ -18,7 +18,7 @@ struct TimingWindows {
 };
 
 /// Returns the processor seconds of one call of each contestant: the minimum over its windows, each
-/// with many calls. A first call is not counted.
+/// with many calls. The first call of each is not counted.
 std::vector<double> leastSeconds(std::span<const Contestant> contestants,
                                  const TimingWindows& windows = {});
 

@@ -102,8 +102,8 @@ VibrationModel modelOf(const std::string& kind, Eigen::Index rows) {
     throw std::runtime_error("There is no model \"" + kind + "\".");
 }
 
-/// Returns a frequency with `modes` modes below it, zero modes included, or as near as gaps of a
-/// millionth allow.
+/// Returns a frequency with `modes` modes below it, including zero modes. If modes are closer than
+/// a millionth, the number may be larger.
 double frequencyAbove(const VibrationModel& model, Eigen::Index modes) {
     double low = 20, high = 1e6;
     while (high / low > 1 + 1e-6) {

@@ -76,7 +76,7 @@ class ConsoleTest(unittest.TestCase):
 
 
 class Wave:
-    """The channels of a WAV file as floats."""
+    """Returns the channels of a WAV file as floats."""
 
     def __init__(self, path):
         raw = pathlib.Path(path).read_bytes()

@@ -224,7 +224,7 @@ class BadPresetsAndSongs(ConsoleTest):
                     naming=self.folder)
 
     def test_a_song_full_of_tempo_changes_is_read_fast(self):
-        # It took minutes when each event searched all tempi before it.
+        # Searching all tempi for each event took minutes.
         body = b"\1\xff\x51\3\7\xa1\x20" * 100000 + b"\1\xb0\1\1" * 200000 + b"\0\xff\x2f\0"
         path = self.write("tempi.mid", midi_file()[:10] + struct.pack(">HH", 1, 480) + b"MTrk" +
                           struct.pack(">I", len(body)) + body)
@@ -232,7 +232,7 @@ class BadPresetsAndSongs(ConsoleTest):
                     saying="no notes")
 
     def test_a_song_with_all_notes_at_one_time_is_read_fast(self):
-        # It took minutes when each note searched all events of that time for its end.
+        # Searching all events of a time for the end of each note took minutes.
         count = 200000
         body = (b"\0\x90\x3c\x40" + b"\0\x3c\x40" * count + b"\0\x80\x3c\x40" + b"\0\x3c\x40" * count +
                 b"\0\xb0\1\1" + b"\0\1\1" * 3 * count + b"\0\x90\x3c\xc8\0\xff\x2f\0")

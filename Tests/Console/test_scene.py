@@ -75,7 +75,7 @@ class Scenes(ConsoleTest):
 
     def test_a_ball_that_falls_on_a_plate_sounds_at_the_impact(self):
         report, wave = self.perform(self.scene())
-        # It falls from 20 cm above the plate, whose top is at 1.5 mm.
+        # The ball falls from 20 cm above the plate, whose top is at 1.5 mm.
         onset = next(i for i, x in enumerate(wave.left) if x != 0) / 48000
         self.assertAlmostEqual(onset, (2 * 0.2 / 9.81) ** 0.5, delta=0.003)
         self.assertGreaterEqual(report["impacts"], 4)
@@ -159,7 +159,8 @@ class Scenes(ConsoleTest):
         self.perform("Cylinder off a table", "--impulses", impulses)
         on_table = [line["time"] for line in map(json.loads, impulses.read_text().splitlines())
                     if line["object"] == "long-table"]
-        # From the end of the landing to the edge. Impulses within a millisecond are one impact.
+        # Takes the times from the end of the landing to the edge. Impulses within a millisecond are
+        # one impact.
         set_down = [time for before, time in zip(on_table, on_table[1:])
                     if 0.2 <= time < 1 and time - before > 0.001]
         steps = [later - time for time, later in zip(set_down, set_down[1:])]

@@ -75,6 +75,6 @@ TEST_CASE("A capture saved without an extension gets one, and does not overwrite
     CHECK(with.loadFileAsString() == "another's");
     CHECK(thrown.processor.view().status.takeStatus().sentence ==
           "There is already a file throw.mid.");
-    midi.save(with); // the chooser has asked about this one
+    midi.save(with); // the chooser has asked about this file
     CHECK(with.loadFileAsString() != "another's");
 }

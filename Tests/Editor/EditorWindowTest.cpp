@@ -1,5 +1,4 @@
-// Tests of the window, without a screen: its texts, its changes, and that it leaves the sound
-// alone.
+// Tests of the window, without a screen: its texts, its changes, and that it keeps the sound.
 #include "Editor/EditorWindow.h"
 #include "Editor/MaterialPad.h"
 #include "Editor/MaterialPage.h"

@@ -61,7 +61,7 @@ juce::Image pictureOf(juce::Component& component) {
     return component.createComponentSnapshot(component.getLocalBounds(), true, 1);
 }
 
-/// The number of pixels that nearly have the colour.
+/// Returns the number of pixels that nearly have the colour.
 int pixelsOf(const juce::Image& picture, juce::Colour colour) {
     int count = 0;
     for (int y = 0; y < picture.getHeight(); ++y)

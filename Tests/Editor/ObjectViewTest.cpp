@@ -284,7 +284,7 @@ TEST_CASE("Objects beyond the face limit are boxes of the same size and can be s
     CHECK(hit->pointMetres[2] == Approx(0.01).margin(1e-6));
 }
 
-TEST_CASE("A body's outline is its own when another object has no faces") {
+TEST_CASE("An object without faces does not change another body's outline") {
     auto bare = syntheticObject({440});
     bare.faces.clear();
     auto plain = syntheticObject({440});

@@ -23,7 +23,7 @@ juce::StringArray textsOf(const juce::PopupMenu& menu) {
     return texts;
 }
 
-/// Runs the first enabled item whose text begins so. Returns whether there is one.
+/// Runs the first enabled item whose text starts with `beginning`. Returns whether there is one.
 bool choose(const juce::PopupMenu& menu, const juce::String& beginning) {
     for (juce::PopupMenu::MenuItemIterator item(menu); item.next();)
         if (item.getItem().text.startsWith(beginning) && item.getItem().isEnabled) {
@@ -77,7 +77,7 @@ TEST_CASE("The menu learns, names and forgets a controller") {
     CHECK_FALSE(choose(menuOf(processor, tau), "Forget"));
 }
 
-TEST_CASE("A control's tooltip says that it learns, and then names its controller") {
+TEST_CASE("A control's tooltip says when it learns, and then names the controller") {
     Processor processor;
     processor.prepareToPlay(48000, 64);
     Look look;
@@ -136,7 +136,7 @@ TEST_CASE("A button with a menu opens it on each menu key") {
 #endif
 }
 
-TEST_CASE("A drag ends with the last button released, whichever it is") {
+TEST_CASE("A drag ends when the last button is released, whichever button that is") {
     struct Noting : juce::Component {
         void mouseDown(const juce::MouseEvent&) override { heard += "("; }
         void mouseDrag(const juce::MouseEvent&) override { heard += "="; }

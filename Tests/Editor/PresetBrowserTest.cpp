@@ -77,7 +77,7 @@ TEST_CASE("Search words narrow the list; an empty search shows all") {
     CHECK(b.rows() == factoryCount);
 }
 
-TEST_CASE("Arrows play presets, Return keeps one as one step, Escape restores the old sound") {
+TEST_CASE("Arrows play presets, Return keeps one as one step, and Escape restores the old sound") {
     Browser b;
     const auto before = saved(b.processor);
     b.press(juce::KeyPress::downKey);
@@ -168,7 +168,7 @@ TEST_CASE("Saving under a new name adds a preset; overwriting another one asks f
     b.click("Save");
     CHECK(b.shelf.soundIsChanged());
     b.fill("Name", "Other");
-    b.fill("Name", "Mine"); // after typing it asks again
+    b.fill("Name", "Mine"); // typing makes Save ask again
     b.click("Save");
     CHECK(b.shelf.soundIsChanged());
     b.click("Replace");
@@ -185,7 +185,7 @@ TEST_CASE("The save shortcut does not overwrite the old preset while the form is
     CHECK(b.browser.keyPressed(save));
     CHECK(b.shelf.soundIsChanged());
     b.click("Cancel");
-    CHECK_FALSE(b.browser.keyPressed(save)); // the window handles it
+    CHECK_FALSE(b.browser.keyPressed(save)); // the key is left to the window
 }
 
 TEST_CASE("The form refuses an invalid file name and stays open") {
@@ -280,8 +280,8 @@ TEST_CASE("A broken preset is listed and does not change the sound") {
     CHECK(b.part<juce::TextButton>("Delete").isEnabled());
 }
 
-TEST_CASE(
-    "The browser's parts fit from its minimum size on and do not overlap, with or without form") {
+TEST_CASE("The browser's parts fit from its minimum size on and do not overlap, also while it asks "
+          "for a name") {
     Browser b;
     for (const auto& [width, height] : {std::pair(640, 300), {776, 354}, {3800, 1900}}) {
         b.browser.setSize(width, height);

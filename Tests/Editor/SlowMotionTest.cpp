@@ -108,7 +108,7 @@ TEST_CASE("A bar's lowest bending mode moves its middle and its ends in opposite
     CHECK(middle * end < 0);
     CHECK(std::abs(end) > 0.5f);
 
-    // In the scene the motion is the same.
+    // The offsets in the scene have the same length.
     const ObjectScene scene(played);
     const auto offsets = scene.offsetsOf(0, displacements);
     REQUIRE(offsets.size() == scene.objects()[0].vertexCount);

@@ -12,7 +12,7 @@ inline void visit(juce::Component& component, const std::function<void(juce::Com
         visit(*child, action);
 }
 
-/// The first component of that kind and title, or nullptr.
+/// Returns the first component of that kind and title, or nullptr.
 template <class Kind>
 Kind* find(juce::Component& window, const juce::String& title) {
     Kind* found = nullptr;

@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A folder that is removed with the process, unless it crashes.
+/// A folder that is removed at the end of the process, unless the process crashes.
 class ScratchFolder {
 public:
     ScratchFolder() {

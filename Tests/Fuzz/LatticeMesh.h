@@ -9,7 +9,7 @@
 namespace idiophone::fuzz {
 
 /// Reads a byte for the number of vertices, three bytes for each vertex, then three for each face.
-/// At most 64 vertices within about 16 units, and 200 faces. `bytes` is not empty.
+/// Makes at most 64 vertices within about 16 units, and 200 faces. `bytes` is not empty.
 Mesh latticeMesh(std::string_view bytes);
 
 } // namespace idiophone::fuzz

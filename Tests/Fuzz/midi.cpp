@@ -9,7 +9,7 @@
 namespace idiophone::fuzz {
 namespace {
 
-/// Returns nothing for large files, where JUCE takes long, and if JUCE finds no tracks. It reads
+/// Returns nothing for large files, where JUCE takes long, and if JUCE finds no tracks. JUCE reads
 /// 32768 or more tracks as a negative number.
 std::optional<juce::MidiFile> readByJuce(std::string_view bytes) {
     if (bytes.size() > 1 << 14)

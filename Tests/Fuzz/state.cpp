@@ -84,8 +84,8 @@ EmbeddedObject object(std::vector<std::byte> modal) {
     return {.name = "own", .modal = std::move(modal)};
 }
 
-/// Returns the state with one object for all keys: from the bytes behind it, else its first object,
-/// else a small one. Limits the number of keys if each has an object.
+/// Returns the state with one object for all keys: from the bytes behind the state, else its first
+/// object, else a small one. Limits the number of keys if each has an object.
 State withOneObject(State state, std::string_view behind) {
     const auto given = asBytes(behind);
     if (!given.empty())
@@ -103,7 +103,7 @@ State withOneObject(State state, std::string_view behind) {
 }
 
 /// Returns one prepared processor for all inputs, like a host that opens one project after another.
-/// It lives as long as the process.
+/// The processor lives as long as the process.
 Processor& sharedProcessor() {
     static Processor& processor = []() -> Processor& {
         // Read no files of the user.

@@ -118,7 +118,7 @@ TEST_CASE("Long thin faces side by side need no more boxes than round ones") {
     }
 }
 
-TEST_CASE("Faces of very different sizes need no more boxes than equal ones") {
+TEST_CASE("Faces of very different sizes need no more boxes than equal faces") {
     constexpr int faces = 100'000;
     const auto touching = BoxTree(unevenFaces(faces)).touchingFaces(plenty);
     REQUIRE(touching);

@@ -65,7 +65,7 @@ TEST_CASE("A mesh within its budget stays as it is") {
     CHECK((same->vertices - ball.vertices).cwiseAbs().maxCoeff() < 1e-15);
 }
 
-TEST_CASE("A budget below the needs of the topology fails and names the required number") {
+TEST_CASE("Decimation to a budget below the topology's needs fails and names the required number") {
     std::mt19937 random(9);
     Mesh triangles{Eigen::MatrixXd::Random(300, 3), Eigen::MatrixXi(100, 3)};
     for (int i = 0; i < 300; ++i)

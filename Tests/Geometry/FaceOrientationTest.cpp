@@ -6,7 +6,7 @@
 
 using namespace idiophone;
 
-TEST_CASE("A cancelled search for hollows turns nothing") {
+TEST_CASE("A cancelled search for hollows turns no face") {
     const Mesh outer = icosphereMesh(1, 2), inner = icosphereMesh(0.5, 2);
     const auto vertices = outer.vertexCount(), faces = outer.faceCount();
     Mesh both{Eigen::MatrixXd(2 * vertices, 3), Eigen::MatrixXi(2 * faces, 3)};

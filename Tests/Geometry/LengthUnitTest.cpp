@@ -35,7 +35,7 @@ TEST_CASE("The limit between metres and millimetres is 20 units") {
           "The mesh measures 1 x 1 x 1234, which looks like millimetres.");
 }
 
-TEST_CASE("Sizes that fit no instrument are reported as unsure") {
+TEST_CASE("Sizes that fit no instrument are reported as uncertain") {
     for (const double size : {1e-5, 0.0049, 20001.0, 1e12}) {
         const auto guess = guessOfBox(size, size / 2, size / 2);
         CHECK_FALSE(guess.isSure);

@@ -15,7 +15,7 @@ using namespace idiophone::test;
 using Catch::Approx;
 using Catch::Matchers::WithinRel;
 
-TEST_CASE("Bars, cubes, balls, rings and rods are chunky solids") {
+TEST_CASE("Bars, cubes, balls, rings and rods are thick solids") {
     const Mesh rod = boxMesh({1, 0.01, 0.01}, {100, 1, 1});
     for (const auto& mesh : {boxMesh({0.35, 0.05, 0.02}, {35, 5, 2}), boxMesh({1, 1, 1}, {4, 4, 4}),
                              icosphereMesh(0.05, 4), torusMesh(0.1, 0.01, 60, 12), rod}) {
@@ -37,7 +37,7 @@ TEST_CASE("A bowl with a 2 mm wall and a plate of 0.3 x 0.2 x 0.003 are thin sol
     CHECK(plateCheck.slenderness == Approx(119.8).epsilon(0.01));
 }
 
-TEST_CASE("A hollow ball is thin although each of its surfaces alone is chunky") {
+TEST_CASE("A hollow ball is thin although each of its surfaces alone is thick") {
     const auto repaired = repairMesh(joined(icosphereMesh(0.1, 4), icosphereMesh(0.098, 4)));
     const auto check = checkMesh(repaired->mesh);
     CHECK(check.isSolid());
@@ -90,7 +90,7 @@ TEST_CASE("Meshes with inconsistent faces or edges of many faces are not solids"
 }
 
 TEST_CASE(
-    "Mean thickness is the wall of a plate and of a hollow sphere, and a third of a cube's side") {
+    "Mean thickness is that of a plate or a hollow sphere's wall, and a third of a cube's side") {
     CHECK_THAT(checkMesh(extrudedMesh(sheetMesh(1, 1, 100), 0.01)).meanThicknessMetres,
                WithinRel(0.01, 0.03));
     CHECK_THAT(checkMesh(hollowSphereMesh(1, 0.02, 3)).meanThicknessMetres, WithinRel(0.02, 0.02));

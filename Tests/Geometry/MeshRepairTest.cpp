@@ -36,7 +36,7 @@ TEST_CASE("Repair leaves a good mesh unchanged") {
     }
 }
 
-TEST_CASE("A soup of triangles is welded into the closed surface it shows") {
+TEST_CASE("A soup of triangles is welded into the closed surface that it forms") {
     const auto sphere = icosphereMesh(0.1, 3);
     auto soup = soupOf(sphere);
     std::mt19937 random(3);
@@ -57,7 +57,7 @@ TEST_CASE("Vertices within the weld tolerance become one at any position") {
     auto soup = soupOf(sphere);
     const double toleranceMetres = 1e-7 * boundingDiagonalMetres(sphere);
     std::mt19937 random(6);
-    for (double& coordinate : soup.vertices.reshaped()) // at most 0.87 of it apart
+    for (double& coordinate : soup.vertices.reshaped()) // at most 0.87 of the tolerance apart
         coordinate += 0.25 * toleranceMetres * (static_cast<double>(random() % 2001) / 1000 - 1);
     const auto repaired = repairMesh(soup);
     REQUIRE(repaired);
@@ -127,8 +127,8 @@ TEST_CASE("An open mesh with many faceless vertices is reported as possibly cut 
     CHECK_THAT(textOf({whole.vertices, whole.faces.topRows(whole.faceCount() * 3 / 4)}),
                ContainsSubstring(said));
     CHECK_THAT(textOf(whole), !ContainsSubstring(said));
-    // Also not for holes without loose vertices, stray vertices beside a sheet, or extra vertices
-    // in the list of a closed mesh.
+    // Holes without loose vertices, stray vertices beside a sheet and extra vertices in the list of
+    // a closed mesh are not reported.
     CHECK_THAT(textOf({whole.vertices, whole.faces.topRows(whole.faceCount() - 2)}),
                !ContainsSubstring(said));
     const auto sheet = sheetMesh(1, 1, 40);
@@ -290,7 +290,8 @@ TEST_CASE("Two cubes that share a vertex are cut apart") {
     CHECK(isOrientedManifold(cut->mesh));
 }
 
-TEST_CASE("A sphere inside a sphere bounds a hollow, and a third inside that is solid again") {
+TEST_CASE("A sphere inside a sphere bounds a hollow, and a third sphere inside the hollow is solid "
+          "again") {
     const auto outer = icosphereMesh(1, 3), middle = icosphereMesh(0.5, 2),
                inner = icosphereMesh(0.25, 2);
     const auto hollow = repairMesh(joined(middle, outer));
@@ -305,8 +306,8 @@ TEST_CASE("A sphere inside a sphere bounds a hollow, and a third inside that is 
     CHECK(repairMesh(joined(outer, moved(outer, {3, 0, 0})))->report.hollows == 0);
 }
 
-TEST_CASE("Closed surfaces too tangled to find hollows all look outward") {
-    // Pleated blankets, each around the centres of all narrower ones.
+TEST_CASE("Closed surfaces all look outward if a search for hollows would take too long") {
+    // Folded plates, each of which encloses the centres of all narrower ones.
     constexpr int pleats = 100, blankets = 300;
     const auto blanket = [&](int number) {
         Mesh mesh = boxMesh({1, 1 - 1e-4 * number, 0.02}, {pleats, 1, 1});
@@ -338,7 +339,7 @@ TEST_CASE("A cancelled repair reports the cancellation") {
     CHECK(isCancellation(repaired.error()));
 }
 
-TEST_CASE("One-sided surfaces are reported, and cut across at a seam") {
+TEST_CASE("One-sided surfaces are reported, and are cut along a seam") {
     const auto strip = repairMesh(moebiusStrip(40, 4));
     REQUIRE(strip);
     CHECK(strip->report.oneSidedEdges > 0);
@@ -353,7 +354,7 @@ TEST_CASE("One-sided surfaces are reported, and cut across at a seam") {
     }
 }
 
-TEST_CASE("A book is cut into sheets of two pages, and an odd page stays alone") {
+TEST_CASE("Many faces at one edge are cut into sheets of two faces, and an odd face stays alone") {
     const int pages = GENERATE(3, 5, 6, 101);
     const auto cut = repairMesh(book(pages), {.cutIntoManifold = true});
     REQUIRE(cut);

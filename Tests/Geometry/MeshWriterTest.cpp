@@ -56,7 +56,7 @@ TEST_CASE("Colours are written to PLY files only, and errors name the file") {
           std::string::npos);
 }
 
-TEST_CASE("File extensions are recognised in any case") {
+TEST_CASE("File extensions are recognised in upper and lower case") {
     const Mesh mesh = gridPlateMesh(0.3, 0.1, 1, 1);
     for (const char* name : {"out.PLY", "out.Obj"}) {
         const auto file = scratch(name);

@@ -43,7 +43,7 @@ TEST_CASE("Corner normals are fast and right for 200,000 faces around one vertex
         cone.faces.row(side) << sides, side, (side + 1) % sides;
     }
     const auto normals = cornerNormals(cone);
-    // A flat cone is smooth at its tip, a steep one is not.
+    // A flat cone is smooth at its tip, but a steep one is not.
     CHECK((normals(0, 2) > 0.9999) == (height < 1));
     CHECK(normals.rowwise().norm().minCoeff() > 0.999);
     for (const int side : {0, 77, sides / 2}) {

@@ -67,7 +67,7 @@ TEST_CASE("Boxes and plates have the vertex counts of the zero-mode table") {
     CHECK(icosphereMesh(1, 4).vertexCount() == 2562);
 }
 
-TEST_CASE("Closed generated meshes are closed, look outward and have the right volume") {
+TEST_CASE("Generated closed meshes have no boundary, look outward and have the right volume") {
     const double pi = std::numbers::pi;
     const auto sphere = icosphereMesh(0.5, 4);
     CHECK(isClosed(uniqueEdges(sphere)));

@@ -162,7 +162,8 @@ TEST_CASE("A remeshing reports its progress and can be cancelled") {
     CHECK(stopped.error().message == cancelledMessage);
 }
 
-TEST_CASE("A dense noisy scan becomes a closed body with its volume and the target edge length") {
+TEST_CASE("Remeshing a dense noisy scan gives a closed body of the same volume and the target edge "
+          "length") {
     auto scan = icosphereMesh(1, 6);
     const double volumeM3 = checkMesh(scan).volumeM3;
     std::mt19937 random(1);

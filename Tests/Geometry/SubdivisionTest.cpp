@@ -5,7 +5,7 @@
 
 using namespace idiophone;
 
-TEST_CASE("Each subdivision makes four faces of one and a coarse sphere rounder") {
+TEST_CASE("Each subdivision divides a face into four and makes a coarse sphere rounder") {
     const Mesh coarse = icosphereMesh(1, 1);
     const Mesh fine = subdivided(coarse, 2);
     CHECK(fine.faceCount() == 16 * coarse.faceCount());

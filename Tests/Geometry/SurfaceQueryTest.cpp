@@ -36,7 +36,7 @@ double distanceTo(const Mesh& mesh, Eigen::Index face, const Eigen::Vector3d& p)
     return best;
 }
 
-/// Solves for the crossing; negative if the ray misses.
+/// Returns the distance at which the ray meets the triangle; negative if it misses.
 double hitDistance(const Mesh& mesh,
                    Eigen::Index face,
                    const Eigen::Vector3d& origin,
@@ -127,13 +127,13 @@ TEST_CASE("A ray down onto a flat sheet hits everywhere, also at edges and verti
     CHECK_FALSE(query.firstHit({1, 0, 0.3}, {0, 0, -1}));
 }
 
-TEST_CASE("A query still works after a move") {
+TEST_CASE("A moved query still works") {
     SurfaceQuery first(icosphereMesh(1, 2));
     SurfaceQuery second = std::move(first);
     CHECK(second.firstHit({3, 0.1, 0.1}, {-1, 0, 0}));
 }
 
-TEST_CASE("A point too far away to measure gets some face at infinite distance") {
+TEST_CASE("A query from a point too far away returns a face at infinite distance") {
     const SurfaceQuery query(icosphereMesh(1, 1));
     const double nan = std::numeric_limits<double>::quiet_NaN();
     for (const Eigen::Vector3d& point :
@@ -163,7 +163,7 @@ TEST_CASE("A ray passes through all faces in its path, within its box limit") {
     CHECK_FALSE(query.passages(from, up, boxes));
 }
 
-TEST_CASE("With heaped faces, a query ends with the best face found so far") {
+TEST_CASE("If many faces overlap, a query ends with the best face found within its limit") {
     const SurfaceQuery query(heapedFaces(40));
     const Eigen::Vector3d above(0.3, 0.3, 5), down(0, 0, -1);
     constexpr std::int64_t plenty = 1'000'000;

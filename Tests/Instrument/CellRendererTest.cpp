@@ -58,7 +58,7 @@ struct Rig {
     CellRenderer renderer;
 };
 
-/// Mixes a constant to the ears and records its notes.
+/// A strategy that mixes a constant to the ears and records the notes.
 class ConstantStage final : public StagePlayer {
 public:
     using Note = std::tuple<int, int, std::int64_t, double>;
@@ -113,7 +113,7 @@ TEST_CASE("A damper falls on a slot when its key goes up, unless a hand touches 
     CHECK(rms(std::span(lifted).last(480)) < 0.01 * rms(std::span(ringing).last(480)));
 }
 
-TEST_CASE("The first goal of the gain acts at once, and a later one within 10 ms and a step") {
+TEST_CASE("The first gain acts at once, and a later one within 10 ms in small steps") {
     Rig plain, loud;
     for (auto* rig : {&plain, &loud}) {
         rig->press(69);
@@ -137,7 +137,7 @@ TEST_CASE("The first goal of the gain acts at once, and a later one within 10 ms
     CHECK(fraction < 1e-4f);
 }
 
-TEST_CASE("After silence the old sound fades out over one cell and never returns") {
+TEST_CASE("A silenced sound fades out over one cell and never returns") {
     Rig rig;
     rig.press(69);
     rig.beginCell();
@@ -153,7 +153,7 @@ TEST_CASE("After silence the old sound fades out over one cell and never returns
     CHECK(rig.renderer.silent());
 }
 
-TEST_CASE("A reset renderer plays as a new one") {
+TEST_CASE("A reset renderer plays like a new one") {
     const auto play = [](Rig& rig) {
         rig.press(69);
         rig.beginCell();

@@ -59,13 +59,13 @@ std::vector<float> soundOf(int count) {
 
 } // namespace
 
-TEST_CASE("A strike beyond an object's contacts sounds like one within them") {
+TEST_CASE("A strike beyond the limit of contacts sounds like a strike within it") {
     const auto one = soundOf(1), many = soundOf(300);
     for (std::size_t i = 10 * cellSamples; i < one.size(); ++i)
         REQUIRE(many[i] == Approx(300 * one[i]).margin(0.02 * 300));
 }
 
-TEST_CASE("An invalid strike is refused, also without free contacts, and stays pending nowhere") {
+TEST_CASE("An invalid strike is refused, also without free contacts, and does not stay pending") {
     for (const int before : {0, 64}) {
         Rig rig;
         rig.beginCell();

@@ -17,7 +17,7 @@ double compliance(const char* material) {
     return surfaceCompliancePerPa(*findMaterial(material), {});
 }
 
-/// Contact time on something rigid and heavy.
+/// Contact time on a rigid, heavy object.
 double contactMilliseconds(const Mallet& mallet, const char* struck, double speed) {
     return 1000 * contactSeconds(contactLaw(mallet.headRadiusMetres,
                                             contactModulusPa(mallet, compliance(struck)),

@@ -37,7 +37,7 @@ bool isTheStrikeItself(const ContactTrain& train, const Strike& strike) {
 
 } // namespace
 
-TEST_CASE("A train keeps the strike's impulse, falls in strength and ends within 15 ms") {
+TEST_CASE("A train keeps the strike's impulse, gets weaker and ends within 15 ms") {
     std::set<std::size_t> numbers;
     const double scale = GENERATE(0.1, 0.5, 1, 8);
     const double percent = GENERATE(1, 50, 100);
@@ -97,7 +97,7 @@ TEST_CASE("A shorter contact and more chatter put more of the impulse into later
     CHECK(lateShare(0.0009, 40) == Approx(0.02).margin(1e-5));
 }
 
-TEST_CASE("The same strike number gives the same train, other numbers give others") {
+TEST_CASE("The same strike number gives the same train, and other numbers give other trains") {
     std::set<double> lastDelays;
     for (std::uint32_t number = 0; number < 1000; ++number) {
         const auto one = contactTrain(hardStrike, 1, 80, number);

@@ -36,7 +36,7 @@ double slowestOfAll(const Instrument& instrument,
 }
 
 /// One object with far more candidates for the slowest mode than the bounds keep. The higher a
-/// mode, the less it keeps of the law or the less decay it has on top.
+/// mode, the smaller is its share of the damping law or its extra decay.
 std::shared_ptr<const Instrument> manySlowModes() {
     std::vector<double> frequenciesHz, decays, extras;
     std::mt19937 random(5);
@@ -101,7 +101,7 @@ TEST_CASE("No mode decays more slowly than the bound under any settings") {
                                        .keepPitch = time % 4 >= 2};
             if (time % 8 < 4)
                 settings.thicknessRatio = 1;
-            if (time % 2 == 1) // light, and so heavy that modes creep
+            if (time % 2 == 1) // light, and so heavy that modes hardly oscillate
                 settings.material =
                     LiveMaterial{.youngsModulusPa = std::pow(10, between(7, 12)),
                                  .densityKgPerM3 = between(100, 10000),
@@ -177,8 +177,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE(
-    "An instrument lies as far below equal temperament as its lowest key with an own object") {
+TEST_CASE("The lowest tuning counts only keys that have objects of their own") {
     ObjectLibrary library;
     std::vector<std::shared_ptr<const ModalObject>> kept;
     for (int note = 60; note < 64; ++note)

@@ -62,8 +62,8 @@ Striker head(double massKg, double rigidSeconds, double exponent = hertzExponent
     return {.massKg = massKg, .restitution = 1, .law = law};
 }
 
-/// The solution of m x'' = −K (x − u)^p until they part; u' is that of the object's free mass and
-/// modes.
+/// The solution of m x'' = −K (x − u)^p until the bodies part; u' is that of the object's free mass
+/// and modes.
 struct Solved {
     double impulse = 0;
     double seconds = 0; ///< duration of the pulse of Hertz with the same standard deviation
@@ -138,7 +138,7 @@ TEST_CASE("A free body struck off its centre yields by its rotation too") {
     CHECK(impact.impulseNewtonSeconds == Approx(2 * 2 / (1.0 / 3 + expected)).epsilon(1e-6));
 }
 
-TEST_CASE("A mode far slower than the contact acts as a free mass, a far faster one is rigid") {
+TEST_CASE("A mode far slower than the contact acts as a free mass, and a far faster one is rigid") {
     const auto striker = head(0.03, 1e-3);
     const auto impactOn = [&](double hz) {
         return DrivingPoint(object(0, {hz}, {20}), onVertex, {}).struckBy(striker, 1);
@@ -148,7 +148,7 @@ TEST_CASE("A mode far slower than the contact acts as a free mass, a far faster 
     CHECK(impactOn(1).impulseNewtonSeconds == Approx(2 / (1 / 0.03 + 20)).epsilon(1e-3));
     CHECK(impactOn(1e5).contactSeconds == Approx(1e-3).epsilon(1e-3));
     CHECK(impactOn(1e5).impulseNewtonSeconds == Approx(0.06).epsilon(1e-3));
-    // Between them there is no step.
+    // The impulse has no step between the two frequencies.
     double last = impactOn(1).impulseNewtonSeconds;
     for (double hz = 1; hz < 1e5; hz *= 1.005) {
         const double impulse = impactOn(hz).impulseNewtonSeconds;
@@ -158,8 +158,7 @@ TEST_CASE("A mode far slower than the contact acts as a free mass, a far faster 
     }
 }
 
-TEST_CASE(
-    "A hard strike on a constant resistance leaves the striker's momentum there, within 1 dB") {
+TEST_CASE("A constant resistance takes the momentum of a hard striker, within 1 dB") {
     const double mass = 0.03, resistance = 200;
     const DrivingPoint driven(plate(1, resistance), onVertex, {});
     const auto impact = driven.struckBy(head(mass, 1e-4), 1);
@@ -226,7 +225,7 @@ TEST_CASE("Live density, stiffness and thickness act on the struck mass and mode
     const Striker striker = head(0.02, 5e-4);
     SynthesisSettings dense;
     dense.material = LiveMaterial{.youngsModulusPa = 3e10, .densityKgPerM3 = 2000, .damping = {}};
-    auto heavy = struck; // the same object, made that way
+    auto heavy = struck; // the same object with these constants
     heavy.mass.massKg *= 2;
     for (double& moment : heavy.mass.inertiaKgM2)
         moment *= 2;

@@ -118,7 +118,7 @@ TEST_CASE("Factory presets play their phrase at -26 LUFS at velocity 100, within
     }
 }
 
-TEST_CASE("Ten notes at once at velocity 127 stay finite and end in silence") {
+TEST_CASE("Ten notes at once at velocity 127 give finite sound and end in silence") {
     for (const auto& preset : keyedFactoryPresets()) {
         INFO(preset.name);
         const int range = preset.keyMap.highestNote - preset.keyMap.lowestNote;

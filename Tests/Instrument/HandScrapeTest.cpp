@@ -145,7 +145,7 @@ TEST_CASE("A drag over the surface sounds with any key contact, and faster drags
     CHECK(fast > 1.3 * slow);
 }
 
-TEST_CASE("The contact force and the hand's pressure make it louder") {
+TEST_CASE("A higher contact force or hand pressure makes a scrape louder") {
     const auto levelAt = [&](double newtons) {
         auto parameters = quiet();
         parameters.set(ParameterId::contactForce, newtons);
@@ -166,7 +166,7 @@ TEST_CASE("A hand at rest on the surface is silent, and a hand that stops falls 
     CHECK(rms(moving) > 1e-6);
     const auto stopped = drag(player, x, 0, 0.5);
     CHECK(peak(std::span(stopped).last(12000)) < 1e-3f * peak(moving));
-    CHECK_FALSE(player.silent()); // it is still held
+    CHECK_FALSE(player.silent()); // the hand still holds the object
     CHECK(rms(drag(player, x, 0.5, 0.5)) > 0.3 * rms(moving));
 }
 
@@ -196,7 +196,7 @@ TEST_CASE("A path is followed to its end without overshoot, and no faster than a
     path.extendTo(corner, {1, 0, 0});
     corner.shapeRows[0] = 2;
     path.extendTo(corner, {1, 1, 0});
-    path.extendTo(corner, {1, 1, 0}); // the path ends there already
+    path.extendTo(corner, {1, 1, 0}); // already the end of the path
     double lastWay = -1;
     std::int32_t from = 0;
     for (int cell = 0; cell < 3000; ++cell) {
@@ -348,7 +348,7 @@ TEST_CASE("All Notes Off lifts the hand, and a reset forgets it") {
     CHECK(player.silent());
 }
 
-TEST_CASE("A hand lifted by All Sound Off leaves nothing under the next note") {
+TEST_CASE("A hand lifted by All Sound Off is not heard during the next note") {
     Player player(shortSquare(), rateHz), alone(shortSquare(), rateHz);
     double x = 0.1;
     const auto scraped = drag(player, x, 1, 0.2);

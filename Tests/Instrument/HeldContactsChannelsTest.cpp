@@ -8,7 +8,7 @@
 using namespace idiophone;
 using namespace idiophone::test;
 
-TEST_CASE("Messages on one channel leave the held keys of other channels alone") {
+TEST_CASE("Messages on one channel leave the held keys of other channels unchanged") {
     const auto instrument = plate();
     const MidiEvent key = midi(0, 0x90, 60, 100);
     const auto still = play(instrument, {key}, 14400);

@@ -11,7 +11,8 @@
 using namespace idiophone;
 using namespace idiophone::test;
 
-TEST_CASE("The force ends 10 ms after the key, and silence follows, at every sample rate") {
+TEST_CASE(
+    "The force ends 10 ms after the key's release, and silence follows, at every sample rate") {
     const double rateHz = GENERATE(8000, 11025, 48000, 96000, 192000);
     const auto instrument = shortBars();
     const auto samples = [rateHz](double seconds) { return static_cast<int>(seconds * rateHz); };
@@ -29,7 +30,7 @@ TEST_CASE("The force ends 10 ms after the key, and silence follows, at every sam
         CHECK(held > 1e-6);
         // The modes fall by 1 dB in 0.23 ms: by 60 dB within 14 ms.
         CHECK(rms(from(0.01 + 0.014)) < 2e-3 * held);
-        // They fall at the rate of free modes.
+        // The modes fall at the rate of free modes.
         const double fallDb = 20 * std::log10(rms(from(0.010)) / rms(from(0.014)));
         INFO(rateHz << " Hz, released at +" << release - grid << ": fell by " << fallDb << " dB");
         CHECK(fallDb > 14);

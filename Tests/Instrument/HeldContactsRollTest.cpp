@@ -33,7 +33,8 @@ TEST_CASE("A roll is darker than a scrape") {
     CHECK(centroidHz(rollContact) < 0.8 * centroidHz(scrapeContact));
 }
 
-TEST_CASE("A coupled roll is as loud as a scrape at the modes, and as dark as any roll between") {
+TEST_CASE(
+    "A coupled roll is as loud as a scrape at the modes and as dark as any roll between them") {
     const auto instrument = oneBar();
     const auto spectrum = [&](double kind, double coupling) {
         auto parameters = scraping(kind);
@@ -78,7 +79,7 @@ TEST_CASE("Roll coupling changes neither strikes nor scrapes") {
     CHECK(sound(rollContact, 100) != sound(rollContact, 0));
 }
 
-TEST_CASE("A coupled roll's modes follow a bend while it is held") {
+TEST_CASE("The modes of a held coupled roll follow a bend") {
     const auto instrument = oneBar();
     auto parameters = scraping(rollContact);
     parameters.set(ParameterId::rollCoupling, 100);

@@ -28,7 +28,7 @@ TEST_CASE("A strike is one line of JSON with its time, object, place and impulse
     CHECK(nlohmann::json::parse(impulseLine("coin.modal", 2, impact))["size"] == 2);
 }
 
-TEST_CASE("A list names files by paths from its folder, and files elsewhere by whole paths") {
+TEST_CASE("A list names files in its folder by relative paths, and other files by full paths") {
     const auto here = fs::current_path();
     const auto list = here / "lists" / "impacts.jsonl";
     const auto named = [&](const fs::path& file) { return objectInList(nameOf(file), list); };

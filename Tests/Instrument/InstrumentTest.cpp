@@ -143,7 +143,7 @@ TEST_CASE("Scaled keys resize the object so that its lowest mode has the key's p
     CHECK(instrument.key(81).mallet.scale == sizeOf(81));
 }
 
-TEST_CASE("Strike position across reaches the edges beside the path") {
+TEST_CASE("The strike position across reaches the edges beside the path") {
     ObjectLibrary library;
     const auto kept = library.add("square", syntheticObject({200}));
     auto map = keyMap(KeyMapKind::zones, 60, 61, "square");

@@ -30,8 +30,8 @@ double noteHz(int note) {
 /// The mode of a key's fundamental, or of the partial an octave above its pitch.
 struct Fundamental {
     std::size_t mode = 0;
-    double ratio = 1;        ///< of its frequency to the pitch
-    std::size_t partner = 0; ///< other mode that it shares with the tube, or the mode itself
+    double ratio = 1;        ///< of the mode's frequency to the pitch
+    std::size_t partner = 0; ///< the other mode that the tube shares, or the mode itself
 };
 
 Fundamental fundamentalOf(const Preset& preset, const ModalObject& object, int note) {
@@ -215,7 +215,7 @@ TEST_CASE("Objects without pitched keys follow the material with the switch on o
     }
 }
 
-TEST_CASE("Automation of material, size and the switch is the same for all block sizes") {
+TEST_CASE("Automation of material, size and keep pitch is the same for all block sizes") {
     const auto* preset = findFactoryPreset("Vibraphone");
     REQUIRE(preset != nullptr);
     const auto instrument = instrumentOf(*preset);

@@ -24,7 +24,7 @@ struct KeyContact {
     ContactTrain train;
     double fundamentalHz = 0;
 
-    /// Returns 20 lg of the motion that it leaves at a frequency, for a residue of 1.
+    /// Returns 20 lg of the motion that the contact leaves at a frequency, for a residue of 1.
     double levelDb(double hz) const {
         return 20 * std::log10(std::abs(ringingVelocity(train, 1e-3, 2 * std::numbers::pi * hz)));
     }
@@ -59,7 +59,7 @@ std::vector<Played> struckPresets() {
     std::vector<Played> played;
     for (Preset preset : factoryPresets())
         if (preset.keyMap.kind != KeyMapKind::scene && strikes(preset.parameters)) {
-            preset.keyMap.voicingDb.clear(); // it evens the radiation of bars, not contacts
+            preset.keyMap.voicingDb.clear(); // voicing evens the radiation of bars, not contacts
             auto instrument = Instrument::build(preset.keyMap, ObjectLibrary::shared()).value();
             played.push_back({std::move(preset), std::move(instrument)});
         }
@@ -81,8 +81,7 @@ double unevennessDb(const std::vector<double>& levelsDb) {
 
 } // namespace
 
-TEST_CASE(
-    "No fundamental lies 6 dB below its octave of the contact's spectrum, up to 16 periods long") {
+TEST_CASE("Contacts of up to 16 periods excite fundamentals within 6 dB of an octave's mean") {
     for (const auto& [preset, instrument] : struckPresets())
         for (std::size_t i = 0; i < malletRack().size(); ++i)
             for (const int velocity : {20, 100}) {
@@ -102,7 +101,7 @@ TEST_CASE(
             }
 }
 
-TEST_CASE("A preset's own mallet drives neighbouring keys alike, and stays as even when soft") {
+TEST_CASE("A preset's own mallet drives neighbouring keys evenly, also when it is soft") {
     for (const auto& [preset, instrument] : struckPresets()) {
         const auto spanDb = [&](int velocity) {
             std::vector<double> levels;

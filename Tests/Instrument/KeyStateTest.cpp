@@ -12,7 +12,7 @@ using namespace idiophone::test;
 
 namespace {
 
-/// Keys that follow events of one sample each time.
+/// The state of keys. Each call of `follow` gives the events of one sample.
 struct Rig {
     void follow(const std::vector<MidiEvent>& events) {
         keys.beginSample(events);
@@ -53,7 +53,7 @@ TEST_CASE("A key is held while any channel or the sustain pedal holds it") {
     CHECK(rig.keys.heldKeys().none());
 }
 
-TEST_CASE("The sostenuto pedal catches the keys that are down, and no later ones") {
+TEST_CASE("The sostenuto pedal holds the keys that are down, and no later ones") {
     Rig rig;
     rig.follow({noteOn(60)});
     rig.follow({control(midi::sostenutoPedal, 127)});
@@ -78,7 +78,8 @@ TEST_CASE("A note has the maximum pressure of its keys until they go up") {
     CHECK(rig.keys.pressure(60) == 0);
 }
 
-TEST_CASE("A new key takes a pressure of its sample, also from before it, but not zero") {
+TEST_CASE("A new key takes the last pressure of its sample, even from before the key, unless it is "
+          "zero") {
     const auto pressureAfter = [](const std::vector<MidiEvent>& events) {
         Rig rig;
         rig.follow(events);
@@ -100,8 +101,8 @@ TEST_CASE("The soft pedal halves the mallet's speed when it is fully down") {
     CHECK(rig.keys.softness() == 1);
 }
 
-TEST_CASE(
-    "All Notes Off releases pedalled keys too, and Reset All Controllers keeps pressed ones") {
+TEST_CASE("All Notes Off releases keys held by pedals too, and Reset All Controllers keeps pressed "
+          "ones") {
     Rig rig;
     rig.follow({control(midi::sustainPedal, 127), noteOn(60), noteOn(62)});
     rig.follow({noteOff(62), control(midi::modulation, 9)});
@@ -112,7 +113,7 @@ TEST_CASE(
     CHECK(rig.keys.heldKeys().none());
 }
 
-TEST_CASE("Keys take over pedals and wheels of other keys, but not what these hold") {
+TEST_CASE("A key state takes over another one's pedals and wheels, but not its held keys") {
     Rig former, next;
     former.follow({control(midi::sustainPedal, 127), control(midi::softPedal, 127),
                    control(midi::modulation, 9), test::midi(0, 0xe0, 0, 127), noteOn(60)});

@@ -1,5 +1,5 @@
-// A sheet is stiff by bending alone. With twice the thickness its modes are an octave higher, at
-// half the amplitude. Tests that keys follow.
+// Tests that keys follow a live thickness. A sheet is stiff by bending alone: with twice the
+// thickness its modes are an octave higher, at half the amplitude.
 #include "Instrument/LoudnessMatch.h"
 #include "Instrument/Player.h"
 #include "Support/Level.h"
@@ -38,7 +38,8 @@ std::shared_ptr<const Instrument> thickSheet() {
     return keysOn(std::move(object), KeyMapKind::zones, 48, 72);
 }
 
-/// Returns the largest difference between live thickness 2 and a sheet made so, over the peak.
+/// Returns the largest difference between live thickness 2 and a sheet of twice the thickness, over
+/// the peak.
 double errorOfThickSheet(const ParameterValues& parameters) {
     const std::vector events{midi(0, 0x90, 60, 100), midi(30000, 0x80, 60, 0)};
     Player thick(sheet(), sampleRateHz);
@@ -63,7 +64,7 @@ std::shared_ptr<const Instrument> shellUnderKeys() {
 
 } // namespace
 
-TEST_CASE("A struck sheet at twice its thickness sounds like one made so") {
+TEST_CASE("A struck sheet at live thickness 2 sounds like a sheet of twice the thickness") {
     for (const int pulse : {0, 1}) {
         ParameterValues parameters;
         parameters.set(modalPulse, pulse);
@@ -72,14 +73,14 @@ TEST_CASE("A struck sheet at twice its thickness sounds like one made so") {
     }
 }
 
-TEST_CASE("A rolled sheet at twice its thickness sounds like one made so") {
+TEST_CASE("A rolled sheet at live thickness 2 sounds like a sheet of twice the thickness") {
     ParameterValues parameters;
     parameters.set(contact, rollContact);
     parameters.set(rollCoupling, 100);
     CHECK(errorOfThickSheet(parameters) < 1e-3);
 }
 
-TEST_CASE("The predicted loudness of a sheet at twice its thickness is that of one made so") {
+TEST_CASE("The predicted loudness at live thickness 2 is that of a sheet of twice the thickness") {
     ParameterValues parameters;
     parameters.set(rollCoupling, 100);
     parameters.set(modalPulse, 1);
@@ -93,7 +94,7 @@ TEST_CASE("The predicted loudness of a sheet at twice its thickness is that of o
     }
 }
 
-TEST_CASE("valuesThatMatter does not change a prediction, and thickness matters") {
+TEST_CASE("valuesThatMatter keeps all values that a prediction uses, including thickness") {
     const auto instrument = shellUnderKeys();
     for (const int kind : {strikeContact, scrapeContact, rollContact}) {
         ParameterValues own;

@@ -26,7 +26,7 @@ std::shared_ptr<const Instrument> synthetic(std::size_t modes) {
 
 } // namespace
 
-TEST_CASE("The gain takes at most 16 modes a cell, and two predictions in all") {
+TEST_CASE("The match processes at most 16 modes a cell, and two predictions in all") {
     for (const std::size_t modes : {200u, 5000u}) {
         ParameterValues own;
         own.set(matchLoudness, 1);
@@ -87,7 +87,7 @@ TEST_CASE("The wheel changes the gain of scrapes but not of strikes") {
     }
 }
 
-TEST_CASE("After a reset the first cell has the gain, whatever was prepared") {
+TEST_CASE("After a reset the first cell has its final gain, whatever gain was prepared") {
     const auto instrument = synthetic(500);
     ParameterValues own;
     own.set(matchLoudness, 1);
@@ -112,7 +112,7 @@ TEST_CASE("After a reset the first cell has the gain, whatever was prepared") {
             CHECK(match.gainDb() == gain);
         }
 
-        // The same during an unfinished prediction.
+        // A reset during an unfinished prediction has the same gain.
         const auto other = with(own, material, firstLibraryMaterial + 7);
         match.advance(other);
         match.reset();
@@ -125,7 +125,7 @@ TEST_CASE("After a reset the first cell has the gain, whatever was prepared") {
     }
 }
 
-TEST_CASE("A prediction prepared for a wheel position is known there and at rest") {
+TEST_CASE("A prediction prepared for a wheel position gives the gain there and at rest") {
     ParameterValues own;
     own.set(matchLoudness, 1);
     own.set(contact, scrapeContact);
@@ -148,7 +148,7 @@ TEST_CASE("A prediction prepared for a wheel position is known there and at rest
     CHECK(prepared.gainDb() == moved);
 }
 
-TEST_CASE("A song that starts as before has its gain at once and follows the same values again") {
+TEST_CASE("A song that starts as before has its gain at once and the same gains later") {
     const auto instrument = synthetic(500);
     ParameterValues own;
     own.set(matchLoudness, 1);
@@ -178,7 +178,7 @@ TEST_CASE("A song that starts as before has its gain at once and follows the sam
         quieter.set(level, -40); // the level changes no gain
         CHECK((pass({quieter, second, own, second}) == expected));
 
-        // A song with other values is followed, and becomes the known one.
+        // A song with other values is followed, and its gains replace the known ones.
         const auto other = pass({second, first});
         CHECK((pass({second, first}) == other));
         CHECK(other.back() == expected.front());

@@ -127,7 +127,7 @@ private:
             const double chance =
                 scatter(PhraseMeter::notes * take + static_cast<std::uint32_t>(note));
             const int late = static_cast<int>(0.015 * (1 + chance) * sampleRateHz);
-            events[2 * note - 1].sampleOffset += late; // note-off of the note before
+            events[2 * note - 1].sampleOffset += late; // the previous note's note-off
             events[2 * note].sampleOffset += late;
         }
         return events;
@@ -278,7 +278,7 @@ TEST_CASE("Without the gain, mallets on a xylophone are more than 20 LU apart") 
 }
 
 TEST_CASE(
-    "The predicted loudness of struck presets is libebur128's within 0.6 LU at velocity 100") {
+    "The predicted loudness of struck presets matches libebur128's within 0.6 LU at velocity 100") {
     for (const auto& preset : keyedFactoryPresets()) {
         if (static_cast<int>(preset.parameters[contact]) != strikeContact)
             continue;

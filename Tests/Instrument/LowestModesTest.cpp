@@ -8,7 +8,7 @@ using namespace idiophone;
 using namespace idiophone::test;
 using Catch::Approx;
 
-TEST_CASE("The lowest eight frequencies count pairs once and follow a ratio") {
+TEST_CASE("Each pair counts once among the lowest eight frequencies, which follow a ratio") {
     const LowestModes modes(
         syntheticObject({50, 50.1, 135, 135.5, 260, 430, 650, 900, 1200, 1550, 1950}));
     REQUIRE(modes.count == 8);

@@ -71,7 +71,7 @@ void checkCentroidRises(const std::shared_ptr<const Instrument>& instrument,
         INFO(malletRack()[rackIndex].name << " on " << note << " at velocity " << velocity
                                           << ", size " << sizeRatio << ": " << centroid
                                           << " Hz after " << last);
-        CHECK(centroid > 0.99 * last); // brass soon excites all modes alike
+        CHECK(centroid > 0.99 * last); // brass soon excites all modes equally
         last = centroid;
         first = first == 0 ? centroid : first;
     }
@@ -99,7 +99,7 @@ TEST_CASE("The spectral centroid rises with velocity for every mallet on every k
     // go.
     const auto instrument = xylophone();
     int heard = 0;
-    for (const double sizeRatio : {1.0, 2.0, 4.0}) // the C5 bar as C4 and C3 too
+    for (const double sizeRatio : {1.0, 2.0, 4.0}) // also plays the C5 bar as C4 and C3
         for (const int note : {72, 84, 96, 108})
             for (std::size_t i = 0; i < malletRack().size(); ++i) {
                 const auto& slot =
@@ -152,7 +152,7 @@ TEST_CASE("A harder mallet of the rack makes the same strike on a bar brighter")
     const double yarn = centroids[0], soft = centroids[1], medium = centroids[2],
                  hard = centroids[3], wood = centroids[4], plastic = centroids[5],
                  brass = centroids[6];
-    CHECK(yarn > soft); // at 1 m/s their contact times are equal; this strike is faster
+    CHECK(yarn > soft); // their contact times are equal at 1 m/s, and this strike is faster
     CHECK(medium > yarn);
     CHECK(hard > 1.1 * medium);
     CHECK(wood > 1.5 * hard);
@@ -170,7 +170,7 @@ TEST_CASE("A brass mallet sounds darker on a softer live material of the same fr
         return spectralCentroidHz(render(player, {midi(0, 0x90, 72, 100)}, 32768, 480, parameters));
     };
     const double firm = centroid();
-    // Y/ρ, and with it every frequency, stays.
+    // Y/ρ stays the same, and with it every frequency.
     parameters.set(youngsModulus, parameters[youngsModulus] / 50);
     parameters.set(density, parameters[density] / 50);
     CHECK(centroid() < 0.8 * firm);

@@ -81,7 +81,7 @@ TEST_CASE("A rack mallet made custom strikes as before") {
     }
 }
 
-TEST_CASE("The contact times of a mallet that follows the keys follow their periods") {
+TEST_CASE("If the mallet follows the keys, contact times are proportional to the keys' periods") {
     for (const int choice : {int{customMallet}, int{firstRackMallet}, firstRackMallet + 3}) {
         auto values = racked(choice);
         const double middle = rigidMilliseconds(striker({}, values), 1);
@@ -107,7 +107,8 @@ TEST_CASE("The mallet meets the live material if one is chosen, otherwise the ob
     CHECK(surfaceCompliancePerPa(own, values) == Approx((1 - 0.35 * 0.35) / 5e9));
 }
 
-TEST_CASE("On something rigid the impulse is (1 + e) m v into it, and grows with velocity") {
+TEST_CASE(
+    "On a rigid object the impulse is (1 + e) m v into the surface, and grows with velocity") {
     ParameterValues values;
     values.set(malletMass, 20);
     values.set(malletSpeed, 3);

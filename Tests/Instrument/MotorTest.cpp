@@ -34,9 +34,9 @@ TEST_CASE("Without depth the gain is one, and a reset restarts the motor") {
         CHECK(motor.advance(3, 1) == fresh.advance(3, 1));
 }
 
-TEST_CASE("A motor takes a given phase at once, or without a step along the shorter way") {
+TEST_CASE("A motor jumps to a given phase, or moves there smoothly by the shorter way") {
     constexpr double cellSeconds = 64.0 / 48000, turnsPerSecond = 1;
-    const auto there = [](double turns) { // long after its start
+    const auto there = [](double turns) { // a motor long after its start
         Motor motor(cellSeconds);
         for (int k = 0; k < 1000; ++k)
             motor.advance(0, 1);
@@ -65,7 +65,8 @@ TEST_CASE("A motor takes a given phase at once, or without a step along the shor
     }
 }
 
-TEST_CASE("A motor that starts, stops or deepens never steps by more than a fifth in a cell") {
+TEST_CASE(
+    "A motor that starts, stops or changes its depth never steps by more than a fifth in a cell") {
     Motor motor(64.0 / 48000);
     float before = 1;
     for (int k = 0; k < 4000; ++k) {

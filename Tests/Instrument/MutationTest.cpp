@@ -31,7 +31,7 @@ ParameterValues mutatedRosewood(double strength, std::uint32_t seed) {
 
 } // namespace
 
-TEST_CASE("The same seed gives the same mutation, another seed gives another") {
+TEST_CASE("The same seed gives the same mutation, and another seed gives another") {
     CHECK(mutatedRosewood(0.5, 7) == mutatedRosewood(0.5, 7));
     CHECK_FALSE(mutatedRosewood(0.5, 7) == mutatedRosewood(0.5, 8));
 }
@@ -42,7 +42,7 @@ TEST_CASE("A mutation of zero strength or without an instrument changes nothing"
     CHECK(mutated(rosewood().parameters, nullptr, rosewood(), 1, 3) == rosewood().parameters);
 }
 
-TEST_CASE("A mutation changes the sound's shape and leaves pitch, quality and bypass alone") {
+TEST_CASE("A mutation changes the sound but keeps pitch, quality and bypass") {
     std::set<ParameterId> mayMove{material, mallet, level, youngsModulus, density};
     for (const auto& info : parameterTable())
         if (info.mutation.step > 0)
@@ -57,7 +57,7 @@ TEST_CASE("A mutation changes the sound's shape and leaves pitch, quality and by
             CHECK(next[info.parameter] == rosewood().parameters[info.parameter]);
     }
     // The custom material replaces the bars' own with its stiffness and density, so the pitch
-    // stays.
+    // stays the same.
     const auto& own = built(rosewood())->slots().front().object->material;
     CHECK(next[material] == double{customMaterial});
     CHECK(next[youngsModulus] == Approx(own.youngsModulusPa / 1e9));

@@ -50,7 +50,7 @@ TEST_CASE("The energy of one mode is A²/4α for the mean of its channels' squar
     CHECK(energyByPowers({mode(6000, 20, 3, 1)}) == Approx((9 + 1) / 2.0 / (4 * 20)));
 }
 
-TEST_CASE("Close modes have the energy of their sum, distant modes that of each alone") {
+TEST_CASE("Close modes have the energy of their sum, and distant modes the sum of their energies") {
     for (const double apart : {0.0, 5.0, 30.0, 120.0}) {
         const std::vector modes{mode(6000, 20, 1, {0.8, -0.6}),
                                 mode(6000 + apart, 25, {0.3, 0.6}, -0.4)};

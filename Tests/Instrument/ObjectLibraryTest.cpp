@@ -36,7 +36,7 @@ TEST_CASE("An added object has precedence over the factory while it is held") {
     CHECK(library.find("plate").value()->name != "synthetic");
 }
 
-TEST_CASE("A library before another one keeps its own objects and asks the other for the rest") {
+TEST_CASE("A library in front of another keeps its own objects and asks the other for the rest") {
     ObjectLibrary others;
     ObjectLibrary own(others);
     const auto added = own.add("plate", syntheticObject({100}));

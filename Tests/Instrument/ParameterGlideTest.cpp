@@ -30,14 +30,14 @@ ParameterValues with(ParameterId parameter, double value, ParameterValues values
 
 } // namespace
 
-TEST_CASE("The first values act at once, later ones after a glide that ends exactly") {
+TEST_CASE("The first values act at once, and later ones glide until they are exact") {
     ParameterGlide glide(cellSeconds);
     const auto first = with(size, 2, with(malletMass, 50));
     glide.setGoal(first);
     CHECK(glide.values() == first);
     const auto second = with(size, 0.5, with(malletMass, 10));
     glide.setGoal(second);
-    CHECK(glide.values()[malletMass] == 10); // affects strikes only: at once
+    CHECK(glide.values()[malletMass] == 10); // at once, because it affects strikes only
     CHECK(glide.values()[size] == 2);
     int cells = 0;
     double before = 2;
@@ -99,7 +99,7 @@ TEST_CASE("A pitch that changes once a block sounds as a slide, not as steps") {
                                                  static_cast<std::size_t>(count)),
                        events, values);
     }
-    // Heterodyne, averaged over 5 ms.
+    // Heterodyne and average over 5 ms.
     std::vector<double> cents;
     std::complex<double> before;
     for (std::size_t at = 4800; at + 480 < 36000; at += 48) {
@@ -116,8 +116,8 @@ TEST_CASE("A pitch that changes once a block sounds as a slide, not as steps") {
                 std::log2((600 + std::arg(sum / before) / (2 * std::numbers::pi * 0.001)) / 440));
         before = sum;
     }
-    // A block's step is 12.8 cents. Without a glide this would read 7.7; a steady slide reads up to
-    // 3.
+    // A block's step is 12.8 cents. Without a glide the maximum would be 7.7; a steady slide
+    // has up to 3.
     double steepest = 0;
     for (std::size_t i = 1; i < cents.size(); ++i)
         steepest = larger(steepest, std::abs(cents[i] - cents[i - 1]));

@@ -107,7 +107,7 @@ TEST_CASE("The wheel of a zone's own channel bends the notes of its zone only") 
             CAPTURE(wheel, channels[i]);
             const int note = 60 + static_cast<int>(i);
             CHECK(bend.commonSemitones(note) == (groups[i] == static_cast<int>(wheel) ? 2 : 0));
-            bend.noteOff(channels[i], note); // it keeps the bend while it rings
+            bend.noteOff(channels[i], note); // the note keeps its bend while it rings
         }
         bend.controller(wheels[wheel], 121, 0);
     }
@@ -134,7 +134,7 @@ TEST_CASE("A parameter that follows MIDI leaves the exact given value in effect"
     giveRegistered(bend, 1, 0, 0);  // below its parameter's minimum
     giveRegistered(bend, 0, 0, 60); // above the maximum
     giveRegistered(bend, 0, 0, 7);
-    bend.controller(0, 38, 50); // and between its steps
+    bend.controller(0, 38, 50); // between two steps of its parameter
     const auto given = bend.takeGiven();
     CHECK(given.mpe == 1);
     CHECK(given.memberRange == 0);
@@ -202,7 +202,7 @@ TEST_CASE("A bend range that MIDI gives holds until the parameter moves") {
     CHECK(bend.commonSemitones(60) == 3);
 }
 
-TEST_CASE("Switching MPE on returns all wheels to rest, and the parameter overrides MIDI") {
+TEST_CASE("Switching MPE on resets all wheels, and the parameter overrides MIDI") {
     auto bend = bendWith(false);
     bend.wheel(7, 0, 96);
     CHECK(bend.commonSemitones(60) == Approx(1).margin(0.01));
@@ -239,7 +239,7 @@ TEST_CASE("Notes that all end at once keep their bends") {
     CHECK(bend.ownSemitones(60) == 48);
 }
 
-TEST_CASE("Reset All Controllers returns a channel's wheel, and a reset keeps zones and ranges") {
+TEST_CASE("Reset All Controllers resets a channel's wheel, and a reset keeps zones and ranges") {
     auto bend = bendWith(false);
     giveRegistered(bend, 0, 6, 15);
     giveRegistered(bend, 1, 0, 12);

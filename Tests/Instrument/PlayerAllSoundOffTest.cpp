@@ -1,4 +1,4 @@
-// Tests All Sound Off (controller 120): the sound ends, and no later strike brings it back.
+// Tests All Sound Off (controller 120): the sound ends, and no later strike restores it.
 #include "HeldKeys.h"
 #include "Instrument/Player.h"
 #include "SameInAllBlocks.h"
@@ -57,7 +57,7 @@ TEST_CASE("All Sound Off silences within 50 ms, and the next note sounds again")
     CHECK(peak(std::span(sound).subspan(9600)) > 0.5f * peak(sound));
 }
 
-TEST_CASE("Sound from before All Sound Off does not ring on under the next note") {
+TEST_CASE("Sound from before All Sound Off does not ring on during the next note") {
     const int off = GENERATE(4800, 4831, 4863), gap = GENERATE(0, 10, 144, 960);
     const int note = GENERATE(69, 60);
     CAPTURE(off, gap, note);
@@ -104,7 +104,7 @@ TEST_CASE("All Sound Off before a note at the same sample is the same for all bl
     CHECK(peak(sound.left) > 0.001f);
 }
 
-TEST_CASE("A note before All Sound Off at the same sample is silent, one after it sounds") {
+TEST_CASE("A note before All Sound Off at the same sample is silent, and one after it sounds") {
     const int at = GENERATE(0, 100);
     const auto before = midi(at, 0x90, 69, 127), after = midi(at, 0x90, 60, 20);
     Player player(bars(), sampleRateHz), alone(bars(), sampleRateHz);
@@ -137,7 +137,7 @@ TEST_CASE("A player reports the silenced samples at the start of a block, up to 
     CHECK(player.takeSilenced() == Silenced());
 }
 
-TEST_CASE("A scrape that All Sound Off ends leaves nothing under the next key") {
+TEST_CASE("A scrape that All Sound Off ends is not heard during the next note") {
     const int off = GENERATE(9600, 9631), gap = GENERATE(0, 200);
     CAPTURE(off, gap);
     const auto instrument = keysOn(syntheticObject({300, 810}), KeyMapKind::scaled, 40, 80);

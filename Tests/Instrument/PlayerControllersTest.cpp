@@ -65,7 +65,7 @@ TEST_CASE("Pedals keep their positions when another player takes over") {
         next.takeControllersOf(former);
         CHECK(ringsAfterRelease(next));
     }
-    SECTION("sostenuto, which catches no key that goes down later") {
+    SECTION("sostenuto, which holds no key that goes down later") {
         send(former, {midi(0, 0xb0, sostenuto, 127)});
         Player next(bars(), sampleRateHz);
         next.takeControllersOf(former);

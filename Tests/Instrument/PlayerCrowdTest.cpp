@@ -22,7 +22,7 @@ std::shared_ptr<const Instrument> crowdedBar(const std::vector<double>& frequenc
 
 } // namespace
 
-TEST_CASE("No strike is lost in a crowd: together they are as loud as their sum") {
+TEST_CASE("Strikes too many to be rendered separately are together as loud as their sum") {
     const auto instrument = crowdedBar({200, 540, 1070, 1800, 2500});
     ParameterValues parameters;
     parameters.set(ParameterId::strikeSpread, 0);
@@ -42,8 +42,8 @@ TEST_CASE("No strike is lost in a crowd: together they are as loud as their sum"
         INFO(keys << " keys: " << rms(all) / rms(one) / keys);
         CHECK(rms(all) > 0.95 * keys * rms(one));
         CHECK(rms(all) < 1.25 * keys * rms(one));
-        // Nothing changes at low frequencies, which get most of the impulse: the phase is that of
-        // the pulses.
+        // Low frequencies, which get most of the impulse, do not change, because their phase is
+        // that of the pulses.
         CHECK(std::abs(phasorAt(all, 200, sampleRateHz) / phasorAt(one, 200, sampleRateHz) -
                        double(keys)) < 0.02 * keys);
     }

@@ -71,7 +71,7 @@ TEST_CASE("A render after a reset equals that of a newly prepared player") {
     }
 }
 
-TEST_CASE("A player that takes over the wheel position it was prepared for starts with its gain") {
+TEST_CASE("A player prepared for a wheel position starts with the gain for that position") {
     const auto instrument = bars();
     ParameterValues own;
     own.set(ParameterId::contact, scrapeContact);

@@ -79,7 +79,7 @@ TEST_CASE("The sostenuto pedal holds only the keys that were down before it") {
         };
         return std::array{at(1000), at(9000), at(12500)};
     };
-    const auto caught = levels(69, 450); // still down at 500
+    const auto caught = levels(69, 450); // still down when the pedal goes down at 500
     CHECK(caught[1] > 0.3 * caught[0]);
     CHECK(caught[2] < 0.001 * caught[1]);
     const auto later = levels(69, 700);
@@ -168,7 +168,7 @@ TEST_CASE("A key struck again just after its release is not damped") {
           0.3 * rms(std::span(sound).subspan(5200, 960)));
 }
 
-TEST_CASE("The pitch wheel bends by its range, and Reset All Controllers returns the pitch") {
+TEST_CASE("The pitch wheel bends by its range, and Reset All Controllers restores the pitch") {
     Player player(bars(), sampleRateHz);
     const std::vector events{midi(0, 0x90, 69, 100), midi(0, 0xe0, 127, 127),
                              midi(24000, 0xb0, 121, 0)};
@@ -180,7 +180,7 @@ TEST_CASE("The pitch wheel bends by its range, and Reset All Controllers returns
     CHECK(std::abs(cents(back.frequencyHz, 440)) < 0.5);
 }
 
-TEST_CASE("Notes outside the keys and messages without a meaning here are silent") {
+TEST_CASE("Notes outside the keys and unknown messages are silent") {
     Player player(bars(), sampleRateHz);
     const auto sound = render(player,
                               {midi(0, 0x90, 20, 127), midi(1, 0xa0, 69, 127), midi(2, 0xd0, 99, 0),
@@ -269,7 +269,7 @@ TEST_CASE("Pressure at a key's sample belongs to that key in either order") {
     CHECK(rms(before) > 1.5 * rms(render(none, {key}, 9600, 256, parameters)));
 }
 
-TEST_CASE("Pressure 0 before a key does not replace its velocity, but after it does") {
+TEST_CASE("Pressure 0 after a key replaces its velocity, but pressure 0 before the key does not") {
     ParameterValues parameters;
     parameters.set(ParameterId::contact, scrapeContact);
     const auto pressure = midi(100, 0xd0, 0, 0), key = midi(100, 0x90, 69, 100);
@@ -286,7 +286,7 @@ TEST_CASE("Pressure 0 before a key does not replace its velocity, but after it d
     CHECK(played({midi(100, 0xa0, 69, 30), pressure, key}) == expected);
 }
 
-TEST_CASE("A new key leaves other keys the last pressure of its sample") {
+TEST_CASE("A new key does not change the last pressure of other keys at its sample") {
     ParameterValues parameters;
     parameters.set(ParameterId::contact, scrapeContact);
     const auto held = midi(50, 0x90, 69, 100), other = midi(100, 0x90, 71, 100);

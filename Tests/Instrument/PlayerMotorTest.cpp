@@ -23,7 +23,7 @@ constexpr double sampleRateHz = 48000;
 constexpr int key = 66;
 
 /// Keys 60 to 72. Each bar shares its fundamental with its tube as a pair of modes, which only the
-/// tube radiates. It has two further modes.
+/// tube radiates, and has two further modes.
 std::shared_ptr<const Instrument> barsOverTubes(bool withTubes = true) {
     auto bar = syntheticObject({440, 446, 1500, 2700}, {0.7f, 0.7f, 1, 1});
     if (withTubes)

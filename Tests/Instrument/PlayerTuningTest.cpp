@@ -183,7 +183,7 @@ TEST_CASE("Pressure ends with its own key, or with Reset All Controllers") {
     CHECK(rms(std::span(other).subspan(9000)) <= 2 * damped);
 }
 
-TEST_CASE("Polyphonic pressure damps its own key, and MPE channel pressure its channel's") {
+TEST_CASE("Polyphonic pressure damps one key, and MPE channel pressure the keys of one channel") {
     ParameterValues values = withMpe();
     values.set(ParameterId::releaseTime, 0.05);
     const auto remains = [&](const MidiEvent& press) {

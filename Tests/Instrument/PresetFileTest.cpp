@@ -35,7 +35,8 @@ TEST_CASE("A preset file is read whole, and the error for a bad file names it") 
     }
 }
 
-TEST_CASE("Objects beside a preset are found in its folder and those above, the nearest first") {
+TEST_CASE(
+    "A preset's objects are found in its own folder and the folders above, the nearest first") {
     const auto top = write("b/Objects/bowl.modal", "top");
     const auto near = write("b/Bells/Objects/bowl.modal", "near");
     write("b/Objects/stones/60.modal", "stone");
@@ -67,7 +68,7 @@ TEST_CASE("Objects beside a preset are found in its folder and those above, the 
     CHECK(found(none, "b/x.json").empty());
 }
 
-TEST_CASE("A file's name is the path by which a preset finds it, if it does") {
+TEST_CASE("A file's name is the path by which a preset finds the file, if there is one") {
     const auto scene = write("n/Settings/Scenes/coins.json", "{}");
     const auto name = [&](const char* preset) { return nameBeside(scene, testFolder() / preset); };
     CHECK(name("n/Settings/Presets/x.json") == "Scenes/coins.json");
@@ -81,7 +82,7 @@ TEST_CASE("A file's name is the path by which a preset finds it, if it does") {
     CHECK(name("n/Settings/Presets/x.json") == "Settings/Scenes/coins.json");
 }
 
-TEST_CASE("A file's name is normalised, and leads up from the preset only if it was written so") {
+TEST_CASE("A file's name is normalised, and leads up from the preset only if the given path does") {
     write("m/Pack/Scenes/d.json", "{}");
     write("m/Pack/Presets/Scenes/e.json", "{}");
     const auto preset = testFolder() / "m/Pack/Presets/a.json";
@@ -96,7 +97,7 @@ TEST_CASE("A file's name is normalised, and leads up from the preset only if it 
     CHECK(again("./Scenes/e.json", preset) == "Scenes/e.json");
 }
 
-TEST_CASE("A file's name finds it again through folders that are links") {
+TEST_CASE("A file's name leads back to the file through folders that are links") {
     const auto linked = write("l/Cloud/Scenes/d.json", "the linked folder's");
     write("l/Idiophone/Scenes/d.json", "the own folder's");
     std::filesystem::create_directories(testFolder() / "l/Cloud/Presets/Bells");

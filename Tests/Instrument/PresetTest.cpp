@@ -63,7 +63,7 @@ TEST_CASE("A preset written and read back is equal") {
     CHECK(encodePreset(*back) == encodePreset(preset));
 }
 
-TEST_CASE("Parameters are read as displayed text, and unknown ones are remembered") {
+TEST_CASE("Parameters are read as displayed text, and unknown parameters are kept") {
     const auto preset = parsePreset(
         head + map + R"(,"parameters":{"material":"Glass","young":"70 GPa","x9":1}})", "x.json");
     REQUIRE(preset);

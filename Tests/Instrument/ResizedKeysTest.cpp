@@ -141,7 +141,8 @@ TEST_CASE("Keys along a path over one object have no resized keys beside them") 
     CHECK(instrument->key(59).slot < 0);
 }
 
-TEST_CASE("Keys 24 to 108 sound on every keyboard preset, the resized ones as loud as its own") {
+TEST_CASE(
+    "Keys 24 to 108 sound on every keyboard preset, and resized keys are as loud as its own") {
     for (const auto& preset : keyedFactoryPresets()) {
         if (preset.keyMap.kind == KeyMapKind::zones)
             continue;

@@ -87,7 +87,7 @@ TEST_CASE("A scale repeats at its last note, whether it is an octave or not") {
     CHECK(hertz(scaled(thirteen), 60 + 13) == Approx(3 * middleCHz).epsilon(1e-6));
 }
 
-TEST_CASE("A mapping alone moves the reference") {
+TEST_CASE("A mapping without a scale moves the reference") {
     const ScalaTuning tuning{.scale = {},
                              .mapping = {.name = "a.kbm", .text = "0\n0\n127\n60\n69\n432\n0\n"}};
     CHECK(hertz(tuning, 69) == Approx(432));
@@ -135,7 +135,7 @@ TEST_CASE("A mapping repeats at its formal octave, which may differ from the sca
     CHECK(hertz(wide, 69) == Approx(440));
     CHECK(hertz(wide, 70) == Approx(440 * std::exp2(2 / 12.0)));
     CHECK(hertz(wide, 81) == Approx(1760));
-    // Twelve of nineteen steps; without a formal octave the scale's own holds.
+    // Twelve of nineteen steps. Without a formal octave the mapping repeats at the scale's own.
     const auto nineteen =
         mapped(equalSteps(19),
                "12\n0\n127\n60\n60\n261.6255653\n0\n0\n1\n3\n5\n6\n8\n9\n11\n12\n14\n16\n17\n");
@@ -170,7 +170,7 @@ TEST_CASE("The numbers of a ratio may be of any size") {
           Approx(middleCHz * 19073486328125.0 / 8796093022208.0));
 }
 
-TEST_CASE("A key with an inaudible pitch has none") {
+TEST_CASE("A key whose pitch would be inaudible has no pitch") {
     const auto keys = keyTuning(scaled("Octaves\n1\n2/1\n"));
     REQUIRE(keys);
     CHECK_FALSE(keys->unmapped[60]);

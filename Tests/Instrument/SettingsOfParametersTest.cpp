@@ -25,7 +25,7 @@ TEST_CASE("Only the five figures of the custom material act live") {
     CHECK(live->damping.lossFactor == 0.01);
 }
 
-TEST_CASE("Every library material plays its own damping law live") {
+TEST_CASE("Every library material has its own damping law as a live material") {
     ParameterValues values;
     int choice = firstLibraryMaterial;
     for (const auto& material : materialLibrary()) {

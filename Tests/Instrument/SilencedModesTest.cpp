@@ -6,7 +6,7 @@
 using namespace idiophone;
 using namespace idiophone::test;
 
-TEST_CASE("Muted modes are silenced; modes heard alone silence all others of their object") {
+TEST_CASE("Muted modes are silenced; soloed modes silence the other modes of their object") {
     const auto instrument = bars();
     CHECK(modeSetKey(*instrument, 2) == "62");
     ModeSet muted, alone;

@@ -73,7 +73,8 @@ TEST_CASE("The path over an upright object leads upwards") {
         CHECK(y == -1);
 }
 
-TEST_CASE("Every layout of an object can be built, and scaled ones are struck where they move") {
+TEST_CASE(
+    "Every layout of an object can be built, and scaled objects are struck where they move most") {
     const auto object = objectOf(sheetMesh(0.3, 0.1, 100));
     ObjectLibrary library;
     const auto kept = library.add("sheet", object);

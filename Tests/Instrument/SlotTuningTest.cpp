@@ -47,7 +47,7 @@ double partOfWay(int cells) {
 
 } // namespace
 
-TEST_CASE("The first bends act at once, later ones after a glide that ends exactly") {
+TEST_CASE("The first bends act at once, and later ones glide until they are exact") {
     Bars bars;
     bars.bend.wheel(0, 127, 127);
     bars.apply(1);

@@ -77,7 +77,7 @@ TEST_CASE("A strike for the next cell waits for it") {
     CHECK(peak(rig.sound(20)) > 0);
 }
 
-TEST_CASE("A strike repeats with its number and seed, and varies with either") {
+TEST_CASE("A strike is the same for the same number and seed, and differs if either differs") {
     const auto struck = [](std::uint64_t seed, std::uint32_t number) {
         Rig rig(seed);
         rig.scheduler.countFrom(number);
@@ -105,7 +105,7 @@ TEST_CASE("A softer hand strikes more quietly") {
     CHECK(rms(soft.sound(20)) < 0.8 * rms(hard.sound(20)));
 }
 
-TEST_CASE("Strikes on surfaces wait in a limited number, and a cleared one never sounds") {
+TEST_CASE("The number of waiting surface strikes is limited, and a cleared strike never sounds") {
     Rig rig;
     const auto& key = rig.instrument->key(69);
     const SurfaceStrike click{.slot = static_cast<std::size_t>(key.slot),

@@ -53,7 +53,7 @@ TEST_CASE("The motion after raised cosines is the integral of their force and th
 }
 
 TEST_CASE(
-    "A strike shorter than a period leaves its impulse, one of whole periods leaves nothing") {
+    "A strike shorter than a period leaves its impulse, and one of whole periods leaves nothing") {
     ContactTrain brief, whole;
     brief.add(contact(0, 0.2, 1e-6));
     whole.add(contact(0, 0.2, 2.0 / 500));
@@ -61,7 +61,7 @@ TEST_CASE(
     CHECK(std::abs(ringingVelocity(whole, 1e-6, 2 * pi * 500)) < 1e-8);
 }
 
-TEST_CASE("Stiff modes follow the force of a long contact, soft ones do not") {
+TEST_CASE("Stiff modes follow the force of a long contact, but soft ones do not") {
     const double seconds = 5e-3, omega = 2 * pi / seconds;
     const PressedMotion motion(contact(0, 0.4, seconds).strike);
     const auto velocity = motion.velocity(9 * omega * omega, 3 * omega);

@@ -137,7 +137,8 @@ TEST_CASE("Places beside the path move without steps too") {
     }
 }
 
-TEST_CASE("The path's direction is a unit vector in the surface, and the normal a unit vector") {
+TEST_CASE(
+    "The path's direction and the normal are unit vectors, and the direction lies in the surface") {
     const auto ring = ObjectLibrary::shared().find("ring").value();
     const auto strip = strikeStrip(*ring, mapAlong({{0, -1, 0}, {1, 0, 0}, {0, 1, 0}}));
     for (double along = 0.01; along < 1; along += 0.0313)
@@ -183,7 +184,7 @@ TEST_CASE("Rows of several places count once in the place between them") {
     CHECK(point.weights == std::array{0.5f, 0.375f, 0.125f, 0.0f, 0.0f, 0.0f});
 }
 
-TEST_CASE("If a strike has too many rows, the lightest leave without a step") {
+TEST_CASE("If a strike has too many rows, the lightest are left out without a step") {
     const auto first = atRows({0, 1, 2}, {0.5f, 0.3f, 0.2f});
     const auto second = atRows({3, 4, 5}, {0.4f, 0.4f, 0.2f});
     const auto third = atRows({6, 7, 8}, {0.6f, 0.3f, 0.1f});

@@ -52,7 +52,7 @@ TEST_CASE("A surface survives its file to the last bit") {
     CHECK(*read == slate);
 }
 
-TEST_CASE("A surface with the longest name survives its file, and a longer name is refused") {
+TEST_CASE("A surface with the longest name is read back, and a longer name is refused") {
     auto longest = slate;
     longest.name = std::string(Surface::longestNameBytes, '\x01'); // six bytes each in the file
     const auto read = parsed(encodeSurface(longest));

@@ -23,7 +23,7 @@ std::shared_ptr<const Instrument> instrumentOf(const Preset& preset) {
     return Instrument::build(preset.keyMap, ObjectLibrary::shared()).value();
 }
 
-/// Returns [velocity][key] the LUFS of the loudest 400 ms.
+/// Returns the LUFS of the loudest 400 ms, [velocity][key].
 std::array<std::vector<double>, velocities.size()> loudnessOfKeys(const Preset& preset) {
     const auto instrument = instrumentOf(preset);
     std::array<std::vector<double>, velocities.size()> keys;

@@ -1,4 +1,4 @@
-"""Ardour without a window: its Lua makes and exports sessions in a separate home folder."""
+"""Runs Ardour without a window: its Lua makes and exports sessions in a separate home folder."""
 import os
 import pathlib
 import shutil

@@ -7,8 +7,8 @@ import numpy
 
 PRESET = "Rosewood Xylophone"
 SAMPLE_RATE = 48000
-# A quarter of a sample late, so that hosts find the intended sample whether they round or truncate
-# times in seconds.
+# Notes are a quarter of a sample late, so that hosts find the intended sample whether they round or
+# truncate times in seconds.
 SAFELY_INSIDE = 0.25
 IDENTICAL = -math.inf  # for assert_equal_sound
 
@@ -26,7 +26,7 @@ def seconds(sample):
 
 
 class Performance:
-    """Notes in the order of their strikes. Simultaneous ones keep the file's order, because each
+    """Notes in the order of their strikes. Simultaneous notes keep the file's order, because each
     strike draws a random position on the bar."""
 
     def __init__(self, notes):

@@ -130,7 +130,7 @@ def test_a_restored_state_is_equal_byte_for_byte_and_sounds_the_same(host, tmp_p
 def test_a_state_keeps_the_end_of_random_automation_byte_for_byte(host, tmp_path):
     first, random, last = host(), numpy.random.default_rng(2), {}
     for index, name in first.parameters():
-        if name == "Program":  # it sets the others
+        if name == "Program":  # a program sets the others
             continue
         steps = random.uniform(0, 1, SAMPLE_RATE // BLOCK + 1).astype(numpy.float32)
         first.plugin.set_automation(index, numpy.repeat(steps, BLOCK)[:SAMPLE_RATE])

@@ -23,7 +23,7 @@ def prefix(build, tmp_path_factory):
 
 
 def run(program, *arguments, cwd):
-    # Like a new user's: no sources nearby and no settings.
+    # The environment of a new user: no sources nearby and no settings.
     return subprocess.run([program, *map(str, arguments)], cwd=cwd, env={"HOME": str(cwd)},
                           capture_output=True, text=True, timeout=120, check=True).stdout
 
@@ -134,7 +134,7 @@ def test_a_game_loop_on_the_library_hears_its_impacts(examples, sources, tmp_pat
     samples = numpy.fromfile(sound, "<f4")
     assert abs(len(samples) - 3 * 48000) < 480
     assert numpy.isfinite(samples).all()
-    # It falls from 20 cm. The next impact comes after twice 0.8 of that time, and so on.
+    # The ball falls from 20 cm. The next impact comes after twice 0.8 of the fall time, and so on.
     fall = (2 * 0.2 / 9.81) ** 0.5
     first = numpy.flatnonzero(samples)[0] / 48000
     assert abs(first - fall) < 0.001

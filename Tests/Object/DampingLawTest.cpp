@@ -28,7 +28,7 @@ TEST_CASE("The three laws add up") {
     CHECK(all.perSecond(omega * omega) == Approx(5 + 2e-4 * omega + 3e-8 * omega * omega));
 }
 
-TEST_CASE("A damped mode sounds below its undamped frequency, an over-damped one is silent") {
+TEST_CASE("A damped mode sounds below its undamped frequency, and an over-damped one is silent") {
     CHECK(dampedFrequencyHz(25, 3) == 4 / (2 * std::numbers::pi));
     CHECK(dampedFrequencyHz(25, 5) == 0);
     CHECK(dampedFrequencyHz(25, 6) == 0);

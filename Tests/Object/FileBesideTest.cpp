@@ -97,7 +97,7 @@ TEST_CASE("A write-protected file is not replaced") {
 
 #ifndef _WIN32
 
-TEST_CASE("A link's target is replaced, and the link stays") {
+TEST_CASE("A link's target is replaced, and the link is kept") {
     const auto folder = emptyFolder("linked");
     REQUIRE(replaceFile(folder / "file", writing("first")));
     fs::create_symlink("file", folder / "link");

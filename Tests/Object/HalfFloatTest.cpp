@@ -6,7 +6,7 @@
 
 using namespace idiophone;
 
-TEST_CASE("Every half-precision number survives the conversion to single and back") {
+TEST_CASE("Every half-precision number is unchanged after conversion to single and back") {
     for (std::uint32_t bits = 0; bits <= 0xffff; ++bits) {
         const auto half = static_cast<std::uint16_t>(bits);
         const float single = halfToFloat(half);

@@ -32,7 +32,7 @@ TEST_CASE("Every library material is valid and has a unique name and a source") 
     }
 }
 
-TEST_CASE("Material names are found in any case") {
+TEST_CASE("Material names are found in upper and lower case") {
     REQUIRE(findMaterial("ROSEWOOD") != nullptr);
     CHECK(findMaterial("ROSEWOOD")->name == "Rosewood");
     CHECK(findMaterial("unobtainium") == nullptr);

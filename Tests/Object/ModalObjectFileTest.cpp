@@ -133,7 +133,7 @@ TEST_CASE("A file written to disk is read back, and an unwritable place gives on
     CHECK_FALSE(readModalObject(directory));
 }
 
-TEST_CASE("Writing an object leaves the files beside it alone, whatever their names") {
+TEST_CASE("Writing an object leaves the files beside it unchanged, whatever their names") {
     const auto directory = test::testFolder() / "beside";
     std::filesystem::remove_all(directory);
     std::filesystem::create_directories(directory);
@@ -261,7 +261,7 @@ TEST_CASE("An empty radiation table with tensors is refused") {
     checkRefused(file, "directions x ratios x modes");
 }
 
-TEST_CASE("Invalid values are refused as by validation") {
+TEST_CASE("The reader refuses the same invalid values as the validation") {
     auto object = syntheticObject({100, 200});
     object.eigenvalues[1] = std::numeric_limits<double>::quiet_NaN();
     checkRefused(encodeModalObject(object), "not a finite number");

@@ -6,7 +6,7 @@
 
 using namespace idiophone;
 
-TEST_CASE("A word is a number only as a whole") {
+TEST_CASE("A word that is only partly a number is refused") {
     CHECK(parseNumber("-1.5e3") == -1500);
     CHECK(parseNumber("+2") == 2);
     CHECK(parseNumber("inf") == std::numeric_limits<double>::infinity());

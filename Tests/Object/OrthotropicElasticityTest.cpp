@@ -23,7 +23,7 @@ TEST_CASE("A modulus that is zero, negative or not finite is refused by name") {
     CHECK(result.error().message.find("shear modulus RT") != std::string::npos);
 }
 
-TEST_CASE("A Poisson's ratio above the root of the ratio of the moduli is refused by name") {
+TEST_CASE("A Poisson ratio above the root of the ratio of the moduli is refused by name") {
     auto elasticity = isotropicElasticity(16e9, 0.1);
     elasticity.youngsModulusTPa = 1e9;
     elasticity.poissonRatioLT = 3.9; // √(16/1) = 4

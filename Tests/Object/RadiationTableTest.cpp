@@ -110,7 +110,7 @@ TEST_CASE("Each malformed part of a radiation table is named") {
     CHECK_THAT(faultOf(table(), 0), ContainsSubstring("directions x ratios"));
 }
 
-TEST_CASE("The weights from a mode on equal those of all modes from there on") {
+TEST_CASE("Reading weights from one mode onwards gives the same values as reading all") {
     for (const double ratio : {0.3, 0.7, 1.0, 2.0, 9.0}) {
         Weights one(1);
         table().weightsAt(1, ratio, one, 1);

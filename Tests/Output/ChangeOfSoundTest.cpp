@@ -20,7 +20,7 @@ ParameterValues inRoom(double levelDecibels) {
 
 } // namespace
 
-TEST_CASE("Another sound starts at its level, whatever the old level") {
+TEST_CASE("Another sound starts at its own level, whatever the old level") {
     const double before = GENERATE(-60.0, -41.0, 5.0, 24.0),
                  now = GENERATE(-60.0, -41.0, 5.0, 24.0);
     PreparedStage stage;
@@ -43,7 +43,7 @@ TEST_CASE("Reverb of an old sound keeps its level through automation and further
     const Stereo burst{sine(4800), sine(4800, 700)}, other{sine(4800, 230), sine(4800, 310)},
         nothing{std::vector<float>(4800), std::vector<float>(4800)};
     constexpr std::array levels{-41.0, 5.0, -55.0};
-    // Each sound alone from its own time on: the mixture is their sum.
+    // The mixture is the sum of each sound alone from its own time on.
     Stereo expected{std::vector<float>(4 * 4800), std::vector<float>(4 * 4800)};
     for (std::size_t sound = 0; sound < levels.size(); ++sound) {
         PreparedStage alone;
@@ -93,7 +93,7 @@ TEST_CASE("Reverb of an old sound keeps its level through automation and further
         REQUIRE_THAT(got.left[i], WithinAbs(wanted.left[i], 1e-7));
 }
 
-TEST_CASE("A level raised after a change does not raise old reverb and is reached") {
+TEST_CASE("A level raised after a change is reached and does not raise old reverb") {
     PreparedStage stage, alone;
     const Stereo burst{sine(4800), sine(4800, 700)};
     const Stereo nothing{std::vector<float>(9600), std::vector<float>(9600)};
@@ -117,7 +117,7 @@ TEST_CASE("A level raised after a change does not raise old reverb and is reache
         REQUIRE_THAT(dry.left[i], WithinAbs(gain * burst.left[i], 1e-5));
 }
 
-TEST_CASE("A level that is raised does not raise the fade into another sound's room") {
+TEST_CASE("If the level rises, a fade that reverberates in another sound's room gets no louder") {
     const double former = GENERATE(5.3, -22.8), next = GENERATE(-41.0, -55.0);
     const std::size_t blockSize = GENERATE(32, 480);
     PreparedStage stage;
@@ -171,7 +171,7 @@ TEST_CASE("The level is the same for all block sizes if a room falls silent and 
     CHECK(expected == found);
 }
 
-TEST_CASE("The level stays right, however often levels and sounds change during reverb") {
+TEST_CASE("The level stays correct, however often levels and sounds change during reverb") {
     PreparedStage stage;
     const auto loud = inRoom(24), soft = inRoom(-60);
     const Stereo ones{std::vector<float>(1000, 1.0f), std::vector<float>(1000, 1.0f)};
@@ -213,7 +213,7 @@ TEST_CASE("Once old reverb has decayed, the level applies to the reverb again") 
     }
 }
 
-TEST_CASE("A sound before the first block, or into a silent room, is as in a new stage") {
+TEST_CASE("A change before the first block or in a silent room gives the output of a new stage") {
     PreparedStage fresh, changed, former;
     const auto input = sine(1000);
     const auto expected = processed(fresh, input, 100, valuesWith(-7.3));

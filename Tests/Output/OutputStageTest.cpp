@@ -26,7 +26,7 @@ TEST_CASE("At 0 dB a mono sound passes bit for bit at any width") {
     CHECK(processed(stage, input, 100, valuesWithWidth(200)) == input);
 }
 
-TEST_CASE("Width 100 changes nothing, 0 gives both channels the mid, 200 doubles the side") {
+TEST_CASE("Width 100 changes nothing, 0 gives both channels the mid, and 200 doubles the side") {
     const Stereo input{sine(3000), sine(3000, 700)};
     const auto at = [&](double percent) {
         PreparedStage stage;
@@ -122,7 +122,7 @@ TEST_CASE("Automated level moves the gain without steps") {
         CHECK(std::abs(output[i] - output[i - 1]) <= largest);
 }
 
-TEST_CASE("Bypass is silent after its ramp, and leaving it restores the level") {
+TEST_CASE("Bypass is silent after its ramp, and its end restores the level") {
     PreparedStage stage;
     const std::vector<float> ones(2000, 1.0f);
     processed(stage, ones, 2000, valuesWith(0));

@@ -200,7 +200,7 @@ TEST_CASE("A hushed room fades within the ramp, and then responds again") {
     CHECK(power(inRoom(room, nothing, values, 480).left) == 0);
     CHECK(power(inRoom(room, sound, values, 480).left) > 0.9 * power(sound.left));
     CHECK_FALSE(room.silent());
-    // A room that is off has nothing to hush, and works when it is turned on later.
+    // `hush` does nothing in a room that is off, and the room works when it is turned on later.
     Room shut;
     shut.prepare(48000, maximumBlock, rampSeconds);
     inRoom(shut, sound, roomOf(0, 1), 480);
@@ -210,7 +210,7 @@ TEST_CASE("A hushed room fades within the ramp, and then responds again") {
     CHECK_FALSE(shut.silent());
 }
 
-TEST_CASE("Input with a hush or soon after gets reverb as in a silent room") {
+TEST_CASE("Input at or soon after a hush gets reverb as in a silent room") {
     const auto values = roomOf(100, 5);
     const auto rings = noiseBurst(48000, 0.2, 0.2), burst = noiseBurst(48000, 0.01, 0.5);
     for (const std::size_t later : {0u, 240u, 480u, 960u}) {

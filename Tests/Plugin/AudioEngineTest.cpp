@@ -68,7 +68,8 @@ TEST_CASE("A reset silences the engine and discards what the window has queued")
     CHECK(playing.block() == 0);
 }
 
-TEST_CASE("A player that was handed over plays from the next callback, and the former comes back") {
+TEST_CASE(
+    "A player that was handed over plays from the next callback, and the former one comes back") {
     Playing playing;
     const auto other = testSound("other");
     std::weak_ptr<const Instrument> former;

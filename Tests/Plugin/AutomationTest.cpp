@@ -23,11 +23,11 @@ namespace {
 
 constexpr double rateHz = 48000;
 constexpr int cellSize = 64;
-// At one turn a second the motor has shut the discs after a quarter of a second.
+// At one turn a second the motor has closed the discs after a quarter of a second.
 constexpr int struckCell = 150, releasedCell = 160, jumpCell = 188, endCell = 260;
 // Largest allowed distance after the first and second 64 samples, as a fraction of the largest
-// distance. A 10 ms glide has covered an eighth and a quarter by then, a jump all of it. Modes that
-// leave or return together are faded over 3 ms, which is 2.25 cells.
+// distance. A 10 ms glide has covered an eighth and a quarter by then, a jump the whole distance.
+// Modes that end or return together are faded over 3 ms, which is 2.25 cells.
 constexpr double mostAtOnce = 0.3, mostFaded = 0.8;
 // Largest allowed sample above 14 kHz, as a fraction of the largest sample. No mode lies there, and
 // a step leaves a hundredth or more. Rooms echo a strike's noise.
@@ -36,8 +36,8 @@ constexpr double mostOfStep = 0.002, mostOfStepInRoom = 0.02;
 constexpr double mostOfKink = 0.006;
 
 enum class Heard {
-    asPole,    ///< changes the frequency and decay of what rings
-    asLevel,   ///< changes the level of what rings
+    asPole,    ///< changes the frequency and decay of ringing sound
+    asLevel,   ///< changes the level of ringing sound
     ofImpacts, ///< changes later strikes only
 };
 
@@ -178,8 +178,8 @@ std::vector<double> distances(const Jump& jump, const Cells& moved, const Cells&
     return result;
 }
 
-/// Returns the largest sample above 14 kHz of what the jump changes, as a fraction of its largest
-/// sample. Only a step reaches that band. The filter is a windowed sinc.
+/// Returns the largest sample above 14 kHz of the difference that the jump makes, as a fraction of
+/// its largest sample. Only a step reaches that band. The filter is a windowed sinc.
 double shareOfSteps(const Cells& moved, const Cells& still) {
     constexpr int reach = 32;
     constexpr double pi = std::numbers::pi, corner = 14000 / rateHz;
@@ -268,7 +268,7 @@ const std::vector<Jump> switchesWhileRinging{
     {bypass, 0, 1, asLevel},
 };
 
-/// Their effect is measured as a level in decibels.
+/// The effect of these parameters is measured as a level in decibels.
 const std::vector<Jump> jumpsWhilePressed{
     {contactForce, 1, 30, asLevel},
     {contactSpeed, 0.25, 1, asLevel},
@@ -280,7 +280,7 @@ const std::vector<Jump> jumpsWhilePressed{
     {thickness, 100, 200, asLevel},
 };
 
-/// Differences remove what is far below the mode's frequency.
+/// Differences remove frequencies far below the mode's.
 double energyOfSteps(const std::vector<float>& samples) {
     double sum = 0;
     for (std::size_t n = 1; n < samples.size(); ++n)
@@ -345,7 +345,7 @@ TEST_CASE("A switch that the host moves while keys ring leaves no step") {
     }
 }
 
-TEST_CASE("A strike parameter that the host moves leaves what rings unchanged") {
+TEST_CASE("A strike parameter that the host moves leaves ringing sound unchanged") {
     for (const auto& jump : jumpsWhileRinging) {
         if (jump.heard != ofImpacts)
             continue;

@@ -87,7 +87,7 @@ TEST_CASE("An overlong block is cut, and every event keeps its sample") {
         CHECK(length <= BlockPieces::maximumSamples);
 }
 
-TEST_CASE("More events on one sample than fit a piece keep their sample and their order") {
+TEST_CASE("Events on one sample that overfill a piece keep their sample and their order") {
     constexpr int crowd = 3 * BlockPieces::maximumEvents + 5;
     for (const int stamp : {0, 100, 511}) {
         juce::MidiBuffer midi;
@@ -158,7 +158,7 @@ TEST_CASE("System messages are left out") {
     CHECK(result.notes == std::vector<std::pair<int, int>>{{6, 64}});
 }
 
-TEST_CASE("Events stamped outside their block move to its ends") {
+TEST_CASE("Events with a time outside their block move to its ends") {
     juce::MidiBuffer midi;
     midi.addEvent(note(60), -5);
     midi.addEvent(note(61), 900);
@@ -166,7 +166,7 @@ TEST_CASE("Events stamped outside their block move to its ends") {
     CHECK(result.notes == std::vector<std::pair<int, int>>{{0, 60}, {63, 61}});
 }
 
-TEST_CASE("Added events come first, at the first sample, and take room") {
+TEST_CASE("Added events come first, at the first sample, and count towards the limit") {
     juce::MidiBuffer midi;
     midi.addEvent(note(60), 0);
     const std::array added{MidiEvent{.sampleOffset = 0, .bytes = {0x90, 70, 90}},

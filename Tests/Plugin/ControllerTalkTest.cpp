@@ -45,7 +45,7 @@ TEST_CASE("A host's late echo of a controller change is ignored") {
     parameter.setValue(second);
     CHECK(parameter.getValue() == second);
 
-    // With nothing unreported it is no echo, and another value never is one.
+    // A value is an echo only if it was sent and a newer value is unreported.
     for (const float value : {first, second}) {
         parameter.setValue(value);
         CHECK(parameter.getValue() == value);
@@ -54,7 +54,7 @@ TEST_CASE("A host's late echo of a controller change is ignored") {
     parameter.setValue(0.125f);
     CHECK(parameter.getValue() == 0.125f);
     pollOften(processor);
-    CHECK(host.heard == std::vector{first, second}); // the host already knows its own value
+    CHECK(host.heard == std::vector{first, second}); // the host knows the value that it has set
     turn(20);
     pollOften(processor);
     CHECK(host.heard == std::vector{first, second, first});

@@ -35,7 +35,7 @@ TEST_CASE("Favourites are kept in the file, and another instance sees them") {
     CHECK(first.read() == Ids{"Bells/Ten.json"});
 }
 
-TEST_CASE("A damaged file has no favourites and is kept aside when new ones are written") {
+TEST_CASE("A damaged file has no favourites and is renamed when new ones are written") {
     for (const auto* damage : {"", "{", "[]", "7", R"({"format": 3})",
                                R"({"format": "idiophone-favourites", "presets": "all"})"}) {
         const auto file = freshFile();

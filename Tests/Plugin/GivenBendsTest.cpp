@@ -90,7 +90,7 @@ TEST_CASE("Zones and bend ranges set by MIDI are sent to the host only if they c
             instance.processor.poll();
     }
     const std::vector<std::pair<int, float>> once{{static_cast<int>(ParameterId::mpe), 1.0f}};
-    CHECK(host.heard == once); // the members' range was 48 already, the other range is the preset's
+    CHECK(host.heard == once); // the members' range was 48 before; the other is the preset's
     instance.processor.removeListener(&host);
 }
 
@@ -137,8 +137,7 @@ TEST_CASE("A restored state resets zones and bend ranges set by MIDI") {
     CHECK(configured.playBent() == fresh.playBent());
 }
 
-TEST_CASE(
-    "Zones and bend-range fractions that no parameter can hold stay until a parameter moves") {
+TEST_CASE("Zones and bend ranges that no parameter can hold are kept until a parameter moves") {
     Instance atOnce(testState()), later(testState());
     juce::MidiBuffer setup;
     give(setup, 1, zone, 6);
@@ -151,7 +150,7 @@ TEST_CASE(
     for (int block = 0; block < 10; ++block)
         later.send({});
     later.send({});
-    for (int block = 0; block < 4; ++block) // up to a grid point, like the other
+    for (int block = 0; block < 4; ++block) // up to a grid point, like the other processor
         atOnce.send({});
     CHECK(render(atOnce.processor, 9600, blockSize, notes) == later.playBent());
 }

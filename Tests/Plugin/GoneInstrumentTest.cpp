@@ -1,5 +1,5 @@
-// Messages pending between threads when their instrument goes. They must not act on another
-// instrument that is later placed at the same address.
+// Tests messages pending between threads when their instrument is destroyed. They must not act on
+// another instrument that is later placed at the same address.
 #include "Instrument/SilencedModes.h"
 #include "Plugin/ModeSilencer.h"
 #include "Plugin/SoundMonitor.h"
@@ -32,7 +32,7 @@ private:
     alignas(Instrument) std::byte storage[sizeof(Instrument)];
 };
 
-/// Returns a new instrument each time, on the same object.
+/// Returns a new instrument of the same object at each call.
 std::shared_ptr<const Instrument> keys() {
     static ObjectLibrary library;
     static const auto kept = library.add("plate", syntheticObject({440}));
@@ -85,7 +85,7 @@ std::shared_ptr<const Instrument> stageOf(std::size_t slots) {
 
 } // namespace
 
-TEST_CASE("A strike on an instrument that has gone does not reach another one at its address") {
+TEST_CASE("A strike on a destroyed instrument does not reach another one at its address") {
     OneAddress address;
     WindowEvents events;
     SurfaceHand hand(events);
@@ -95,7 +95,7 @@ TEST_CASE("A strike on an instrument that has gone does not reach another one at
     CHECK(player.silent());
 }
 
-TEST_CASE("Modes silenced in an instrument that has gone are heard in another one at its address") {
+TEST_CASE("Modes silenced in a destroyed instrument are heard in another one at its address") {
     OneAddress address;
     const auto like = keys();
     ModeSilencer silencer;
@@ -109,7 +109,7 @@ TEST_CASE("Modes silenced in an instrument that has gone are heard in another on
     CHECK(heard(address.place(*keys())));
 }
 
-TEST_CASE("Strikes of a scene that has gone are not kept for another one at its address") {
+TEST_CASE("Strikes of a destroyed scene are not kept for another one at its address") {
     OneAddress address;
     StageCapture capture;
     {
@@ -127,7 +127,7 @@ TEST_CASE("Strikes of a scene that has gone are not kept for another one at its 
     CHECK(capture.count() == 1);
 }
 
-TEST_CASE("The view of an instrument that has gone is not taken for another one at its address") {
+TEST_CASE("The view of a destroyed instrument is not taken for another one at its address") {
     OneAddress address;
     Handoff<Player> handoff;
     PlayerCrossfade sound(handoff);

@@ -141,7 +141,7 @@ TEST_CASE("Two hundred notes a second for 30 s stay bounded, and silence follows
     REQUIRE(processor.engineReport().notFinite == 0);
     CHECK(levelDb(0) > -60);
     INFO(levelDb(0) << " dB, " << levelDb(10) << " dB, " << levelDb(20) << " dB");
-    CHECK(std::abs(levelDb(10) - levelDb(0)) < 0.5); // nothing piles up or gets lost
+    CHECK(std::abs(levelDb(10) - levelDb(0)) < 0.5); // no notes or memory accumulate
     CHECK(std::abs(levelDb(20) - levelDb(10)) < 0.5);
     processor.view().parameters.change(ParameterId::letRing, 0);
     render(processor, 3 * static_cast<int>(rateHz), blockSize, {});
@@ -241,7 +241,7 @@ TEST_CASE("A plugin may be destroyed on a host thread while the message thread p
             juce::MidiBuffer program;
             program.addEvent(juce::MidiMessage::programChange(1, 9), 0);
             render(processor, 256, 256, program); // the next poll loads it
-            listener.isPolled.wait(false);        // that poll is still at work
+            listener.isPolled.wait(false);        // the poll is still running
         }
         isOver = true;
     });

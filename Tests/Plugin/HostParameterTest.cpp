@@ -70,7 +70,7 @@ TEST_CASE("A host that echoes a value changes no bit of it") {
     }
 }
 
-TEST_CASE("Values that are not numbers or out of range land inside the range") {
+TEST_CASE("NaN and values out of range give a value inside the range") {
     for (const auto& info : parameterTable()) {
         HostParameter parameter(info);
         INFO(info.id);

@@ -42,7 +42,8 @@ TEST_CASE("Bytes that are no state change nothing and are reported") {
     CHECK(parts.session.takeStatus().sentence == "The saved state is not one of Idiophone's.");
 }
 
-TEST_CASE("A program of the host counts as its load, one of MIDI keeps the sound before") {
+TEST_CASE("A program chosen by the host counts as a host load; one chosen by MIDI keeps the "
+          "previous sound") {
     HostParts parts;
     parts.hosted.chooseProgram(1);
     CHECK(parts.session.program() == 1);

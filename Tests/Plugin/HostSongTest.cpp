@@ -136,7 +136,7 @@ TEST_CASE("A bounce equals the live sound at the same song position") {
     CHECK((bounce.passFrom(4, chords()) == heard));
 }
 
-TEST_CASE("Without a song position or while stopped, the strike counter runs on") {
+TEST_CASE("Without a song position, or while the host is stopped, the strike counter runs on") {
     const bool tellsPlace = GENERATE(true, false);
     CAPTURE(tellsPlace);
     PlayedSong played, alone;
@@ -169,7 +169,7 @@ TEST_CASE("A pass that starts while something rings strikes at the same points a
             most = std::max(most, std::abs(both.left[i] - ring.left[i] - first.left[i]));
         return most / loudest(first);
     };
-    CHECK(farthest(16) < 0.2); // not 0, as other faint modes are dropped while something rings
+    CHECK(farthest(16) < 0.2); // not 0, because ringing sound changes which faint modes are dropped
     CHECK(farthest(17) > 0.4);
 }
 
@@ -289,8 +289,8 @@ TEST_CASE("A pass goes on through changes of tempo and block size and through em
     CHECK_FALSE(goesOn(6.6, samplesPerBeat)); // expected: 7
 }
 
-TEST_CASE(
-    "A song position that stands still is ignored: strikes count on, the motor follows the tempo") {
+TEST_CASE("A song position that stands still is ignored: strikes count on, and the motor follows "
+          "the tempo") {
     Song song;
     HostTransport transport;
     song.plays = true;

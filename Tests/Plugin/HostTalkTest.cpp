@@ -97,7 +97,7 @@ TEST_CASE("A program change in real time loads at the next poll of the message t
     }
 }
 
-TEST_CASE("Offline only the callback loads the program, in real time only the message thread") {
+TEST_CASE("Offline only the callback loads the program, and in real time only the message thread") {
     Processor processor;
     processor.prepareToPlay(rateHz, blockSize);
     render(processor, blockSize, blockSize, programChange(2));
@@ -193,7 +193,7 @@ TEST_CASE(
     CHECK(processor.getCurrentProgram() == 0);
 }
 
-TEST_CASE("Other formats have as many programs as factory presets") {
+TEST_CASE("Formats other than VST3 have as many programs as factory presets") {
     Processor processor;
     CHECK(processor.getNumPrograms() == static_cast<int>(factoryPresets().size()));
     restore(processor, testState());
@@ -239,15 +239,15 @@ TEST_CASE("While no callbacks come, strikes and scrapes are ignored, but release
     const auto soundFor = [&](double seconds, const juce::MidiBuffer& midi = {}) {
         return loudest(render(processor, static_cast<int>(seconds * rateHz), blockSize, midi));
     };
-    const auto ringsOn =
-        [&] { // another channel taps the key: its bar rings on only if somebody holds it
-            juce::MidiBuffer tap;
-            tap.addEvent(juce::MidiMessage::noteOn(2, key, juce::uint8{100}), 0);
-            tap.addEvent(juce::MidiMessage::noteOff(2, key), 100);
-            const float tapped = soundFor(0.1, tap);
-            soundFor(1);
-            return soundFor(0.1) > 0.05f * tapped;
-        };
+    // Another channel taps the key. The bar then rings on only if some channel holds the key.
+    const auto ringsOn = [&] {
+        juce::MidiBuffer tap;
+        tap.addEvent(juce::MidiMessage::noteOn(2, key, juce::uint8{100}), 0);
+        tap.addEvent(juce::MidiMessage::noteOff(2, key), 100);
+        const float tapped = soundFor(0.1, tap);
+        soundFor(1);
+        return soundFor(0.1) > 0.05f * tapped;
+    };
     const auto pause = [&] {
         waitUntil([&] { return !processor.windowSession().instrument.isProcessing(); },
                   [&] { processor.poll(); });
@@ -270,7 +270,8 @@ TEST_CASE("While no callbacks come, strikes and scrapes are ignored, but release
     }
 }
 
-TEST_CASE("The message thread shows a program that another thread chose, after its values") {
+TEST_CASE("If another thread chooses a program, the message thread reports its values and then the "
+          "program") {
     struct Host final : juce::AudioProcessorListener {
         void audioProcessorParameterChanged(juce::AudioProcessor*, int, float) override {
             valuesSent += juce::MessageManager::existsAndIsCurrentThread() ? 1 : 0;

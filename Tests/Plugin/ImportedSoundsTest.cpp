@@ -314,7 +314,7 @@ TEST_CASE("Keys strike along a path drawn by hand") {
     CHECK(strikePath().size() == 1000);
 }
 
-TEST_CASE("After an import the mallet stays, and the material becomes the object's own") {
+TEST_CASE("An import keeps the mallet, and the material becomes the object's own") {
     Processor processor;
     auto state = testState();
     state.parameters.set(ParameterId::mallet, firstRackMallet + 3);
@@ -332,7 +332,7 @@ TEST_CASE("After an import the mallet stays, and the material becomes the object
           customMaterial);
 }
 
-TEST_CASE("A preset chosen during an import stays") {
+TEST_CASE("A preset chosen during an import is kept") {
     Processor processor;
     processor.view().workshop.openFile(smallPlateFile("plate.obj", 1));
     processor.setCurrentProgram(4);
@@ -364,7 +364,7 @@ TEST_CASE("A processor can be destroyed while its workshop works, without a mess
     }
 }
 
-TEST_CASE("A state that the host loads while an object is prepared is not replaced by it") {
+TEST_CASE("A state that the host loads during an import is not replaced by the imported object") {
     const auto file = smallPlateFile("raced.obj", 1);
     const auto bytes = encodeState(testState());
     for (int part = 0; part < 10; ++part) {
@@ -397,7 +397,7 @@ TEST_CASE("A state that the host loads while an object is prepared is not replac
     }
 }
 
-TEST_CASE("Automation during an import, a change of keys or a mutation stays") {
+TEST_CASE("Automated values are kept after an import, a change of keys or a mutation") {
     Processor processor;
     processor.prepareToPlay(48000, blockSamples);
     open(processor, smallPlateFile("automated.obj", 1));

@@ -48,7 +48,7 @@ State soundOf(const std::string& folder, double levelDb, double roomPercent) {
     return state;
 }
 
-/// Returns the peak of a strike of one sound by itself.
+/// Returns the peak of a strike with one sound alone.
 float aloneWhere(const std::function<void(Processor&)>& load) {
     Processor processor;
     load(processor);
@@ -68,7 +68,7 @@ int programOf(const std::string& name) {
     return program;
 }
 
-/// 3 dB, for beats and the room.
+/// The margin of 3 dB is for beats and the room.
 constexpr float margin = 1.4f;
 
 } // namespace

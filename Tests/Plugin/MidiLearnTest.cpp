@@ -44,7 +44,7 @@ TEST_CASE("The next controller on any channel is learned and moves the parameter
     CHECK(processor.view().parameters.value(density) == Approx(parameterInfo(density).minimum));
 }
 
-TEST_CASE("A forgotten controller moves nothing, nor does one after learning was stopped") {
+TEST_CASE("A forgotten controller, or one that arrives after learning has stopped, moves nothing") {
     Processor processor;
     processor.prepareToPlay(48000, 64);
     auto& learn = processor.windowSession().controllers;
@@ -62,7 +62,7 @@ TEST_CASE("A forgotten controller moves nothing, nor does one after learning was
     CHECK(processor.view().parameters.value(density) == moved);
 }
 
-TEST_CASE("Bank selection and channel modes are not learned, as hosts send them unasked") {
+TEST_CASE("Bank selection and channel modes are not learned, because hosts send them unasked") {
     Processor processor;
     processor.prepareToPlay(48000, 64);
     auto& learn = processor.windowSession().controllers;

@@ -79,7 +79,7 @@ TEST_CASE("A sound that is not finite becomes silence and is reported, and the n
     CHECK(loudest(render(processor, blockSize, blockSize, struck(badNote))) == 0);
     CHECK(processor.engineReport().notFinite == 1);
     CHECK(loudest(render(processor, 4800, blockSize, {})) == 0);
-    CHECK(processor.engineReport().notFinite == 1); // the player has started anew
+    CHECK(processor.engineReport().notFinite == 1); // the player has started again
     CHECK(loudest(render(processor, 4800, blockSize, struck(goodNote))) > 0.05f);
     CHECK(processor.engineReport().notFinite == 1);
 

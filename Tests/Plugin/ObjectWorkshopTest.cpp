@@ -106,7 +106,7 @@ TEST_CASE("A file without a usable object is refused in a sentence that names it
     }
 }
 
-TEST_CASE("Impossible settings are refused in a sentence, and the mesh stays for other settings") {
+TEST_CASE("Impossible settings are refused in a sentence, and other settings can use the mesh") {
     ObjectWorkshop workshop;
     workshop.open(smallPlateFile("plate.obj", 1), {.thicknessMetres = -1});
     CHECK(productsOf(workshop).empty());
@@ -125,7 +125,7 @@ TEST_CASE("Impossible settings are refused in a sentence, and the mesh stays for
     CHECK_THAT(workshop.status().error, ContainsSubstring("Finite elements need a body to fill"));
 }
 
-TEST_CASE("Another analysis works without the file and takes its own material and thickness") {
+TEST_CASE("A second analysis works without the file, with its new unit, material and thickness") {
     const auto file = smallPlateFile("gone.obj", 1);
     ObjectWorkshop workshop;
     workshop.open(file, {});
@@ -172,7 +172,7 @@ TEST_CASE("A job cancelled at once makes nothing, and the next job works") {
     CHECK(workshop.status().stage == ImportStage::done);
 }
 
-TEST_CASE("A finished product that was not fetched is discarded by a cancel") {
+TEST_CASE("A cancellation discards a finished product that was not fetched") {
     ObjectWorkshop workshop;
     workshop.open(smallPlateFile("plate.obj", 1), {});
     waitUntil([&] { return !workshop.status().isWorking(); });
@@ -199,7 +199,7 @@ TEST_CASE("If a second job follows quickly, only its products arrive") {
     }
 }
 
-TEST_CASE("A workshop can close at any stage of its work") {
+TEST_CASE("A workshop can be destroyed at any stage of its work") {
     const auto file = meshFile("ball.obj", icosphereMesh(0.1, 4));
     for (const double progress : {0.0, 0.01, 0.03, 0.1}) { // 0.1 is in the preview
         ObjectWorkshop workshop;

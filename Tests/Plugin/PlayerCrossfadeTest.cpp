@@ -130,7 +130,7 @@ TEST_CASE("A new player that is struck at once sounds from its first sample with
     CHECK(loudest(output) > 0.001f);
 }
 
-TEST_CASE("A second change during a fade lets the first sound fade on") {
+TEST_CASE("A second change during a fade does not stop the first sound's fade") {
     Ringing once, twice;
     once.sound.changeTo(testPlayer("other").release(), values);
     twice.sound.changeTo(testPlayer("other").release(), values);

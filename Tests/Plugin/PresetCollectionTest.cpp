@@ -106,7 +106,7 @@ TEST_CASE("A preset saved while foreign objects play opens later and elsewhere")
     REQUIRE(shelf.loadPreset("Found/Stones.json"));
     CHECK(firstSecond(processor) == expected);
 
-    // A project saved from it does not need the preset any more.
+    // A project saved from the preset does not need the preset any more.
     const auto project = saved(processor);
     CHECK(project.find(user.folder().string()) == std::string::npos);
     std::filesystem::remove_all(user.folder() / "Presets");
@@ -141,7 +141,7 @@ TEST_CASE("A folder made by idiophone tune plays from inside the preset folder")
         CHECK(processor.soundSession().instrument()->hasOwn(note) == (note == 60 || note == 61));
 }
 
-TEST_CASE("A preset saved with loudness matching is as loud when it is loaded") {
+TEST_CASE("A preset saved with loudness matching is equally loud when it is loaded") {
     const UserSettings user;
     Processor processor;
     restore(processor, testState());
@@ -181,7 +181,7 @@ TEST_CASE("A matched gain beyond the maximum level is kept when a preset is load
     CHECK(other.view().parameters.value(level) == 20);
     CHECK_FALSE(shelf.soundIsChanged());
     CHECK(firstSecond(other) == expected);
-    // It survives another save. Once the level parameter suffices, that takes over the gain.
+    // The gain survives another save. Once the level parameter suffices, it replaces the gain.
     REQUIRE(shelf.saveChosenPreset());
     Processor third;
     REQUIRE(third.view().presets.loadPreset("Loud.json"));
@@ -206,7 +206,7 @@ TEST_CASE("Saving never cuts ringing sound") {
     CHECK(render(processor, 4800, 480, {}) == render(untouched, 4800, 480, {}));
 }
 
-TEST_CASE("Renaming a sound leaves automation alone") {
+TEST_CASE("Renaming a sound keeps automated values") {
     const UserSettings user;
     Processor processor;
     AutomatedHolder holder(processor, ParameterId::width);

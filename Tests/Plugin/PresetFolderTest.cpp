@@ -359,9 +359,8 @@ TEST_CASE("Random files in the folder never crash the reader") {
             damaged[random() % damaged.size()] = static_cast<char>(random());
         root.createDirectory();
         root.getChildFile("f" + juce::String(i) + ".json")
-            .replaceWithData(
-                damaged.data(),
-                1 + random() % damaged.size()); // at least one byte, as none would delete the file
+            .replaceWithData(damaged.data(),
+                             1 + random() % damaged.size()); // zero bytes would delete the file
     }
     CHECK(folder.read().size() == 200);
 }

@@ -77,7 +77,7 @@ TEST_CASE("A foreign object is written once and comes back byte for byte") {
     REQUIRE(built);
     CHECK(sameObjects(*built->instrument, *played.instrument));
     CHECK(built->instrument->keyMap() == *stored);
-    // Saving it again gives the same file.
+    // Saving the objects again gives the same file.
     CHECK(writePresetObjects(*stored, *built->instrument, folder).value() == *stored);
     CHECK(objectFiles(folder) == 1);
 }
@@ -130,7 +130,7 @@ TEST_CASE("A moved preset folder opens with its objects, and instances share the
     CHECK(first->instrument->slots()[0].object == second->instrument->slots()[0].object);
 }
 
-TEST_CASE("A damaged object is an error that names it, a missing one is replaced and named") {
+TEST_CASE("A damaged object is an error that names it, and a missing one is replaced and named") {
     const auto folder = freshFolder();
     const auto played = bowl("bowl.obj", 300);
     const auto stored = writePresetObjects(played.keyMap, *played.instrument, folder).value();

@@ -82,7 +82,7 @@ TEST_CASE("A preset that another window has saved is not overwritten without con
         // A rename does not lift the refusal.
         REQUIRE(otherShelf.renamePreset("Bell.json", "Gong"));
         CHECK_FALSE(otherShelf.saveChosenPreset());
-        // A confirmation lifts it, and so does a load or a kept audition.
+        // A confirmation, a load or a kept audition lifts the refusal.
         switch (GENERATE(0, 1, 2)) {
         case 0:
             REQUIRE(otherShelf.savePreset(called("Gong"), true));
@@ -158,7 +158,7 @@ TEST_CASE("A save overwrites only the file version that the current sound came f
         checkRefused();
         two.windowSession().history.redo();
         checkSaved(7);
-        // The file now has the other window's change, which the older sound does not know.
+        // The file now has the other window's change, which the older sound lacks.
         theirs = user.read("Presets/Bell.json");
         two.windowSession().history.undo();
         checkRefused();
@@ -222,7 +222,7 @@ TEST_CASE("A preset that was read but did not play is not overwritten") {
     CHECK(user.read("Presets/Bell.json") == theirs);
 }
 
-TEST_CASE("Sounds kept in this window follow its saves and renames") {
+TEST_CASE("After a save or rename, the sounds of A/B and undo belong to the saved preset") {
     const UserSettings user;
     using enum ParameterId;
     Processor processor;

@@ -53,7 +53,7 @@ TEST_CASE("A bounce of every factory preset except scenes equals its real-time s
     }
 }
 
-TEST_CASE("Every sample rate from 8 to 384 kHz sounds and stays finite") {
+TEST_CASE("At every sample rate from 8 to 384 kHz the output sounds and is finite") {
     for (const double rateHz : {8000, 11025, 22050, 44100, 48000, 88200, 96000, 192000, 384000}) {
         const auto output = renderedSong(512, false, rateHz);
         INFO(rateHz << " Hz");
@@ -155,7 +155,7 @@ TEST_CASE("Events in a block without samples sound in the next block") {
 }
 
 TEST_CASE("Five thousand events on one sample are all played") {
-    // 4999 wheel moves come before the note. It must sound with the last wheel position.
+    // 4999 wheel moves come before the note. The note must sound with the last wheel position.
     juce::MidiBuffer crowded, sparse;
     for (int i = 0; i < 4999; ++i)
         crowded.addEvent(juce::MidiMessage::pitchWheel(1, i), 511);
@@ -173,7 +173,7 @@ TEST_CASE("Five thousand events on one sample are all played") {
     CHECK(outputs[0] == outputs[1]);
 }
 
-TEST_CASE("Automation of every parameter to both ends stays finite") {
+TEST_CASE("Automation of every parameter to both ends leaves the output finite") {
     Processor processor; // its channels differ
     processor.prepareToPlay(48000, 256);
     const auto midi = testMusic(256, 64, processor.view().instrument.keyRange());

@@ -1,4 +1,4 @@
-// States are saved and restored exactly, at once and without harm.
+// Tests that states are saved and restored exactly, even while audio runs.
 #include "Plugin/FactoryPrograms.h"
 #include "Plugin/RestoredSound.h"
 #include "Support/ImportedFiles.h"

@@ -86,7 +86,7 @@ TEST_CASE("A key pressed while the host is notified of a new preset is struck on
     CHECK((played(Struck::asSoonAsLoaded) == expected));
 }
 
-TEST_CASE("Until the new sound is there, the former one plays on with its own values") {
+TEST_CASE("Until the new sound is ready, the former one plays on with its own values") {
     if (!realTimeTrapWorks())
         SKIP("nothing can be done at allocations here");
     auto other = testState("other", 1.5);
@@ -164,7 +164,7 @@ TEST_CASE("A key waits for its program through a reset and another prepare") {
     }
 }
 
-TEST_CASE("A program change answered before the host prepared again strikes nothing later") {
+TEST_CASE("A program change that loads before a second preparation strikes no key later") {
     Processor processor;
     processor.prepareToPlay(rateHz, blockSize);
     render(processor, blockSize, blockSize, programChange(vibraphone));
@@ -193,7 +193,7 @@ TEST_CASE("If a program cannot be built, keys that already sound are not struck 
             CHECK(processor.getCurrentProgram() == 0);
         }
         sound.append(render(processor, 24000, blockSize, {}));
-        if (asks) { // nor later
+        if (asks) { // a failed program is not loaded later either
             processor.setCurrentProgram(vibraphone);
             render(processor, 96000, blockSize, {}); // the room rings on
             CHECK(loudest(render(processor, 4800, blockSize, {})) == 0);
@@ -385,7 +385,8 @@ TEST_CASE(
         CHECK(loaded(allocations / part, program).second == moved);
 }
 
-TEST_CASE("Undo after a program change restores the values before it, not those set behind it") {
+TEST_CASE(
+    "Undo after a program change restores the values from before the change, not later ones") {
     constexpr int volume = 7, program = 3;
     Processor processor;
     processor.prepareToPlay(rateHz, blockSize);

@@ -49,7 +49,7 @@ void play(WatchedHost& host, const juce::MidiBuffer& midi, int samples, int bloc
     }
 }
 
-/// Smallest accepted peaks. Low, because some presets are faint.
+/// The smallest accepted peaks are low, because some presets are faint.
 constexpr float leastStruck = 0.003f, leastPressed = 1e-5f, leastOfStage = 1e-4f;
 
 float loudestOfBlock(WatchedHost& host) {
@@ -104,8 +104,7 @@ TEST_CASE("No factory preset allocates, locks or calls the system, whatever note
         const auto music = testMusic(512, 30, host.processor.view().instrument.keyRange());
         for (int block = 0; block < 40; ++block)
             host.block(music, 512);
-        if (!host.processor.view()
-                 .stage.hasStage()) // its worker needs time; the next test waits for it
+        if (!host.processor.view().stage.hasStage()) // the next test covers scenes
             host.checkHeard(leastStruck);
     }
 }
@@ -136,7 +135,7 @@ TEST_CASE("Strikes, scrapes and rolls with every controller stay real-time safe 
     for (int program = 0; program < host.processor.getNumPrograms(); ++program) {
         host.choose(program);
         if (host.processor.view().stage.hasStage())
-            continue; // its bodies make their own contacts
+            continue; // bodies of a scene make their own contacts
         const auto midi = heldKeys(host.processor.view().instrument.keyRange());
         for (const auto& way :
              {Way{strikeContact, 0, leastStruck}, Way{scrapeContact, 0, leastPressed},
@@ -218,7 +217,7 @@ TEST_CASE(
     for (int program = 0; program < host.processor.getNumPrograms(); ++program) {
         host.choose(program);
         const bool isStage =
-            host.processor.view().stage.hasStage(); // notes would start the scene anew
+            host.processor.view().stage.hasStage(); // notes would start the scene again
         const auto music = isStage
                                ? juce::MidiBuffer()
                                : testMusic(512, 60, host.processor.view().instrument.keyRange());

@@ -154,7 +154,7 @@ TEST_CASE("The real-time trap catches planted system calls in a callback") {
     CHECK(systemCalls([] { std::this_thread::yield(); }) > 0);
     CHECK(systemCalls([] { ::close(::open("/dev/null", O_WRONLY)); }) > 0);
     std::atomic<int> number{0};
-    CHECK(systemCalls([&] { number.notify_all(); }) == 0); // nobody waits, so no call
+    CHECK(systemCalls([&] { number.notify_all(); }) == 0); // no thread waits, so no call
     const auto written = systemCalls([] { ::write(-1, "", 0); });
     CHECK(written > 0);
 }

@@ -1,6 +1,6 @@
-// Counts allocations, locks and system calls of the code under test. Can also deny it memory or
-// threads. Works on Linux with glibc, but not under the sanitizers, which replace the same
-// functions.
+// Counts allocations, locks and system calls of the code under test. Can also deny that code
+// memory or threads. Works on Linux with glibc, but not under the sanitizers, which replace the
+// same functions.
 #pragma once
 
 #include <cstddef>
@@ -44,7 +44,7 @@ public:
     ~MemoryLimit();
 };
 
-/// While it lives, this thread cannot start another. Needs `realTimeTrapWorks`.
+/// While this object lives, this thread cannot start another. Needs `realTimeTrapWorks`.
 class NoThreads {
 public:
     NoThreads();
@@ -53,9 +53,9 @@ public:
     ~NoThreads();
 };
 
-/// While it lives, calls `each` at every allocation and release of this thread, except those of
-/// `each` itself. It stands for another thread that acts at many reproducible moments. Needs
-/// `realTimeTrapWorks`.
+/// While this object lives, calls `each` at every allocation and release of this thread, except
+/// those of `each` itself. It stands for another thread that acts at many reproducible moments.
+/// Needs `realTimeTrapWorks`.
 class AtAllocations {
 public:
     explicit AtAllocations(std::function<void()> each);

@@ -38,7 +38,7 @@ TEST_CASE("A state that cannot be restored changes nothing and gives one sentenc
         const auto status = processor.view().status.takeStatus();
         CHECK(status.isError);
         CHECK_THAT(status.sentence, ContainsSubstring(sentence));
-        processor.windowSession().history.undo(); // the steps stay too
+        processor.windowSession().history.undo(); // the steps are kept too
         CHECK(saved(processor) == encodeState(testState()));
         CHECK(firstBlock(processor) == expected);
         restore(processor, testState());

@@ -1,4 +1,4 @@
-// Presets and states with dropped objects.
+// Tests presets and states with dropped objects.
 #include "Plugin/PresetsAtHand.h"
 #include "Support/ImportedFiles.h"
 #include "Support/TestSound.h"
@@ -40,7 +40,7 @@ TEST_CASE("A preview cannot be saved in place of the final object") {
     CHECK_THAT(processor.soundSession().loadedSound().preset.description,
                ContainsSubstring("preview"));
     processor.view().workshop.cancelImport();
-    CHECK(shelf.savePreset(called("Block"), false)); // after the cancel it is the final object
+    CHECK(shelf.savePreset(called("Block"), false)); // after the cancel the object is final
 }
 
 TEST_CASE("An object with a very long name is saved in a state that opens again") {

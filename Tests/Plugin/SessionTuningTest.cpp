@@ -1,5 +1,5 @@
-// Effects of an MTS-ESP master on the keys. This program defines the client's functions itself, so
-// that it is its own session.
+// Tests how an MTS-ESP master tunes the keys. This program defines the client's functions itself,
+// so that it is its own session.
 #include "Plugin/RealTimeTrap.h"
 #include "Support/PoleFit.h"
 #include "Support/TestFolder.h"
@@ -28,7 +28,7 @@ struct Session {
     int clients = 0;
 } session;
 
-/// A session with a master while it lives.
+/// The session has a master while this object lives.
 struct Master {
     Master() { begin(true); }
     ~Master() { begin(false); }

@@ -91,7 +91,7 @@ TEST_CASE("An undone parameter is sent to the host as a gesture") {
     CHECK(listener.text == "(=)");
 }
 
-TEST_CASE("A state loaded during a gesture or an audition does no harm") {
+TEST_CASE("A state loaded during a gesture or an audition is not changed when either ends") {
     Processor processor;
     auto& history = processor.windowSession().history;
     processor.view().parameters.beginChange(density);
@@ -169,7 +169,7 @@ TEST_CASE("A mutation is one step, repeats with the same seed, and keeps the ins
     CHECK(valuesOf(processor) == once);
 }
 
-TEST_CASE("Compare, copy and mutate during an audition keep the auditioned preset first") {
+TEST_CASE("Compare, copy and mutate first keep the preset of an audition") {
     Processor processor;
     auto& variants = processor.view().variants;
     const auto audition = [&](std::size_t preset) {

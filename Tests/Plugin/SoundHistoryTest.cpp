@@ -218,7 +218,7 @@ TEST_CASE("An undone load plays the same objects as before and keeps the setup p
     CHECK(processor.getCurrentProgram() == 0);
 }
 
-TEST_CASE("The number of steps is bounded, and the newest stay") {
+TEST_CASE("The number of steps is bounded, and the newest steps are kept") {
     Processor processor;
     auto& history = processor.windowSession().history;
     for (int i = 0; i < 20000; ++i)

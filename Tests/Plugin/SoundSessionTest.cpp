@@ -28,7 +28,7 @@ TEST_CASE("A sound without an instrument does not play") {
     CHECK(parts.session.instrument() == nullptr);
 }
 
-TEST_CASE("A session that is not prepared hands over no player until it is") {
+TEST_CASE("A session hands over no player until it is prepared") {
     SessionParts parts;
     REQUIRE(parts.session.playSound(testSound()));
     CHECK(parts.takePlayer() == nullptr);
@@ -40,7 +40,8 @@ TEST_CASE("A session that is not prepared hands over no player until it is") {
     CHECK(parts.session.rateHz() == 44100);
 }
 
-TEST_CASE("A sound that differs in parameters goes on, unless its level changes by much") {
+TEST_CASE(
+    "A sound that differs only in parameters keeps its player, unless its level differs too much") {
     SessionParts parts;
     auto sound = testSound();
     parts.play(sound);
@@ -69,7 +70,7 @@ TEST_CASE("Changed parameters are set only while their sound plays") {
     CHECK(parts.parameters[density].exactValue() == 1234);
 }
 
-TEST_CASE("Key maps of one object keep its origin, another name does not") {
+TEST_CASE("Key maps of one object keep the sound's origin; another preset name does not") {
     SessionParts parts;
     auto sound = testSound();
     parts.play(sound);
@@ -84,7 +85,7 @@ TEST_CASE("Key maps of one object keep its origin, another name does not") {
     CHECK(parts.session.origin() == parts.session.number());
 }
 
-TEST_CASE("The status shows the sound, then the last error, and an output that was not finite") {
+TEST_CASE("The status shows the sound, and after an error or invalid output a sentence about it") {
     SessionParts parts;
     auto sound = testSound();
     sound.preset.description = "Thirteen bars.";

@@ -139,7 +139,7 @@ TEST_CASE("Watching leaves the sound bit-identical") {
     CHECK(frames <= 31);
 }
 
-TEST_CASE("A muted mode is silent and saved with the sound, a solo mode is not saved") {
+TEST_CASE("A muted mode is silent and saved with the sound, but a solo mode is not saved") {
     Prepared prepared;
     auto& processor = prepared.processor;
     const auto before = saved(processor);
@@ -175,7 +175,7 @@ TEST_CASE("A muted mode is silent and saved with the sound, a solo mode is not s
     CHECK(frame->modes[0].standing == ModeStanding::sounding);
 }
 
-TEST_CASE("Rebuilt players keep mutes and solo modes, another instrument does not") {
+TEST_CASE("Rebuilt players keep mutes and solo modes, but another instrument does not") {
     Prepared prepared;
     auto& processor = prepared.processor;
     processor.view().sound.muteMode(9, 0, true);
@@ -188,7 +188,7 @@ TEST_CASE("Rebuilt players keep mutes and solo modes, another instrument does no
     CHECK(frameAfter(processor, 9600, note(68))->modes[0].standing == ModeStanding::sounding);
 }
 
-TEST_CASE("An undo that brings a sound back does not bring its solo modes back") {
+TEST_CASE("An undo that restores a sound does not restore its solo modes") {
     Prepared prepared;
     auto& processor = prepared.processor;
     const bool prepares = GENERATE(false, true);

@@ -178,7 +178,8 @@ TEST_CASE("The impacts of a scene are captured as notes and as impulses") {
     CHECK(processor.view().status.takeStatus().isError);
 }
 
-TEST_CASE("A preset opens a scene file beside it, and opens again from a project elsewhere") {
+TEST_CASE(
+    "A preset finds a scene file in its folder, and a project elsewhere opens the same file") {
     const auto folder = testFolder() / "scene-preset";
     std::filesystem::create_directories(folder);
     std::ofstream(folder / "mine.json") << mine;
@@ -299,7 +300,8 @@ TEST_CASE("A missing file of a scene is named, and the rest of the state is rest
     restoreBytes(again, bytes);
     CHECK_FALSE(again.view().status.takeStatus().isError);
 
-    // A file that exists but cannot be used is an error, also a keyboard that names its own scene.
+    // A file that exists but cannot be used is an error, and so is a keyboard that names its own
+    // scene.
     for (const auto& text : {preset + R"(1}})", R"({"format":"idiophone-preset","version":1,)"
                                                 R"("name":"Bars","keyMap":{"kind":"scene",)"
                                                 R"("object":"mine.json"}})" +

@@ -56,7 +56,7 @@ TEST_CASE("A state reads back equal to the last bit and writes the same bytes ag
     }
 }
 
-TEST_CASE("Embedded objects come back byte for byte, whatever they contain") {
+TEST_CASE("Embedded objects are restored byte for byte, whatever they contain") {
     State state = testState();
     state.objects = {{.name = "empty bytes", .modal = {std::byte{0}}}};
     std::mt19937 random(3);
@@ -107,7 +107,7 @@ TEST_CASE("A preset in a state may lack a name, and its overlong texts are cut")
     CHECK(*read == state);
 }
 
-TEST_CASE("A tuning file of the largest size comes back, whatever its bytes") {
+TEST_CASE("A tuning file of the largest size is restored, whatever its bytes") {
     auto state = testState();
     state.tuning.scale = {.name = "a.scl",
                           .text = std::string(ScalaTuning::largestFileBytes, '\xe9')};
@@ -116,7 +116,8 @@ TEST_CASE("A tuning file of the largest size comes back, whatever its bytes") {
     CHECK(encodeState(*read) == encodeState(state));
 }
 
-TEST_CASE("A missing parameter gets its default, one out of range the nearest valid value") {
+TEST_CASE(
+    "A missing parameter gets its default, and one out of range gets the nearest valid value") {
     const auto bytes = encodeState(testState());
     const auto without = parseState(replaced(bytes, "\"tune\":0.0,", ""));
     REQUIRE(without);

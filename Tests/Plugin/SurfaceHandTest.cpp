@@ -39,7 +39,7 @@ TEST_CASE("ownSlots lists every bar of a keyboard, but an object scaled to all k
               std::abs(std::log2(ring->slots()[slots[0]].sizeRatio)));
 }
 
-TEST_CASE("A strike reaches only the player of its instrument, at the place aimed at") {
+TEST_CASE("A strike reaches only the player of its instrument, at the aimed place") {
     const auto plate = instrumentOf("Steel Plate"), other = instrumentOf("Wok");
     WindowEvents events;
     SurfaceHand hand(events);
@@ -92,7 +92,7 @@ TEST_CASE("A lifted hand or a hand on another instrument starts a new drag") {
     Player onPlate(plate, sampleRateHz), onOther(other, sampleRateHz);
     play(events, &onOther);
     CHECK(onPlate.silent());
-    CHECK(peak(renderStereo(onOther, {}, 9600, 480).left) == 0); // the contact arrived and rests
+    CHECK(peak(renderStereo(onOther, {}, 9600, 480).left) == 0); // the contact rests
     hand.scrape(other, 0, {0.1, 0, 0.1}, 0);
     hand.scrape(other, 0, {-0.1, 0, 0.1}, 1);
     play(events, &onOther);

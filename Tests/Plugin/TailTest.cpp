@@ -59,7 +59,7 @@ TEST_CASE("The tail reported for a factory preset covers its decay and is at mos
     }
 }
 
-TEST_CASE("A key that resizes a bar lengthens the tail once it was played") {
+TEST_CASE("A key that resizes a bar lengthens the tail once the key has been played") {
     Processor processor;
     processor.setCurrentProgram(factoryProgram(factoryPresetId("Glockenspiel")));
     processor.prepareToPlay(rateHz, blockSize);

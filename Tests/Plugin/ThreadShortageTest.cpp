@@ -88,7 +88,7 @@ TEST_CASE("A scene without a thread for its bodies is refused, and the current s
     CHECK_FALSE(processor.view().status.takeStatus().isError);
 }
 
-TEST_CASE("A file without a thread to read it is refused, and opens once there is one") {
+TEST_CASE("Without a thread to read it, a file is refused; later the same file opens") {
     if (!realTimeTrapWorks())
         SKIP("threads cannot be made to fail here");
     const UserSettings user;

@@ -124,7 +124,7 @@ TEST_CASE("Scale and mapping open from separate files, one after the other") {
     CHECK(processor.view().tuning.tuningStatus().mappingFile == "from432.kbm");
 }
 
-TEST_CASE("A file that cannot be read leaves the tuning and is named in the status") {
+TEST_CASE("A file that cannot be read leaves the tuning unchanged and is named in the status") {
     Prepared instance;
     auto& processor = instance.processor;
     processor.view().tuning.openTuning(written("six.scl", sixSteps));
@@ -139,7 +139,7 @@ TEST_CASE("A file that cannot be read leaves the tuning and is named in the stat
     CHECK(saved(processor) == before);
 }
 
-TEST_CASE("A tuning stays through programs and is saved unchanged in the state") {
+TEST_CASE("Program changes keep the tuning, and the state saves it unchanged") {
     Prepared first, second;
     first.processor.view().tuning.openTuning(written("six.scl", sixSteps));
     first.processor.view().tuning.openTuning(written("from432.kbm", from432));
@@ -159,7 +159,7 @@ TEST_CASE("A tuning stays through programs and is saved unchanged in the state")
     CHECK(std::abs(cents(struckHz(second.processor, 440), 440)) < 0.5);
 }
 
-TEST_CASE("A state whose tuning cannot be read leaves the current sound") {
+TEST_CASE("A state whose tuning cannot be read leaves the current sound unchanged") {
     Prepared instance;
     const auto before = instance.processor.soundSession().loadedSound();
     auto state = testState();
@@ -280,7 +280,7 @@ TEST_CASE("A tuning by messages is not saved, and is reset by forgetTuning and b
         forget();
         CHECK(processor.view().tuning.tuningStatus().source == TuningStatus::Source::equal);
         CHECK(std::abs(cents(struckHz(processor, 440), 440)) < 0.5);
-        // The next message does not bring it back.
+        // The next message does not restore the forgotten tuning.
         CHECK(std::abs(cents(struckHz(processor, 440, &other), 440)) < 0.5);
         CHECK(processor.view().tuning.tuningStatus().source == TuningStatus::Source::messages);
     };

@@ -7,7 +7,7 @@ using namespace idiophone;
 using namespace idiophone::test;
 using Source = TuningStatus::Source;
 
-TEST_CASE("An opened scale tunes the player, can be undone, and is forgotten") {
+TEST_CASE("An opened scale tunes the player, can be undone, and can be forgotten") {
     SessionParts parts;
     parts.play();
     TuningSession tuning(parts, parts.session, parts.history);
@@ -33,7 +33,7 @@ TEST_CASE("An opened scale tunes the player, can be undone, and is forgotten") {
     CHECK(tuning.tuningStatus().source == Source::equal);
 }
 
-TEST_CASE("A file that is no scale leaves the tuning and is reported") {
+TEST_CASE("A file that is no scale leaves the tuning unchanged and is reported") {
     SessionParts parts;
     TuningSession tuning(parts, parts.session, parts.history);
     tuning.openTuning(writtenFile("bad.scl", "no scale"));

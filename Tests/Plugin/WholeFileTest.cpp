@@ -39,7 +39,7 @@ void checkRefused(const Outcome& outcome, const juce::File& file) {
     CHECK_THAT(outcome.error().message, EndsWith("."));
 }
 
-/// Counts all files below the folder, hidden ones too.
+/// Counts all files below the folder, including hidden ones.
 int files(const juce::File& folder) {
     return folder.findChildFiles(juce::File::findFiles, true).size();
 }
@@ -60,7 +60,7 @@ TEST_CASE("A file that cannot be written gives an error of one sentence with its
 
 #ifndef _WIN32
 
-TEST_CASE("A protected file stays, and a replaced file keeps its permissions and links") {
+TEST_CASE("A protected file is kept, and a replaced file keeps its permissions and links") {
     const auto folder = freshFolder();
     const auto file = folder.getChildFile("behind/file"), link = folder.getChildFile("link");
     const std::vector<std::byte> bytes(10), more(20);
@@ -101,7 +101,7 @@ rlim_t roomInBytes() {
 
 } // namespace
 
-TEST_CASE("A file and its folder are written completely, or the old file stays") {
+TEST_CASE("A file and its folder are written completely, or the old file is kept") {
     const auto folder = freshFolder();
     const auto file = folder.getChildFile("deeper/bytes");
     const auto write = [&](std::size_t count) {

@@ -82,7 +82,7 @@ TEST_CASE("Between threads notes arrive in order and without loss") {
     int seen = 0;
     bool isInOrder = true;
     for (bool isOver = false; !isOver;) {
-        isOver = isAllSent; // this round reads the last notes
+        isOver = isAllSent; // the last notes are read in this round
         events.read(nullptr, [&](const MidiEvent& event) {
             isInOrder =
                 isInOrder && event.bytes[1] == seen % 128 && event.bytes[2] == 1 + seen % 127;

@@ -122,7 +122,7 @@ TEST_CASE("Without a stage there is nothing to show, pause or capture") {
     CHECK(parts.session.takeStatus().isError);
 }
 
-TEST_CASE("A muted mode is a step of the history and reaches the player") {
+TEST_CASE("Muting a mode is a step of the history and reaches the player") {
     SessionParts parts;
     parts.play();
     const auto player = parts.takePlayer();

@@ -99,7 +99,7 @@ BodyTemplate surfaceKind() {
 
 } // namespace
 
-TEST_CASE("A ball falls through a round or flat ring and lands on its section and on a hull") {
+TEST_CASE("A ball falls through a round or flat ring, but not through its section or a hull") {
     const double radius = 0.05;
     const bool isRound = GENERATE(true, false);
     const auto object = isRound ? objectOf(torusMesh(radius, 0.005, 48, 12), "Steel")
@@ -143,7 +143,8 @@ TEST_CASE("A rolling cylinder keeps its speed") {
     const auto body = world.add(1, rolling);
     while (world.seconds() < 1)
         world.step();
-    // Contacts lag by a fraction of a step. This drives a rolling body by a thousandth of gravity.
+    // Contacts lag by a fraction of a step. The lag drives a rolling body by a thousandth of
+    // gravity.
     const auto motion = world.motion(body);
     CHECK_THAT(motion.velocity.x(), WithinAbs(speed, 0.03 * speed));
     CHECK_THAT(motion.spin.y(), WithinAbs(motion.velocity.x() / radius, 0.1));
@@ -219,7 +220,7 @@ TEST_CASE("A thin plate comes to rest even if it lies askew in its mesh") {
     CHECK_THAT(world.centre(plate).z(), WithinAbs(thickness / 2, 1e-4));
 }
 
-TEST_CASE("A body keeps falling through a ring of loose points with faces without area") {
+TEST_CASE("A body falls on through a ring with loose points and faces without area") {
     Mesh mesh{Eigen::MatrixXd{{0.012, 0.001, 0.001},
                               {-0.012, 0.002, 0.012},
                               {0.001, 0.012, -0.012},
@@ -347,7 +348,7 @@ TEST_CASE("The work of a body on a surface grows with the faces near it") {
     };
     const double ofBall = workOf(ballKind(ballRadius), ballRadius);
     CHECK(ofBall > 500);
-    CHECK(workOf(cubeKind(2), 1) > 50 * ofBall); // its real cost grows likewise
+    CHECK(workOf(cubeKind(2), 1) > 50 * ofBall); // its real cost grows in the same way
     floor = floorOf(withFaceAt(10'000, sheet));
     CHECK(workOf(ballKind(ballRadius), ballRadius) == ofBall);
 }

@@ -80,7 +80,7 @@ TEST_CASE("A resting body causes no impacts and presses with its weight") {
     world.add(0, at({0, 0, 0}));
     const auto cube = world.add(1, at({0, 0, 0.03}));
     impactsOf(world, 1, cube);
-    world.setVelocity(cube, {0, 0, 0}, {0, 0, 0}); // wakes it up
+    world.setVelocity(cube, {0, 0, 0}, {0, 0, 0}); // a new velocity wakes the body
     double impulse = 0;
     int impacts = 0;
     const double from = world.seconds();

@@ -170,7 +170,7 @@ TEST_CASE("Impacts are in order of time, whatever the intervals of the queries")
     }
 }
 
-TEST_CASE("Another seed gives another performance") {
+TEST_CASE("Another seed gives other motion") {
     auto scene = *findFactoryScene("Shells in a room");
     SceneSimulation one(assetsOf(scene));
     scene.seed += 1;
@@ -222,7 +222,7 @@ TEST_CASE("A hand taps with (1 + e) times its tool's momentum and rubs at its ow
     CHECK(std::abs(impacts[1].seconds - 0.25) < 1e-9);
     const auto& impulse = impacts[1].strike.impulseNewtonSeconds;
     CHECK(std::abs(std::hypot(impulse[0], impulse[1], impulse[2]) - 1.5 * tool * 2) < 1e-5);
-    CHECK(impulse[1] > 0); // into the wall that faces -y
+    CHECK(impulse[1] > 0); // +y points into the wall that faces -y
     const auto touching = std::ranges::find_if(
         motion.touches(), [](const TouchState& state) { return state.forceNewtons > 0.1; });
     REQUIRE(touching != motion.touches().end());

@@ -164,7 +164,7 @@ TEST_CASE("Any number of simultaneous impacts on one body sounds") {
     CHECK(many < 1.3 * 200 * one); // as impulses, whose spectrum extends further
 }
 
-TEST_CASE("A ball that rolls over ribs is 34 to 46 dB quieter than its bumps") {
+TEST_CASE("The rolling of a ball over ribs is 34 to 46 dB quieter than its impacts") {
     // Whether the ball rolls or hops at a time is chance. Average over starts 2 mm apart.
     double touched = 0, wholePower = 0, rolledPower = 0;
     for (int place = -4; place <= 4; ++place) {

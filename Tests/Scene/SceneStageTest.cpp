@@ -114,7 +114,7 @@ TEST_CASE("A scene instrument sounds the same for all block sizes and after a re
     CHECK(play(other, notes, 1.5, 37) == first);
 }
 
-TEST_CASE("In real time a stage sounds as offline if its simulation is waited for") {
+TEST_CASE("In real time a stage sounds as offline if the caller waits for the simulation") {
     const auto instrument = sceneInstrument("Cylinder off a table");
     const std::vector<Note> notes{{0, 60, 64}, {0.3, 60, 100}};
     Player offline(instrument, rate), player(instrument, rate);
@@ -126,7 +126,7 @@ TEST_CASE("In real time a stage sounds as offline if its simulation is waited fo
     CHECK(player.stage().lateEvents() == 0);
 }
 
-TEST_CASE("Impacts and contacts that are not waited for are late, are counted and sound") {
+TEST_CASE("Impacts and contacts that come late are counted and still sound") {
     auto scraped = *findFactoryScene("Bell under a hand");
     scraped.hand->taps.clear();
     for (auto& moment : scraped.hand->path)
@@ -160,7 +160,7 @@ TEST_CASE("Impacts and contacts that are not waited for are late, are counted an
     }
 }
 
-TEST_CASE("Keys of a scene without notes restart it") {
+TEST_CASE("Keys of a scene without notes restart the scene") {
     const auto instrument = sceneInstrument("Cylinder off a table");
     const double delay = instrument->stage()->delaySeconds();
     CHECK(delay > 0);
@@ -205,14 +205,14 @@ TEST_CASE("After All Sound Off, the next cylinder makes the table ring again") {
     CHECK(play(second, {{0, 60, 64}}, 0.5, 128) == expected);
 }
 
-TEST_CASE("Rolling before All Sound Off does not ring on under the next note") {
+TEST_CASE("Rolling before All Sound Off does not ring on during the next note") {
     Player player(sceneInstrument("Cylinder off a table"), rate);
     player.stage().setOffline(true);
     const auto before = play(player, {{0, 60, 100}}, 0.6, 128);
     std::vector<float> left(64), right(64);
     const std::vector<MidiEvent> next{{0, {0xb0, 120, 0}}, {0, {0x90, 60, 1}}};
     player.process({left, right}, next, {});
-    // Before the next cylinder lands, and after the delay to the ears.
+    // Listen before the next cylinder lands and after the delay to the ears.
     const auto after = play(player, {}, 0.06, 128);
     CHECK(tailLevel(after, 0.025) < 1e-4f * tailLevel(before, 0.5));
 }
@@ -276,7 +276,7 @@ TEST_CASE("The soft pedal slows the bodies that a note throws") {
     CHECK(softly != thrown(0, 100));
 }
 
-TEST_CASE("Bars without a note drop can be rolled over") {
+TEST_CASE("A stage without a note drop has a slot for each bar") {
     auto scene = *findFactoryScene("Dice on a xylophone");
     scene.noteDrop.reset();
     scene.kinds = {{.name = "ball", .object = "", .ball = SilentBall{0.01, "Steel"}}};
@@ -299,7 +299,7 @@ TEST_CASE("Every factory scene is an instrument") {
     }
 }
 
-TEST_CASE("A scene that takes too long to begin is refused with a sentence, and soon") {
+TEST_CASE("A scene that takes too long to begin is soon refused with a sentence") {
     const auto refusal = [](const Scene& scene) {
         const auto made =
             SceneStage::make(SceneAssets::make(scene, ObjectLibrary::shared()).value());

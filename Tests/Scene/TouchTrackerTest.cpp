@@ -71,7 +71,8 @@ Touch sliding(std::size_t first, std::size_t second, double newtons = 2) {
 
 } // namespace
 
-TEST_CASE("Force and speeds follow with a time constant of 4 ms, and the force fades likewise") {
+TEST_CASE(
+    "Force and speeds follow with a time constant of 4 ms, and the force fades in the same way") {
     Rig rig;
     const auto touch = sliding(0, 1);
     rig.follow({touch}, 8);
@@ -87,7 +88,7 @@ TEST_CASE("Force and speeds follow with a time constant of 4 ms, and the force f
 }
 
 TEST_CASE(
-    "A pair keeps its voice over a hop of less than 30 ms and starts anew after a longer one") {
+    "A pair keeps its voice over a hop of less than 30 ms and starts again after a longer one") {
     Rig rig;
     const auto touch = sliding(0, 1), other = sliding(3, 4);
     rig.follow({touch});
@@ -128,7 +129,7 @@ TEST_CASE("If there are more pairs than voices, the loudest get voices and keep 
     touches.push_back(loudest);
     rig.follow(touches, 10);
     CHECK(rig.of(loudest) == nullptr);
-    touches.erase(touches.end() - 2); // removes the loudest before it
+    touches.erase(touches.end() - 2); // the loudest of the earlier pairs ends
     rig.follow(touches, 40);
     CHECK(rig.of(loudest) != nullptr);
 }

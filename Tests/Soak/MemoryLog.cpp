@@ -12,7 +12,7 @@ namespace {
 constexpr double mostGrowthMebibytes = 64; // since the log's first hour
 constexpr double mostMebibytesPerHour = 1;
 // Presets and the allocator's reserves make hours differ by some ten mebibytes. So a slope counts
-// only from eight hours on, and if it exceeds this many of its own standard errors.
+// only after eight hours, and only if it exceeds its own standard error by this factor.
 constexpr int leastHours = 8, leastFreedom = 5;
 constexpr double leastErrors = 3;
 

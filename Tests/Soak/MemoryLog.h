@@ -10,7 +10,7 @@
 
 namespace idiophone::test {
 
-/// The first hours of a day use many players, the others one player that lives on.
+/// The first hours of a day use many players, the others a single player.
 constexpr int hoursPerDay = 24, shortLivedHours = 8; // 2^31 samples are 12.4 hours at 48 kHz
 constexpr int hourOfDay(int hour) {
     return (hour - 1) % hoursPerDay;
@@ -34,7 +34,7 @@ std::vector<LoggedHour> readHours(std::istream& log);
 
 /// Returns a sentence if memory grows: if the last hour has far more than the log's first, or if
 /// memory rises with the hours of each process. The second test fits one slope to all hours, with a
-/// separate level for each process and for each player that lives on; it compares the slope with
+/// separate level for each process and for each player of several hours. It compares the slope with
 /// its standard error.
 std::optional<std::string> growthOf(std::span<const LoggedHour> hours);
 

@@ -10,8 +10,8 @@ using Catch::Matchers::ContainsSubstring;
 
 namespace {
 
-/// Returns hours like seven measured ones of one process, repeated. The life of one player has a
-/// level of its own. Memory rises by `leak` with each hour of a process.
+/// Returns hours that repeat seven measured hours of one process. The hours of a single player
+/// have a level of their own. Memory rises by `leak` with each hour of a process.
 std::vector<LoggedHour> measured(int count, double leak, int hoursOfProcess = 1000) {
     constexpr std::array mebibytes{142, 162, 137, 165, 165, 164, 149};
     std::vector<LoggedHour> hours;
@@ -34,7 +34,7 @@ bool anyGrowth(const std::vector<LoggedHour>& hours) {
 
 } // namespace
 
-TEST_CASE("Hours that vary as measured count as no growth, in one process or many") {
+TEST_CASE("Memory that varies as in real hours counts as no growth, in one process or many") {
     CHECK_FALSE(anyGrowth(measured(7 * 24, 0)));
     CHECK_FALSE(anyGrowth(measured(7 * 24, 0, 4)));
     CHECK_FALSE(anyGrowth(measured(7 * 24, 0, 1)));

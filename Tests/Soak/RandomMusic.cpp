@@ -129,7 +129,7 @@ void RandomMusic::addControllers(juce::MidiBuffer& midi, int channel, int note, 
         midi.addEvent(juce::MidiMessage::aftertouchChange(channel, note, chance.below(128)), stamp);
         break;
     case 3: {
-        // The last two end a slide on any channel.
+        // The last two controllers end a slide on any channel.
         constexpr std::array controllers{1, 6, 38, 64, 66, 67, 74, 100, 101, 121, 120, 123};
         const int count = static_cast<int>(controllers.size()) - (slides ? 2 : 0);
         const int value = chance.below(128);

@@ -29,7 +29,7 @@ public:
 
     explicit RandomMusic(Chance& drawnFrom) : chance(drawnFrom) {}
 
-    /// Adds the events of a block in order of time, and notes pending releases.
+    /// Adds the events of a block in order of time, and records pending releases.
     void add(juce::MidiBuffer& midi, const Block& block, double expectedNotes);
 
     /// Holds a key of the last channel softly until the sample `end`. Meanwhile no other note is

@@ -28,7 +28,7 @@ void restoreState(Processor& processor, const std::string& state) {
     processor.setStateInformation(state.data(), static_cast<int>(state.size()));
 }
 
-/// Sets exact values; a host's would be rounded.
+/// Sets exact values; the values of a host would be rounded.
 void setToDefaults(Processor& processor) {
     for (const auto& info : parameterTable())
         processor.parameters()[info.parameter].changeByHand(info.defaultValue);

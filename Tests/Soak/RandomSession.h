@@ -18,7 +18,7 @@ double rmsLevel(const PlayedPhrase& phrase);
 class RandomSession {
 public:
     enum class Changes {
-        parameters, ///< by automation, on the audio thread: the player stays
+        parameters, ///< by automation, on the audio thread: the player is kept
         all         ///< also sounds, sample rates and resets, offline: no player lasts long
     };
     /// Prepares the processor for playing.
@@ -39,8 +39,8 @@ public:
     /// if silence does not follow soon, though only dampers end the sound.
     void settle();
 
-    /// Returns a struck phrase by the current player with all that it remembers. First resets
-    /// parameters, controllers and tuning.
+    /// Returns a struck phrase by the current player, after a reset of parameters, controllers and
+    /// tuning only.
     PlayedPhrase phrase();
     /// Return the phrase after a reset, and by a new player of the processor's first state.
     PlayedPhrase phraseAfterReset();

@@ -9,7 +9,8 @@
 using namespace idiophone;
 using namespace idiophone::test;
 
-TEST_CASE("Two random minutes with many players stay finite and leave silence and no change") {
+TEST_CASE(
+    "Two random minutes with many players give finite sound, end in silence and change nothing") {
     Processor processor;
     RandomSession session(processor);
     const auto first = session.phraseAnew();

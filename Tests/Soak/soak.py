@@ -80,7 +80,8 @@ class FuzzTarget:
         dictionary = ROOT / f"Tests/Fuzz/dictionaries/{self.name}.dict"
         output = KEPT / f"{self.name}.txt"
         with output.open("wb") as file:
-            # Its own session, so that only this script gets a stop signal, and passes it on.
+            # The program gets its own session, so that only this script gets a stop signal, and
+            # passes it on.
             process = subprocess.Popen(
                 [self.program, f"-max_total_time={seconds}", "-timeout=20", "-rss_limit_mb=2048",
                  "-print_final_stats=1", f"-artifact_prefix={findings}/{self.name}-",
@@ -99,8 +100,8 @@ class FuzzTarget:
 
 
 class Music:
-    """Hours of music in one processor; after each hour everything must be as before. Its rounds are
-    counted in these hours, which are its runs."""
+    """Hours of music in one processor; after each hour everything must be as before. Rounds and
+    runs are counted in these hours."""
 
     unit = "runs"
     name = "music"

@@ -1,8 +1,8 @@
 // Plays random music in one processor, faster than real time, hour by hour. The first hours of a
-// day change sounds and host settings, so that no player lasts long. The other hours are the life
-// of one player. After each hour the output must fall silent, a reference phrase must sound as at
-// first, and memory must not have grown over all hours of the log. Plays HOURS hours after the last
-// one in the log.
+// day change sounds and host settings, so that no player lasts long. The other hours use a single
+// player. After each hour the output must fall silent, a reference phrase must sound as at first,
+// and memory must not have grown over all hours of the log. Plays HOURS hours after the last one in
+// the log.
 //   soak_music LOG HOURS
 #include "Soak/MemoryLog.h"
 #include "Soak/RandomSession.h"
@@ -45,7 +45,7 @@ void check(bool holds, const std::string& fault) {
         throw std::runtime_error(fault);
 }
 
-/// Reference sounds of the player that lives on.
+/// Reference sounds of the player that is kept for all hours.
 struct Sounds {
     PlayedPhrase afterReset;
     double rms = 0, tremolo = 0;
@@ -101,7 +101,7 @@ private:
     RandomSession oneLife{processor, RandomSession::Changes::parameters};
     RandomSession manyLives{processor};
     const PlayedPhrase first = manyLives.phraseAnew();
-    std::optional<Sounds> life; ///< of the current player, if it is one that lives on
+    std::optional<Sounds> life; ///< of the current player, if it plays for hours
 };
 
 void soak(const std::string& log, int wantedHours) {

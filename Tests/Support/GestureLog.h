@@ -1,4 +1,4 @@
-// Logs what the host receives from a parameter: "(" and ")" for the begin and end of a gesture, "="
+// Logs what the host receives from a parameter: "(" and ")" for the start and end of a gesture, "="
 // for a value.
 #pragma once
 

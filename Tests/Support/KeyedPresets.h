@@ -7,7 +7,7 @@
 
 namespace idiophone::test {
 
-/// Returns them in the order of factoryPresets().
+/// Returns the presets that keys play, in the order of factoryPresets().
 inline auto keyedFactoryPresets() {
     return factoryPresets() | std::views::filter([](const Preset& preset) {
                return preset.keyMap.kind != KeyMapKind::scene;

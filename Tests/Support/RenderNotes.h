@@ -22,7 +22,7 @@ struct StereoSound {
     bool operator==(const StereoSound&) const = default;
 };
 
-/// Renders stereo; `events` are in order and stamped from the start of the stream.
+/// Renders stereo; `events` are in order, with times from the start of the stream.
 inline StereoSound renderStereo(Player& player,
                                 const std::vector<MidiEvent>& events,
                                 std::size_t samples,

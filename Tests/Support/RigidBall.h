@@ -5,7 +5,7 @@
 
 namespace idiophone::test {
 
-/// The left direction is straight above, the right one 60° from it.
+/// The left direction is straight above, and the right one 60° from it.
 inline ModalObject rigidBall(double radiusMetres, double densityKgPerM3) {
     auto object = syntheticObject({3170}, {0.0f});
     object.body = BodyKind::solid;

@@ -7,7 +7,7 @@
 
 namespace idiophone::test {
 
-/// Makes dispatch use this target while it lives, and the best one afterwards.
+/// While this object lives, dispatch uses this target. Afterwards it uses the best one.
 struct TargetInTurn {
     explicit TargetInTurn(std::int64_t target) {
         hwy::SetSupportedTargetsForTest(target);

@@ -69,7 +69,7 @@ inline void restoreBytes(Processor& processor, const std::string& bytes) {
     processor.setStateInformation(bytes.data(), static_cast<int>(bytes.size()));
 }
 
-/// Returns notes, releases, bends and pedals, stamped from 0 to `samples`; always the same ones.
+/// Returns notes, releases, bends and pedals at times from 0 to `samples`; always the same ones.
 inline juce::MidiBuffer testMusic(int samples,
                                   int spacing = 701,
                                   const InstrumentView::KeyRange& keys = {lowestTestNote,

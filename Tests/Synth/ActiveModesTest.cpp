@@ -30,7 +30,7 @@ TEST_CASE("ActiveModes mixes the strongest modes of a share and fades the others
     CHECK(parts.active.version() > version);
 }
 
-TEST_CASE("A survey keeps the ringing modes as long as a contact or a force asks for it") {
+TEST_CASE("A survey keeps the ringing modes as long as a contact or a force needs them") {
     ResonatorParts parts(fourModes());
     parts.ring();
     parts.active.setTau(2.5);

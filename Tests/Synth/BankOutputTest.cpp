@@ -5,7 +5,7 @@
 using namespace idiophone;
 using namespace idiophone::test;
 
-TEST_CASE("The damper multiplies a cell by its decay, and the logarithm follows its changes") {
+TEST_CASE("The damper multiplies a cell by its decay, and its logarithm follows changes") {
     ResonatorParts parts(ringingObject({440}, 0.1));
     parts.output.setDamping(50, 10);
     parts.output.setDamping(0, 30);
@@ -19,7 +19,7 @@ TEST_CASE("The damper multiplies a cell by its decay, and the logarithm follows 
     CHECK(std::abs(double(sound[0][63]) - std::exp(-50 * 63 / parts.sampleRateHz)) < 1e-6);
 }
 
-TEST_CASE("Discs take the tube's part out of the cell") {
+TEST_CASE("Discs remove the tube's part from the cell") {
     ResonatorParts parts(ringingObject({440, 880}, 0.1));
     BankOutput output(parts.bank, {0.25f, 0}, parts.sampleRateHz, parts.scratch);
     output.findTubeParts(parts.groups.starts());

@@ -159,7 +159,7 @@ TEST_CASE("A coupled mode raises the roll around its frequency by d/√((ω − 
         }
 }
 
-TEST_CASE("Coupled modes add as much as the coupling says, for any number and damping") {
+TEST_CASE("Coupled modes add the level that the coupling sets, for any number and damping") {
     const Surface surface{.resonFrequencyHz = 4000, .resonDampingPerSecond = 20000};
     const CoupledMode modes[] = {{400, 30}, {1000, 60}, {2500, 250}};
     auto scraping = contactOn(surface);
@@ -209,7 +209,7 @@ TEST_CASE("A contact without speed, without normal force or below the minimum sp
           ContactMotion{notANumber, 1}, ContactMotion{1, notANumber}, ContactMotion{}}) {
         CHECK(contact.render({0.5, 1}, cell));
         CHECK_FALSE(isSilent(cell));
-        CHECK(contact.render(still, cell)); // still moving within this cell
+        CHECK(contact.render(still, cell)); // the motion ends within this cell
         cell.fill(1);
         CHECK_FALSE(contact.render(still, cell));
         CHECK(isSilent(cell));
@@ -233,7 +233,8 @@ TEST_CASE("A contact begins and ends without a step") {
     }
 }
 
-TEST_CASE("The same calls give the same bits, and another seed another place on the surface") {
+TEST_CASE(
+    "The same calls give the same bits, and another seed gives another place on the surface") {
     const auto profile = profileOf(Surface{});
     const auto play = [&](std::uint64_t seed, bool resetFirst) {
         ContactForce contact(profile, seed);

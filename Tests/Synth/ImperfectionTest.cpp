@@ -44,7 +44,7 @@ TEST_CASE("Pairs are neighbours of equal frequency, except the modes that bar an
     CHECK(modePairs(shared, 3).size() == 1);
 }
 
-TEST_CASE("A pair splits by half to all of the imperfection for every seed") {
+TEST_CASE("For every seed a pair splits by 0.5 to 1 times the imperfection") {
     for (std::uint32_t seed = 0; seed < 50; ++seed) {
         const auto object = syntheticObject({200, 200});
         const auto pairs = modePairs(object, seed);

@@ -20,7 +20,7 @@ TEST_CASE("An object without settings keeps its reference conditions") {
     CHECK(live.frequencyRatio() == 1);
 }
 
-TEST_CASE("Eigenvalues follow Y/ρ, size and tuning; gains 1/mass; radiation frequency times size") {
+TEST_CASE("Eigenvalues, gains and radiation follow live material, size and tuning") {
     const auto own = syntheticObject({100}).material;
     SynthesisSettings settings;
     settings.material = LiveMaterial{.youngsModulusPa = 8 * own.youngsModulusPa,

@@ -36,7 +36,7 @@ double foundHz(std::span<const float> signal, double nearHz) {
 
 } // namespace
 
-TEST_CASE("At twice the thickness a membrane mode stays and a bending mode rises by an octave") {
+TEST_CASE("Twice the thickness keeps a membrane mode and raises a bending mode by an octave") {
     const auto output = rendered(shell(), 2);
     CHECK(foundHz(output, 300) == Approx(300).epsilon(1e-4));
     CHECK(foundHz(output, 2000) == Approx(2000).epsilon(1e-4));
@@ -53,7 +53,7 @@ TEST_CASE(
         REQUIRE(thinner[i] == Approx(2 * own[i]).margin(1e-6));
 }
 
-TEST_CASE("Modes that swap order as a shell thickens are struck clear of their periods") {
+TEST_CASE("When modes swap order as a shell thickens, contact times stay clear of their periods") {
     auto object = syntheticObject({200, 215});
     object.bending = {object.eigenvalues[0], 0};
     object.material.damping = {};
@@ -92,8 +92,8 @@ TEST_CASE("A thickness that moves and returns leaves the pitch unchanged") {
     CHECK(foundHz(output, 1000) == Approx(1000).epsilon(1e-4));
 }
 
-TEST_CASE("A slot that was silent while its thickness moved sounds as if it had started there") {
-    // Close modes, so that groups merge and split on the way.
+TEST_CASE("A slot that was silent while its thickness moved starts at the last thickness") {
+    // The modes are close, so that groups merge and split on the way.
     std::vector<double> hz;
     for (int k = 0; k < 60; ++k)
         hz.push_back(400 * std::pow(1.03, k));

@@ -58,8 +58,7 @@ TEST_CASE("The three damping laws sound like the closed form of their sum within
           }) < -110);
 }
 
-TEST_CASE(
-    "A loss factor that is set while a mode rings changes its decay from there without a step") {
+TEST_CASE("A loss factor that is set while a mode rings changes its decay without a step") {
     const auto object = structurallyDamped({1000}, 0);
     Synthesiser synthesiser({slotOf(object)}, sampleRate);
     auto settings = exactSettings();
@@ -92,7 +91,7 @@ TEST_CASE("A structurally damped mode bent up an octave decays twice as fast, wi
 }
 
 TEST_CASE(
-    "A structurally damped mode is dropped at t_c of eq. 14 with its own damping, to one cell") {
+    "A structurally damped mode is dropped within a cell of eq. 14's t_c for its own damping") {
     const double lossFactor = 0.01, hz = 2000;
     Synthesiser synthesiser({slotOf(structurallyDamped({hz}, lossFactor))}, sampleRate);
     auto settings = exactSettings();

@@ -75,7 +75,7 @@ TEST_CASE("A measured decay changes by the ratio of the laws in another material
     }
 }
 
-TEST_CASE("Decays equal to the law's sound like no measured decays, to rounding") {
+TEST_CASE("Measured decays equal to the law's sound like the law, to rounding") {
     auto object = syntheticObject({220, 1000, 1001, 5000});
     const auto plain = rendered(object, exactSettings());
     for (const double value : object.eigenvalues)

@@ -122,7 +122,7 @@ TEST_CASE("SIMD targets agree within -110 dB, and each repeats bit for bit") {
     }
 }
 
-TEST_CASE("Free motion is the same by cells, over any time and by samples within a cell") {
+TEST_CASE("Free motion is the same in cells, over any time and in samples within a cell") {
     const TargetInTurn turn(GENERATE(Catch::Generators::from_range(targetsHere())));
     const double damping = GENERATE(10.0, 5000.0, 30000.0);
     ModalBank bank(40, 1, 44100);
@@ -139,7 +139,7 @@ TEST_CASE("Free motion is the same by cells, over any time and by samples within
 }
 
 TEST_CASE(
-    "State increments start and finish between samples and join after whole ones, at any damping") {
+    "State increments start and end between samples and join at whole samples, at any damping") {
     const TargetInTurn turn(GENERATE(Catch::Generators::from_range(targetsHere())));
     const double damping = GENERATE(10.0, 5000.0, 30000.0);
     const double hz = GENERATE(30.0, 3000.0, 19000.0);
@@ -210,7 +210,7 @@ TEST_CASE("State increments of a contact much shorter than a period keep their p
     CHECK(std::abs(static_cast<double>(increments.y[0][0]) - left.y) < 1e-6);
 }
 
-TEST_CASE("The phase holds over hours of rest") {
+TEST_CASE("The phase stays exact over hours of rest") {
     ModalBank bank(1, 1, 48000);
     const double omega = 2 * std::numbers::pi * 15000.3;
     bank.movePoles(std::vector<double>{omega * omega}, {}, 20, 20000);
@@ -357,7 +357,7 @@ public:
         return true;
     }
 
-    /// Compares mode by mode, as adding up all modes would round.
+    /// Compares mode by mode, because adding up all modes would round.
     bool soundAlike() {
         for (std::size_t g = 0; g < count; ++g) {
             std::array<std::array<float, cellSize>, 2 * channels> output{};

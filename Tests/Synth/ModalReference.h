@@ -22,7 +22,7 @@ namespace idiophone::test {
 struct ReferenceMode {
     double stiffness = 0; ///< λ
     double damping = 0;   ///< γ + χ √λ + η λ
-    /// g / m. The imaginary part hears v̇ + α v over the damped frequency.
+    /// g / m. The imaginary part gives v̇ + α v over the damped frequency.
     std::complex<double> residue = 0;
 };
 
@@ -44,7 +44,7 @@ referenceMode(const Material& material, double frequencyHz, std::complex<double>
 }
 
 /// Returns the sound `seconds` after a unit impulse: eq. 6 for ω±, eq. 10 for c, eq. 11 for v. The
-/// imaginary part of the residue hears v̇ + α v, without the impulse itself.
+/// imaginary part of the residue gives v̇ + α v, without the impulse itself.
 inline double impulseVelocity(const ReferenceMode& mode, double seconds) {
     if (seconds < 0)
         return 0;
@@ -95,7 +95,7 @@ inline double pulseVelocity(const ReferenceMode& mode,
                        impulseVelocity(mode, seconds - at);
             }
     if (mode.residue.imag() != 0 && seconds < contactSeconds) {
-        // The force itself, as an impulse makes v̇ jump.
+        // Add the force itself, because an impulse makes v̇ jump.
         const double alpha = mode.damping / 2;
         sum += mode.residue.imag() / std::sqrt(mode.stiffness - alpha * alpha) *
                (1 - std::cos(omega * seconds)) / contactSeconds;

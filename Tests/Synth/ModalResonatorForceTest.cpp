@@ -43,7 +43,7 @@ struct Scraped {
 };
 
 /// Applies a random force for `cells` cells, then as many cells of silence. The contact moves from
-/// one place to the other and back, or it stays.
+/// one place to the other and back, or does not move.
 Scraped scrape(const ModalObject& object, int cells, bool moving, double damping, double tau) {
     Synthesiser synthesiser({slotOf(object)}, sampleRate);
     SynthesisSettings settings = exactSettings();
@@ -70,8 +70,8 @@ Scraped scrape(const ModalObject& object, int cells, bool moving, double damping
     return result;
 }
 
-/// The same in double precision: an impulse at each sample, residues in steps of a sub-block. Half
-/// of an impulse sounds at its own sample, and a constant force is silent.
+/// Computes the force's sound in double precision: an impulse at each sample, residues in steps of
+/// a sub-block. Half of an impulse sounds at its own sample, and a constant force is silent.
 std::vector<double>
 reference(const ModalObject& object, const Scraped& scraped, bool moving, double damping) {
     const std::size_t modes = object.modeCount();
@@ -89,7 +89,7 @@ reference(const ModalObject& object, const Scraped& scraped, bool moving, double
         double rest = ringing.x / 2;
         for (int k = 0; k < 4000000 && std::abs(ringing.x) + std::abs(ringing.y) > 1e-13; ++k)
             rest -= (ringing = sample * ringing).x;
-        rest = isOscillating(pole) ? rest - 1 : 0.5; // heavy modes: whole first sample
+        rest = isOscillating(pole) ? rest - 1 : 0.5; // heavy modes keep the whole first sample
         ModalState state;
         for (std::size_t n = 0; n < output.size(); ++n) {
             const std::size_t cell = n / cellSamples;
@@ -123,7 +123,7 @@ TEST_CASE("A continuous force equals an impulse at every sample within -100 dB")
     const bool moving = GENERATE(false, true);
     const double damping = GENERATE(0.0, 40.0);
     const double viscoelastic =
-        GENERATE(1e-8, 2e-5); // the second one over-damps modes above 16 kHz
+        GENERATE(1e-8, 2e-5); // the second value over-damps modes above 16 kHz
     std::vector<double> frequencies;
     for (int i = 0; i < 30; ++i)
         frequencies.push_back(60 + 23.0 * i * i);

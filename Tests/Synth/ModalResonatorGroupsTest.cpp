@@ -59,7 +59,7 @@ ModalObject denseObject() {
 
 } // namespace
 
-TEST_CASE("The same settings give the same groups and strike sound, whatever the settings before") {
+TEST_CASE("The same settings give the same groups and strike sound, whatever was set before") {
     const ModalObject object = ringingObject({1000, 1002.5, 1005, 1900, 1901, 2700}, 1);
     const SynthesisSettings apart = settingsOf(1);
     const SynthesisSettings merged = settingsOf(60);
@@ -109,7 +109,7 @@ TEST_CASE("Groups that change while they sound make no broadband sound above -80
     CHECK(broadbandDb(output, sampleRate) - peakDb < -80);
 }
 
-TEST_CASE("Channels that hear modes with opposite signs stay opposite through regrouping") {
+TEST_CASE("Channels that get modes with opposite signs stay opposite through regrouping") {
     ModalObject object = denseObject();
     object.radiation.directions = {{1, 0, 0}, {0, 1, 0}};
     object.radiation.frequencyRatios = {1};

@@ -14,7 +14,7 @@ constexpr double sampleRate = 44100;
 
 } // namespace
 
-TEST_CASE("A mode is dropped at t_c of eq. 14, to one cell") {
+TEST_CASE("A mode is dropped within a cell of eq. 14's t_c") {
     const double tau = GENERATE(0.01, 2.0, 300.0);
     const double extraDamping = GENERATE(0.0, 15.0);
     const ModalObject object = ringingObject({440}, 40);
@@ -55,7 +55,7 @@ TEST_CASE("An over-damped mode is dropped once its bound falls below tau") {
     CHECK(std::abs(dropped - end * sampleRate / cellSamples) <= 1);
 }
 
-TEST_CASE("Lowering tau brings a mode back at its current state") {
+TEST_CASE("Lowering tau restores a mode at its current state") {
     const ModalObject object = ringingObject({440, 700}, 20);
     const ReferenceMode low = referenceMode(object.material, 440, 1);
     const ReferenceMode high = referenceMode(object.material, 700, 1);
@@ -82,7 +82,7 @@ TEST_CASE("Lowering tau brings a mode back at its current state") {
     CHECK(synthesiser.status()[0].modesMixed == 2);
 }
 
-TEST_CASE("Modes that leave and return for the budget make no broadband sound above -80 dB") {
+TEST_CASE("Modes that the budget drops and restores make no broadband sound above -80 dB") {
     const ModalObject object = ringingObject({200, 300, 410}, 0.1, {1.0f, 0.9f, 0.8f});
     const auto play = [&](int smallest) {
         Synthesiser synthesiser({slotOf(object)}, sampleRate);
@@ -98,7 +98,7 @@ TEST_CASE("Modes that leave and return for the budget make no broadband sound ab
     };
     CHECK(broadbandDb(play(1), sampleRate) < -80);
     CHECK(broadbandDb(play(0), sampleRate) < -80);
-    // Control: the measure hears a step, when the same mode is cut at once.
+    // As a control, the measure detects a step when the same mode is cut at once.
     auto cut = play(3);
     std::fill(cut.begin() + 1700, cut.end(), 0.0f);
     CHECK(broadbandDb(cut, sampleRate) > -60);
@@ -115,7 +115,7 @@ TEST_CASE("Raising and lowering tau makes no broadband sound above -80 dB") {
     CHECK(broadbandDb(std::span(output).subspan(640), sampleRate) < -80);
 }
 
-TEST_CASE("A strike during fades keeps the exact sound afterwards") {
+TEST_CASE("A strike during fades of modes sounds exact once the fades have ended") {
     const ModalObject object = ringingObject({200, 300, 410}, 3, {1.0f, 0.9f, 0.8f});
     Synthesiser synthesiser({slotOf(object)}, sampleRate);
     SynthesisSettings settings = exactSettings();
@@ -160,7 +160,7 @@ TEST_CASE("Modes outside 20 Hz to 0.49 of the sample rate are silent and return 
           }) < -110);
 }
 
-TEST_CASE("A short share mixes the strongest modes, and all objects together keep to Q") {
+TEST_CASE("A small share mixes the strongest modes, and all objects together mix at most Q") {
     std::vector<double> frequencies;
     std::vector<float> gains;
     for (int k = 0; k < 20; ++k) {

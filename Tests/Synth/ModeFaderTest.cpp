@@ -9,7 +9,7 @@
 
 using namespace idiophone;
 
-TEST_CASE("A leaving mode fades under a raised cosine of 3 ms and then is silent") {
+TEST_CASE("A dropped mode fades out under a raised cosine of 3 ms and then is silent") {
     constexpr double sampleRate = 44100;
     constexpr double omega = 2 * std::numbers::pi * 700;
     ModalBank bank(1, 1, sampleRate);

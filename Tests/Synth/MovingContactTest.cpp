@@ -16,7 +16,8 @@ constexpr int moveCell = 2;
 constexpr int backCell = 30;
 
 /// A mode of residue 1 that is struck at sample 0. Its frequency is `ratio` times its own from
-/// moveCell to backCell. The complex velocity amplitude stays when the pole moves.
+/// moveCell to backCell. When the pole moves, the complex
+/// velocity amplitude stays the same.
 class MovedMode {
 public:
     MovedMode(double eigenvalue, double damping, double ratio)

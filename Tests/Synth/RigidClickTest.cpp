@@ -83,7 +83,7 @@ TEST_CASE("A struck ball with one silent mode sounds one cycle of a sine in each
     }
 }
 
-TEST_CASE("A contact microphone hears no click, and half the radiation gives half of it") {
+TEST_CASE("A contact microphone hears no click, and half the radiation gives half the click") {
     const auto ball = rigidBall(0.01, 7000);
     const std::vector<Impact> impacts{{.sample = 3}};
     CHECK(peak(rendered(ball, {.radiation = 0}, impacts)[0]) == 0);
@@ -117,7 +117,7 @@ TEST_CASE("A live material and size click like an object analysed with them") {
         REQUIRE(sound[0][k] == Approx(expected[0][k]).margin(1e-6));
 }
 
-TEST_CASE("A strike with one direction clicks alike in both channels") {
+TEST_CASE("A strike with one direction makes the same click in both channels") {
     const auto ball = rigidBall(0.01, 7000);
     const auto sound = rendered(ball, {.radiation = 1}, {{.sample = 3, .radiationDirection = 1}});
     const auto usual = rendered(ball, {.radiation = 1}, {{.sample = 3}});

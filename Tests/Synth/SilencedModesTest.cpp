@@ -92,7 +92,7 @@ TEST_CASE("A silenced mode rings on and returns at its current state") {
     CHECK(errorDb(between, always, 125 * cellSamples) < (settings.compression > 0 ? -25 : -105));
 }
 
-TEST_CASE("Modes leave and return without a broadband sound, even during a contact") {
+TEST_CASE("Modes are silenced and return without a broadband sound, even during a contact") {
     const double contactSeconds = GENERATE(0.0, 0.025);
     const ModalObject object = ringingObject({200, 203, 310, 505, 812, 1230}, 4);
     SynthesisSettings settings = exactSettings();
@@ -163,7 +163,7 @@ TEST_CASE("An object with every mode silenced is silent and uses no budget") {
     CHECK(synthesiser.modesMixed() == 0);
 }
 
-TEST_CASE("A report gives the standing and level of every group") {
+TEST_CASE("A report gives the state and level of every group") {
     const ModalObject object = ringingObject({300, 810, 810, 1600, 30000}, 8);
     Synthesiser synthesiser({slotOf(object)}, sampleRate);
     SynthesisSettings settings = exactSettings();

@@ -65,7 +65,7 @@ double reference(const ModalObject& object, std::size_t direction, double share,
 
 } // namespace
 
-TEST_CASE("Each channel hears its own direction's weights, at the requested share") {
+TEST_CASE("Each channel has its own direction's weights, at the requested share") {
     const ModalObject object = radiatingObject();
     for (const double share : {1.0, 0.4}) {
         const Stereo sound = play(object, 40, [&](int) { return share; });
@@ -75,8 +75,8 @@ TEST_CASE("Each channel hears its own direction's weights, at the requested shar
     }
 }
 
-TEST_CASE(
-    "A strike with a direction sounds alike in every channel and leaves later ones unaffected") {
+TEST_CASE("A strike with a direction sounds the same in every channel and does not affect later "
+          "strikes") {
     ModalObject object = radiatingObject();
     addThirdDirection(object);
     SynthesisSettings settings = exactSettings();
@@ -142,7 +142,7 @@ TEST_CASE("Simultaneous strikes are each heard from their own direction") {
     CHECK(peak > 0);
 }
 
-TEST_CASE("A force with a direction sounds like that direction") {
+TEST_CASE("A force with a radiation direction sounds as heard from that direction") {
     ModalObject all = radiatingObject(), alone = radiatingObject();
     addThirdDirection(all);
     alone.radiation.weights.assign(thirdWeights.begin(), thirdWeights.end());
@@ -178,7 +178,7 @@ TEST_CASE("A force with a direction sounds like that direction") {
     CHECK(found != own);
 }
 
-TEST_CASE("An object heard near sounds the same in both channels as in mono") {
+TEST_CASE("An object heard from nearby sounds the same in both channels as in mono") {
     const ModalObject object = radiatingObject();
     const Stereo sound = play(object, 60, [](int) { return 0.0; });
     CHECK(sound.left == sound.right);
@@ -187,7 +187,7 @@ TEST_CASE("An object heard near sounds the same in both channels as in mono") {
     CHECK(sound.left == render(mono, {{0, unitStrike()}, {40 * 64, unitStrike(0.003)}}, 60));
 }
 
-TEST_CASE("A second strike heard far leaves the ringing sound unchanged") {
+TEST_CASE("A second strike heard from afar leaves the ringing sound unchanged") {
     const ModalObject object = radiatingObject();
     const auto later = [](int cell) { return cell < 20 ? 0.0 : 1.0; };
     const Stereo sound = play(object, 80, later);
@@ -195,7 +195,8 @@ TEST_CASE("A second strike heard far leaves the ringing sound unchanged") {
     const Stereo alone = play(object, 80, [](int) { return 1.0; });
     for (std::size_t n = 0; n < 40 * 64; ++n)
         REQUIRE(sound.left[n] == near.left[n]);
-    // From the second strike on: the first one near, the second one far.
+    // Compare from the second strike on: the first one is heard from nearby, the second one from
+    // afar.
     double worst = 0, peak = 0;
     for (std::size_t n = 40 * 64; n < sound.left.size(); ++n) {
         const double first = reference(object, 0, 0, double(n));
@@ -208,7 +209,7 @@ TEST_CASE("A second strike heard far leaves the ringing sound unchanged") {
     CHECK(sound.left != sound.right);
 }
 
-TEST_CASE("A contact sounds its force at once and its motion through complex weights") {
+TEST_CASE("A contact's force sounds at once, and its motion sounds through complex weights") {
     const ModalObject object = radiatingObject();
     for (const double milliseconds : {0.4, 3.0, 20.0}) {
         Synthesiser synthesiser({slotOf(object)}, sampleRate, 2);
@@ -238,7 +239,7 @@ TEST_CASE("A contact sounds its force at once and its motion through complex wei
     }
 }
 
-TEST_CASE("A constant force is silent when heard far, as pressure follows acceleration") {
+TEST_CASE("A constant force is silent from afar, because pressure follows acceleration") {
     const ModalObject object = radiatingObject();
     Synthesiser synthesiser({slotOf(object)}, sampleRate, 2);
     SynthesisSettings settings = exactSettings();
@@ -331,7 +332,7 @@ TEST_CASE("Weights that move during a contact cause no step") {
     }
 }
 
-TEST_CASE("Fades in two channels stay in both when the object is struck in a new tuning") {
+TEST_CASE("A two-channel fade stays in both channels when the object is struck in a new tuning") {
     ModalObject object = radiatingObject();
     object.radiation.weights = {1, 1, 1, 1, 1, 1, 1, 1, 1, -1, -1, -1, -1, -1, -1, -1, -1, -1};
     Synthesiser synthesiser({slotOf(object)}, sampleRate, 2);
@@ -360,7 +361,7 @@ TEST_CASE("Fades in two channels stay in both when the object is struck in a new
     CHECK(loudest > 0.01);
 }
 
-TEST_CASE("An object that fell silent returns to one channel when a strike is heard near") {
+TEST_CASE("A silent object returns to one channel when its next strike is heard from nearby") {
     std::vector<double> frequencies;
     for (int k = 0; k < 1000; ++k)
         frequencies.push_back(100 + 20 * k);

@@ -155,7 +155,7 @@ TEST_CASE("Poles and dampers that move during a contact follow the forced equati
             synthesiser.setDamping(0, damped ? 100 : 0);
         });
     // Runge-Kutta of v' = −(d + δ) v − λ u + f, u' = v − δ u. When the pole moves, the complex
-    // velocity amplitude stays.
+    // velocity amplitude stays the same.
     ModalPole pole{object.eigenvalues[0], 20};
     double delta = 0;
     Motion now;

@@ -305,7 +305,7 @@ TEST_CASE("A strike that would move a mode absurdly fast is refused, and ringing
     CHECK_FALSE(spared.silent());
 }
 
-TEST_CASE("The hardest accepted strikes sound finite in any number") {
+TEST_CASE("The hardest accepted strikes give finite sound in any number") {
     const double seconds = GENERATE(0.0, 0.001);
     const double damping = GENERATE(0.0, 1e4);
     ModalObject object =

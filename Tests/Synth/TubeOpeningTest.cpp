@@ -23,7 +23,7 @@ ModalObject barOverTube() {
     return bar;
 }
 
-/// Only the pair, and only the separate mode.
+/// Objects with only the pair, and with only the separate mode.
 ModalObject pairAlone() {
     ModalObject pair = ringingObject({sharedHz, higherSharedHz}, 10);
     pair.gains = {sharedGain, -sharedGain};
@@ -107,7 +107,7 @@ TEST_CASE("A tube's share is its part of a shared mode's radiation, and 0 for ot
     for (const float share : radiate(0, {0.5f, -0.2f}))
         CHECK((share == 0 || std::abs(share - 1) < 1e-6f));
     CHECK(std::abs(radiate({0.4f, 0.3f}, 0)[0]) < 1e-6f);
-    // In phase with the bar's radiation.
+    // The tube radiates in phase with the bar.
     const auto half = radiate(1.0f / gain, 1);
     CHECK_THAT(half[0], Catch::Matchers::WithinAbs(0.5, 1e-6));
     CHECK(half[2] == 0);
@@ -156,7 +156,7 @@ TEST_CASE("Discs multiply the shared modes of a continuous force by their openin
           }) < -105);
 }
 
-TEST_CASE("Discs close the tube's radiation and leave the bar's radiation when heard far") {
+TEST_CASE("From afar, discs block the tube's radiation and leave the bar's radiation unchanged") {
     const double contactSeconds = GENERATE(0.0, 0.03);
     auto bar = barOverTube();
     const std::complex<float> gain{0.7f, 0.2f}, otherGain = 1.0f - gain;
@@ -205,7 +205,7 @@ TEST_CASE("Open discs, or an object without a tube, change no bit") {
     CHECK(forced(open, openingOf) == forcedAlone);
 }
 
-TEST_CASE("Shared modes that leave and return under closed discs stay silent") {
+TEST_CASE("Shared modes that are dropped and restored under closed discs stay silent") {
     const std::vector<TimedStrike> strikes{{5.5, unitStrike(0.001)}};
     const auto pair = pairAlone();
     const auto loudest = [&](const TubeOpening& opening, const auto& changeBefore) {
@@ -248,7 +248,7 @@ TEST_CASE("Shared modes that leave and return under closed discs stay silent") {
     }
 }
 
-TEST_CASE("Discs only act on shared modes while other modes merge and split") {
+TEST_CASE("Discs act on shared modes only, even while other modes merge and split") {
     const std::vector<TimedStrike> strikes{{5.5, unitStrike()}};
     const auto heard = [&](bool withPair) {
         auto object = ringingObject(withPair ? std::vector<double>{200, 200.05, 300, 312, 1220}

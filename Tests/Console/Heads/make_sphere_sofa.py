@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Writes the spherical head of HeadModel as if it had been measured at 48 kHz, so that what is read of
-it is known: sphere.sofa, every 30 degrees. Needs netCDF4 and numpy. Beside it endless.sofa is
-such a file with a byte changed, which libmysofa 1.3 reads for ever.
+"""Writes sphere.sofa: the spherical head of HeadModel at 48 kHz, every 30 degrees, as a test file with
+known responses. Also writes endless.sofa: the same file with one byte changed, which libmysofa 1.3
+reads without end. Needs netCDF4 and numpy.
 
-Each ear's response is the head's shadow by the bilinear transform; its delay, to the nearest sample and
-60 samples late, stands beside it, as in files of minimum phase.
+Each ear's response is the head's shadow by the bilinear transform. A separate delay is rounded to the
+nearest sample and 60 samples late, as in files of minimum phase.
 """
 import pathlib
 
@@ -16,7 +16,7 @@ RADIUS, SPEED, EAR = 0.0875, 343.0, np.radians(100)
 
 
 def response(direction, ear, length):
-    """(delay in samples, response)"""
+    """Returns (delay in samples, response)."""
     axis = np.array([np.cos(EAR), np.sin(EAR) if ear == 0 else -np.sin(EAR), 0])
     incidence = np.arccos(np.clip(direction @ axis, -1, 1))
     arrival = -np.cos(incidence) if incidence < np.pi / 2 else incidence - np.pi / 2
