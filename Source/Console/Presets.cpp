@@ -141,7 +141,8 @@ Result<std::vector<double>> evenVoicingDb(Preset preset) {
     const double mean = meanLufs(loudness);
     std::vector<double> gains;
     for (const double key : loudness)
-        gains.push_back(std::isfinite(key) ? std::clamp(mean - key, -maximumGainDb, maximumGainDb) : 0);
+        gains.push_back(std::isfinite(key) ? std::clamp(mean - key, -maximumGainDb, maximumGainDb)
+                                           : 0);
     return gains;
 }
 

@@ -38,8 +38,9 @@ double surfaceCompliancePerPa(const Material& own, const ParameterValues& parame
 Striker
 striker(const KeyMallet& key, const ParameterValues& parameters, double surfaceCompliance = 0);
 
-/// Returns the strike at a MIDI velocity, 1 to 127, of the chosen mallet into a slot's object, under the parameters' material,
-/// size and thickness. The point's rows must be the object's. Any thread.
+/// Returns the strike at a MIDI velocity, 1 to 127, of the chosen mallet into a slot's object,
+/// under the parameters' material, size and thickness. The point's rows must be the object's. Any
+/// thread.
 Strike malletStrike(const StrikePoint& point,
                     int velocity,
                     const KeyMallet& key,

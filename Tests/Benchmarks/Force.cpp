@@ -73,7 +73,8 @@ private:
     ForcePlace placeNow() const {
         const std::size_t point = cellsMoved / cellsBetweenPoints;
         return {.points = {path[point % path.size()], path[(point + 1) % path.size()]},
-                .fraction = static_cast<float>(cellsMoved % cellsBetweenPoints) / cellsBetweenPoints};
+                .fraction =
+                    static_cast<float>(cellsMoved % cellsBetweenPoints) / cellsBetweenPoints};
     }
 
     Synthesiser synth;

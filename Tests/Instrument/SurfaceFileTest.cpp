@@ -64,8 +64,7 @@ TEST_CASE("A surface with the longest name is read back, and a longer name is re
 TEST_CASE("Name, slowest speed and roughness are optional in a surface file") {
     CHECK(parsed(slateWithout("name"))->name.empty());
     CHECK(parsed(slateWithout("roughness"))->roughness == Surface{}.roughness);
-    CHECK(parsed(slateWithout("slowest_speed_m_per_s"))
-              ->slowestSpeedMetresPerSecond == 0.1 * 0.3);
+    CHECK(parsed(slateWithout("slowest_speed_m_per_s"))->slowestSpeedMetresPerSecond == 0.1 * 0.3);
 }
 
 TEST_CASE("A bad surface file is refused with one sentence that names the file and the fault") {
