@@ -48,7 +48,7 @@ struct RigidClick {
 };
 
 /// Returns the click of a strike in two directions of length 1, at least 4 samples long. The body's
-/// size does not change P, as its volumes scale with its mass. Any thread.
+/// size does not change P, because its volumes scale with its mass. Any thread.
 RigidClick rigidClick(const RigidRadiator& body,
                       const std::array<float, 3>& impulseNewtonSeconds,
                       double contactSeconds,

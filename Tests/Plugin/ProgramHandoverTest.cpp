@@ -205,7 +205,7 @@ TEST_CASE("If a program cannot be built, keys that already sound are not struck 
     CHECK((played(true) == expected));
 }
 
-TEST_CASE("After a reset loudness is matched as after a prepare with the same values") {
+TEST_CASE("After a reset, loudness is matched as after a preparation with the same values") {
     auto state = testState();
     state.parameters.set(ParameterId::matchLoudness, 1);
     const auto change = [](Processor& processor) {
