@@ -26,7 +26,7 @@ public:
                  HeldContacts& contacts,
                  HandScrape& hand);
 
-    /// Turns the motor on by a cell; call before `beginCell`. If `songTurns` is given, the motor
+    /// Moves the motor by a cell; call before `beginCell`. If `songTurns` is given, the motor
     /// follows these turns, at once if `isAtOnce`.
     void turnMotor(const ParameterValues& values,
                    double beatsPerMinute,
