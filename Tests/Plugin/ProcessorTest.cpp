@@ -105,7 +105,7 @@ TEST_CASE("A new instance plays the first factory preset") {
     CHECK(loudest(render(processor, 4096, 512, hardNote)) > 0.001f);
 }
 
-TEST_CASE("A program sets every parameter but bypass, concert pitch and MPE") {
+TEST_CASE("A program sets every parameter except bypass, concert pitch and MPE") {
     Processor processor;
     for (auto* parameter : processor.getParameters())
         parameter->setValue(1);
