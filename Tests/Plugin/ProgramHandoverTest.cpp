@@ -134,7 +134,7 @@ TEST_CASE("Until the new sound is ready, the former one plays on with its own va
     }
 }
 
-TEST_CASE("A key waits for its program through a reset and another prepare") {
+TEST_CASE("A key waits for its program through a reset and another preparation") {
     constexpr int wok = 15, silentKey = 40; // a key that the wok lacks
     const std::function<void(Processor&)> resets[] = {
         [](Processor& processor) { processor.reset(); },
