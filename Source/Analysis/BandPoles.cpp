@@ -92,8 +92,8 @@ VectorXcd zoomed(const DecayRecording& recording, const std::vector<Taps>& taps,
     return result;
 }
 
-/// Returns z of the exponentials z^m that the signals share. The number is rather too high than too
-/// low.
+/// Returns z of the exponentials z^m that the signals share. The number may be too high, but
+/// is seldom too low.
 VectorXcd commonExponentials(const std::vector<VectorXcd>& signals, Index widest) {
     const Index length = signals.front().size();
     const Index rows = std::min(length * 2 / 5, widest);

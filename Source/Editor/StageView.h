@@ -23,7 +23,7 @@ public:
     virtual bool hasStage() const = 0;
     /// The bodies before the first note.
     virtual std::vector<BodyNow> stageBodies() const = 0;
-    /// On a stage: a pause stops bodies where they are, a reset removes them.
+    /// On a stage: a pause stops bodies in place, and a reset removes them.
     virtual void pauseStage(bool isPaused) = 0;
     virtual bool isStagePaused() const = 0;
     virtual void resetStage() = 0;

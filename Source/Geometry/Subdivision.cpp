@@ -11,8 +11,8 @@
 namespace idiophone {
 namespace {
 
-/// Returns true if no edge is used twice in one direction, so that it has at most two faces and
-/// they agree. libigl assumes this and otherwise writes out of bounds.
+/// Returns true if no edge is used twice in one direction. Then every edge has at most two faces,
+/// which agree. libigl assumes this and otherwise writes out of bounds.
 bool facesAgree(const Eigen::MatrixXi& faces) {
     std::vector<std::pair<int, int>> edges;
     for (const auto& face : faces.rowwise())

@@ -26,7 +26,7 @@ public:
                  HeldContacts& contacts,
                  HandScrape& hand);
 
-    /// Turns the motor on by a cell; call before `beginCell`. If `songTurns` is given, the motor
+    /// Moves the motor by a cell; call before `beginCell`. If `songTurns` is given, the motor
     /// follows these turns, at once if `isAtOnce`.
     void turnMotor(const ParameterValues& values,
                    double beatsPerMinute,
@@ -57,7 +57,7 @@ public:
     void silence() { silenced = true; } ///< damps all sound until `endSilence`
     bool isSilenced() const { return silenced; }
     /// Call before the first strike or contact after `silence`. The strike lifts the damper. Fades
-    /// the old sound out over one cell, so that it does not come back.
+    /// the old sound out over one cell, so that it does not return.
     void endSilence(const ParameterValues& values, const KeyState& keys);
 
     /// Acts at the next `beginCell`; `reset` keeps it.

@@ -19,9 +19,9 @@ struct SilencedModes {
     std::vector<OfObject> objects; ///< objects without an entry have no silenced modes
 };
 
-/// Returns the key by which mode sets identify the object of a slot. If each key has an object, it
-/// is the lowest note that plays the object. On a stage it is the object's name, otherwise "all".
-/// Outside a stage it does not use the name, because files may be renamed and finished analyses
+/// Returns the key by which mode sets identify the object of a slot. This is the lowest note that
+/// plays the object if each note has an object. It is the object's name on a stage, otherwise
+/// "all". Outside a stage the name is not used, because files may be renamed and finished analyses
 /// replace previews. Any thread except the audio thread.
 std::string modeSetKey(const Instrument& instrument, std::size_t slot);
 

@@ -20,7 +20,7 @@ namespace idiophone {
 
 inline constexpr int stateFormatVersion = 1;
 
-/// Maximum bytes of all .modal files in one state together.
+/// Maximum total bytes of all .modal files in one state.
 inline constexpr std::int64_t largestEmbeddedBytes = std::int64_t{1} << 30;
 
 /// A modal object that the state carries because it is not part of the program.

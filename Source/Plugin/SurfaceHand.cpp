@@ -6,7 +6,7 @@
 namespace idiophone {
 namespace {
 
-// Maximum steps between two mouse events; a faster drag is followed more coarsely.
+// Maximum number of steps between two mouse events; a faster drag is followed more coarsely.
 constexpr int maximumSteps = 8;
 
 /// Returns how many steps keep each within a mesh edge, up to `maximumSteps`.

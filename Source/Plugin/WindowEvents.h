@@ -23,7 +23,7 @@ struct WindowEvent {
 class WindowEvents {
 public:
     static constexpr std::size_t capacity = 256;
-    /// Maximum notes of one `read`: the queue and a release of every key.
+    /// Maximum number of notes of one `read`: the queue and a release of every key.
     static constexpr std::size_t maximumNotes = capacity + 128;
 
     /// [message thread] If the queue is full, drops the event and returns false. If it drops a

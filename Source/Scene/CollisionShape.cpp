@@ -122,7 +122,7 @@ btCollisionShape* CollisionShape::ring(const RigidBodyModel& model) {
 
     auto* compound = own<btCompoundShape>();
     const double turn = 2 * std::numbers::pi / capsules;
-    // The polygon is as long as the circle, so that it lies half inside it.
+    // The polygon is as long as the circle, so that the polygon lies half inside the circle.
     const double chord = turn * middle.x();
     auto* capsule = own<btCapsuleShape>(half.mean(), chord);
     for (int k = 0; k < capsules; ++k) { // Bullet's capsules lie along y

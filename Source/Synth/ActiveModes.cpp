@@ -199,7 +199,7 @@ void ActiveModes::regroup(const ModeGroups& groups, std::int64_t grid) noexcept 
     listMixed();
 }
 
-/// Collects the flags of the new groups in `scratch`, as the fades still need the old ones. A new
+/// Collects the flags of the new groups in `scratch`, because the fades need the old ones. A new
 /// group rings or is mixed if any old part of the group was.
 void ActiveModes::handOnFlags(const ModeGroups& groups) noexcept {
     std::ranges::fill(scratch.aboveTau, std::uint16_t{0});

@@ -11,7 +11,7 @@
 
 namespace idiophone {
 
-/// Maximum modes per group, as a strike costs a pass over all pairs within a group.
+/// Maximum number of modes per group: a strike costs a pass over all pairs within a group.
 inline constexpr std::size_t maximumGroup = 32;
 
 /// Returns the just noticeable difference D(f) in Hz: straight lines through (20, 1.5), (2000, 5)

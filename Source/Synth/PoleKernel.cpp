@@ -19,8 +19,8 @@ using Vector = hn::Vec<Doubles>;
 using Complex = DoubleComplex;
 constexpr std::size_t lanes = hn::MaxLanes(Doubles());
 
-/// Returns e^{(−α + iω)t}. The angle is first reduced to half a turn, as the library's sine loses
-/// precision beyond.
+/// Returns e^{(−α + iω)t}. The angle is first reduced to half a turn, because the library's sine
+/// loses precision beyond.
 HWY_INLINE Complex rotation(Vector decay, Vector frequency, double seconds) {
     const Doubles d;
     const auto t = hn::Set(d, seconds);

@@ -12,8 +12,8 @@ namespace idiophone {
 ///
 /// A bar's mode and a resonance of the tube make two modes with the shape of the bar's mode. They
 /// radiate W = gain · W_bar + W_tube (Analysis/Tube.h). Their gains sum to 1, and their flows to 0,
-/// as nothing flows at first: W_bar = ΣW / Σgain. A single mode with a gain counts as the tube's,
-/// and so do all such modes of an object without radiation. Any thread except the audio
+/// because nothing flows at first: W_bar = ΣW / Σgain. A single mode with a gain counts as the
+/// tube's, and so do all such modes of an object without radiation. Any thread except the audio
 /// thread; allocates.
 std::vector<float> tubeShares(const ModalObject& object);
 

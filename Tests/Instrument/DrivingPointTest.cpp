@@ -166,7 +166,7 @@ TEST_CASE("A constant resistance takes the momentum of a hard striker, within 1 
     CHECK(impact.contactSeconds == Approx(3 * mass / resistance).epsilon(0.15));
 }
 
-TEST_CASE("Heavier heads stay longer, and heavier heads and objects increase the momentum") {
+TEST_CASE("Heavier heads touch longer, and heavier heads and objects increase the momentum") {
     double longest = 0, mostOfHead = 0, mostOfObject = 0;
     for (const double mass : {0.005, 0.02, 0.08}) {
         const auto small =

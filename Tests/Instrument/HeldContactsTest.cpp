@@ -104,7 +104,7 @@ TEST_CASE("A faster scrape is louder and brighter, and speed 0 is silent") {
           play(instrument, {midi(0, 0xb0, speedController, 64), midi(0, 0x90, 60, 100)}, 4800));
 }
 
-TEST_CASE("Reset All Controllers returns speed, place and pressure to rest") {
+TEST_CASE("Reset All Controllers resets speed, place and pressure") {
     const auto instrument = plate();
     const auto moved =
         play(instrument,

@@ -78,8 +78,7 @@ TEST_CASE("A note has the maximum pressure of its keys until they go up") {
     CHECK(rig.keys.pressure(60) == 0);
 }
 
-TEST_CASE("A new key takes the last pressure of its sample, even from before the key, unless it is "
-          "zero") {
+TEST_CASE("A new key takes its sample's last pressure, but ignores zero pressure before the key") {
     const auto pressureAfter = [](const std::vector<MidiEvent>& events) {
         Rig rig;
         rig.follow(events);

@@ -112,7 +112,7 @@ TEST_CASE("After a reset the first cell has its final gain, whatever gain was pr
             CHECK(match.gainDb() == gain);
         }
 
-        // A reset during an unfinished prediction has the same gain.
+        // A reset during an unfinished prediction gives the same gain.
         const auto other = with(own, material, firstLibraryMaterial + 7);
         match.advance(other);
         match.reset();

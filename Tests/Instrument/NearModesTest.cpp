@@ -46,7 +46,7 @@ double energyBySamples(const std::vector<Mode>& modes) {
 
 } // namespace
 
-TEST_CASE("The energy of one mode is A²/4α for the mean of its channels' squares") {
+TEST_CASE("The energy of one mode is A²/4α, where A² is the mean over the channels") {
     CHECK(energyByPowers({mode(6000, 20, 3, 1)}) == Approx((9 + 1) / 2.0 / (4 * 20)));
 }
 

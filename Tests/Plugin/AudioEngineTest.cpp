@@ -69,7 +69,7 @@ TEST_CASE("A reset silences the engine and discards what the window has queued")
 }
 
 TEST_CASE(
-    "A player that was handed over plays from the next callback, and the former one comes back") {
+    "A player that was handed over plays from the next callback, and the former one is returned") {
     Playing playing;
     const auto other = testSound("other");
     std::weak_ptr<const Instrument> former;

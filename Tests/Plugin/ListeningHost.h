@@ -19,7 +19,7 @@ struct ListeningHost final : juce::AudioProcessorListener {
     std::vector<float> heard;
 };
 
-/// Polls more often than any report to the host takes.
+/// Polls more times than any report to the host needs.
 inline void pollOften(Processor& processor) {
     for (int polls = 0; polls < 6; ++polls)
         processor.poll();

@@ -63,7 +63,7 @@ bool sameObjects(const Instrument& a, const Instrument& b) {
 
 } // namespace
 
-TEST_CASE("A foreign object is written once and comes back byte for byte") {
+TEST_CASE("A foreign object is written once and read back byte for byte") {
     const auto folder = freshFolder();
     const auto played = bowl("/home/somebody/My bowl.modal", 300);
     const auto stored = writePresetObjects(played.keyMap, *played.instrument, folder);

@@ -105,7 +105,7 @@ TEST_CASE("A new instance plays the first factory preset") {
     CHECK(loudest(render(processor, 4096, 512, hardNote)) > 0.001f);
 }
 
-TEST_CASE("A program sets every parameter but bypass, concert pitch and MPE") {
+TEST_CASE("A program sets every parameter except bypass, concert pitch and MPE") {
     Processor processor;
     for (auto* parameter : processor.getParameters())
         parameter->setValue(1);
@@ -182,7 +182,7 @@ TEST_CASE("A reset silences the next block, and the same notes sound the same ag
     CHECK(loudest(render(processor, 480, 480, {})) == 0);
 }
 
-TEST_CASE("Another prepare, in any order and at any rate, starts from silence") {
+TEST_CASE("Another preparation, in any order and at any rate, starts from silence") {
     Processor processor;
     restore(processor, testState());
     processor.releaseResources();
@@ -364,7 +364,7 @@ TEST_CASE("All Sound Off in a room sounds the same at all block sizes") {
         CHECK(played(blockSize) == expected);
 }
 
-TEST_CASE("Blocks before the first prepare are silent for every sound") {
+TEST_CASE("Blocks before the first preparation are silent for every sound") {
     const auto firstBlocks = [](Processor& processor) {
         for (int block = 0; block < 3; ++block) {
             juce::AudioBuffer<float> buffer(2, 3000);

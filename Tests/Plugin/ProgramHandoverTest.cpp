@@ -134,7 +134,7 @@ TEST_CASE("Until the new sound is ready, the former one plays on with its own va
     }
 }
 
-TEST_CASE("A key waits for its program through a reset and another prepare") {
+TEST_CASE("A key waits for its program through a reset and another preparation") {
     constexpr int wok = 15, silentKey = 40; // a key that the wok lacks
     const std::function<void(Processor&)> resets[] = {
         [](Processor& processor) { processor.reset(); },
@@ -205,7 +205,7 @@ TEST_CASE("If a program cannot be built, keys that already sound are not struck 
     CHECK((played(true) == expected));
 }
 
-TEST_CASE("After a reset loudness is matched as after a prepare with the same values") {
+TEST_CASE("After a reset, loudness is matched as after a preparation with the same values") {
     auto state = testState();
     state.parameters.set(ParameterId::matchLoudness, 1);
     const auto change = [](Processor& processor) {

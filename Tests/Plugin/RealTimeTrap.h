@@ -11,8 +11,9 @@ namespace idiophone::test {
 
 struct RealTimeFaults {
     int allocations = 0; ///< malloc, free, new, delete and their variants
-    int locks = 0; ///< calls of pthread or semaphores that may wait for a thread or wake one, and
-                   ///< the first use of a function's static variable
+    /// Calls of pthread or semaphores that may wait for a thread or wake one, and the first use of
+    /// a function's static variable.
+    int locks = 0;
     int systemCalls = 0;
     std::string first; ///< names the first fault
 

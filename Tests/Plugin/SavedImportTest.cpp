@@ -40,7 +40,7 @@ TEST_CASE("A preview cannot be saved in place of the final object") {
     CHECK_THAT(processor.soundSession().loadedSound().preset.description,
                ContainsSubstring("preview"));
     processor.view().workshop.cancelImport();
-    CHECK(shelf.savePreset(called("Block"), false)); // after the cancel the object is final
+    CHECK(shelf.savePreset(called("Block"), false)); // after the cancellation the object is final
 }
 
 TEST_CASE("An object with a very long name is saved in a state that opens again") {

@@ -88,7 +88,7 @@ TEST_CASE("A slot's own material overrides the settings' until it is lifted") {
     CHECK_FALSE(plays(0, wood));
 }
 
-TEST_CASE("A pole that moves while it rings causes no step") {
+TEST_CASE("A pole that moves while its mode rings causes no step") {
     const int moveCell = GENERATE(10, 11, 12, 13, 14, 15);
     const ModalObject object = ringingObject({440});
     Synthesiser synthesiser({slotOf(object)}, sampleRate);
