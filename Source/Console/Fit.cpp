@@ -34,7 +34,7 @@ struct RecordedStrike {
     StruckPlace place;
 };
 
-constexpr double maximumMetres = 1e4;
+constexpr double maximumPointMetres = 1e4;
 
 /// Splits at the last @, because a file name may contain some.
 Result<RecordedStrike> parseStrike(const std::string& text) {
@@ -51,7 +51,7 @@ Result<RecordedStrike> parseStrike(const std::string& text) {
     while (true) {
         const auto comma = rest.find(',');
         const auto number = parseNumber(rest.substr(0, comma));
-        if (!number || !(std::abs(*number) <= maximumMetres))
+        if (!number || !(std::abs(*number) <= maximumPointMetres))
             return refuse();
         numbers.push_back(*number);
         if (comma == std::string_view::npos)

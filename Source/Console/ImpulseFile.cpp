@@ -20,7 +20,7 @@ constexpr double longestSeconds = 36000;
 constexpr double longestContactSeconds = 1;
 // The bound is generous: a lorry at motorway speed has 1e6 N s.
 constexpr double largestImpulse = 1e6;
-constexpr double maximumMetres = 1e6;
+constexpr double maximumImpactMetres = 1e6;
 
 // Inside this file an error in a line is an exception.
 struct Fault {
@@ -78,7 +78,7 @@ void parseMember(const std::string& key, const json& value, Impulse& impulse) {
     else if (key == "vertex")
         impulse.vertex = vertexNumber(value);
     else if (key == "point")
-        impulse.pointMetres = vector(value, "'point'", maximumMetres);
+        impulse.pointMetres = vector(value, "'point'", maximumImpactMetres);
     else if (key == "impulse")
         impulse.impulseNewtonSeconds = vector(value, "'impulse'", largestImpulse);
     else if (key == "contact_time")
