@@ -86,7 +86,7 @@ std::string faultOf(const RadiationTable& table, std::size_t modeCount) {
     // A mountain that moves at 1 m/s radiates less. All results stay finite in single precision.
     if (!std::ranges::all_of(table.weights,
                              [](std::complex<float> w) { return std::abs(w) <= 1e8f; }))
-        return "a weight of the radiation is beyond 1e8 Pa·m";
+        return "a weight of the radiation is not a number up to 1e8 Pa·m";
     return {};
 }
 

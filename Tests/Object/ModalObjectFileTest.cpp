@@ -249,7 +249,7 @@ TEST_CASE("A hostile radiation table is refused with its fault") {
     checkRefused(encodeModalObject(object), "not in ascending order");
     object = radiatingObject();
     object.radiation.weights[5] = std::numeric_limits<float>::infinity();
-    checkRefused(encodeModalObject(object), "beyond 1e8");
+    checkRefused(encodeModalObject(object), "not a number up to 1e8");
 }
 
 TEST_CASE("An empty radiation table with tensors is refused") {

@@ -82,7 +82,7 @@ TEST_CASE("Each malformed field is named") {
             [=](auto& o) {
                 o.radiation = {{{1, 0, 0}}, {1}, {1, weight, 3}};
             },
-            "weight of the radiation is beyond 1e8");
+            "weight of the radiation is not a number up to 1e8");
     for (const float coordinate : {nan, 1.1e6f, -1e20f})
         refuse([=](auto& o) { o.vertices[5] = coordinate; }, "vertex does not lie within 1000 km");
     refuse([](auto& o) { o.vertices.pop_back(); }, "threes");
