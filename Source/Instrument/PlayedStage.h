@@ -33,13 +33,13 @@ public:
     /// Stops bodies in place, or lets them go on from there.
     virtual void pause(bool) noexcept {}
     /// Returns all bodies to their state before the first note; objects ring on.
-    virtual void reset() noexcept {}
+    virtual void clear() noexcept {}
 
     virtual std::int64_t lateEvents() const noexcept { return 0; }
     /// Returns the impacts since the last call, in seconds since the first cell; valid until the
     /// next cell.
     virtual std::span<const PlacedImpact> takeImpacts() noexcept { return {}; }
-    /// Returns a number unique in the process, which changes with every `reset`; 0 without a stage.
+    /// Returns a number unique in the process, which changes with every `clear`; 0 without a stage.
     /// Times of impacts are comparable only under the same number.
     virtual std::uint32_t number() const noexcept { return 0; }
     virtual std::span<const BodyPose> bodyPoses() const noexcept { return {}; } ///< [slots] now

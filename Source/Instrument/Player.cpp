@@ -139,7 +139,7 @@ void Player::follow(const MidiEvent& event) {
     if (midi::isAllSoundOff(event.bytes)) {
         allSoundOffCame = true;
         renderer.silence();
-        stage().reset();
+        stage().clear();
         scheduler.clear();
         lateNotes.clear();
     }
@@ -230,7 +230,7 @@ void Player::restart() {
     scheduler.reset();
     slotTuning.reset();
     if (performance)
-        performance->restart();
+        performance->reset();
 }
 
 void Player::reset() {

@@ -39,8 +39,8 @@ public:
     virtual void hear(std::span<const CellOutput> cellsOfSlots,
                       const CellOutput& ears) noexcept = 0;
 
-    /// Returns to the constructed state; also resets.
-    virtual void restart() noexcept = 0;
+    /// Returns to the constructed state; also clears.
+    virtual void reset() noexcept = 0;
     /// Returns whether nothing moves, and no sound is on its way to the listener.
     virtual bool silent() const noexcept = 0;
 };

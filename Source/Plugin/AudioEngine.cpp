@@ -85,7 +85,7 @@ void AudioEngine::takeSettings(bool isOffline) noexcept {
     stage.setOffline(isOffline);
     stage.pause(messages.stagePaused);
     if (messages.stageReset.exchange(false))
-        stage.reset();
+        stage.clear();
 }
 
 void AudioEngine::followTransport(const juce::AudioPlayHead* playHead, int blockSamples) noexcept {

@@ -1,7 +1,7 @@
 #include "Plugin/ObjectWorkshop.h"
 
 #include "Analysis/FewerShapes.h"
-#include "Analysis/PreviewAnalysis.h"
+#include "Analysis/ModalAnalysis.h"
 #include "Editor/Utf8.h"
 #include "Geometry/LengthUnit.h"
 #include "Geometry/MeshReader.h"

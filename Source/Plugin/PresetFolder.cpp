@@ -153,7 +153,7 @@ const PresetFolder::Entry* PresetFolder::find(const std::string& id) const {
 
 void PresetFolder::forget(const std::string& id) {
     if (const auto entry = std::ranges::find(found, id, &Entry::id); entry != found.end())
-        entry->written = {};
+        entry->bytes = -1;
 }
 
 Result<juce::File> PresetFolder::folder() const {

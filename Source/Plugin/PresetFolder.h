@@ -18,8 +18,8 @@ public:
         std::string folder; ///< "Bells"
         Result<Preset> preset;
         std::uint64_t content = 0; ///< hash of the file when it was read
-        juce::int64 bytes = 0;     ///< size of the file when it was read
-        juce::Time written = {};   ///< when it was written; `forget` clears it
+        juce::int64 bytes = 0;     ///< size of the file when it was read; −1 after `forget`
+        juce::Time written = {};   ///< when it was written
     };
 
     static constexpr int deepestFolder = 4; ///< deeper folders are ignored

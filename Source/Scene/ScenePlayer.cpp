@@ -205,7 +205,7 @@ void ScenePlayer::place(Simulation& simulation, std::int64_t cellsLeft) noexcept
     simulation.isPlaced = true;
 }
 
-void ScenePlayer::reset() noexcept {
+void ScenePlayer::clear() noexcept {
     for (std::size_t index = 0; index < simulations.size(); ++index) {
         if (simulations[index].number != 0)
             worker.start({.simulation = static_cast<std::uint32_t>(index)});
@@ -217,8 +217,8 @@ void ScenePlayer::reset() noexcept {
     ownNumber = nextNumber();
 }
 
-void ScenePlayer::restart() noexcept {
-    reset();
+void ScenePlayer::reset() noexcept {
+    clear();
     nextSimulation = 0;
     noteCount = 0;
     lateCount = 0;

@@ -30,8 +30,8 @@ public:
     void hear(std::span<const CellOutput> cellsOfSlots, const CellOutput& heard) noexcept override;
     void setOffline(bool isOffline) noexcept override { mayWait = isOffline; }
     void pause(bool isPaused) noexcept override { paused = isPaused; }
+    void clear() noexcept override;
     void reset() noexcept override;
-    void restart() noexcept override;
     bool silent() const noexcept override;
     std::int64_t lateEvents() const noexcept override { return lateCount; }
     std::span<const PlacedImpact> takeImpacts() noexcept override;

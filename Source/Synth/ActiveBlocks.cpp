@@ -28,7 +28,8 @@ void ActiveBlocks::activate(std::size_t block) noexcept {
     active.insert(std::ranges::lower_bound(active, number), number);
 }
 
-void ActiveBlocks::wake(float threshold, std::int64_t grid) noexcept {
+bool ActiveBlocks::wake(float threshold, std::int64_t grid) noexcept {
+    const std::size_t before = active.size();
     const auto isLoud = [&](std::size_t b) { return bank.energyOfLoudest(b) > threshold; };
     for (std::size_t b = 0; b < bank.blockCount(); ++b) {
         if (contains(b) || !isLoud(b))
@@ -37,6 +38,7 @@ void ActiveBlocks::wake(float threshold, std::int64_t grid) noexcept {
         if (isLoud(b))
             activate(b);
     }
+    return active.size() > before;
 }
 
 void ActiveBlocks::bringUpToDate(std::size_t block, std::int64_t grid) noexcept {

@@ -26,8 +26,8 @@ public:
 
     /// The states of the block must hold at the grid point already.
     void activate(std::size_t block) noexcept;
-    /// Activates all blocks that hold an energy above `threshold`.
-    void wake(float threshold, std::int64_t grid) noexcept;
+    /// Activates all blocks that hold an energy above `threshold`. Returns whether there were any.
+    bool wake(float threshold, std::int64_t grid) noexcept;
     /// Moves the states of a resting block to the grid point.
     void bringUpToDate(std::size_t block, std::int64_t grid) noexcept;
     void bringRestingUpToDate(std::int64_t grid) noexcept;

@@ -103,8 +103,8 @@ void ActiveModes::retireBlocks(std::int64_t grid) noexcept {
 }
 
 void ActiveModes::wake(std::int64_t grid) noexcept {
-    activeBlocks.wake(tauEnergy(), grid);
-    mixedIsRinging = false;
+    if (activeBlocks.wake(tauEnergy(), grid))
+        mixedIsRinging = false;
 }
 
 /// Mixes the audible modes of `energies` above `threshold`. If the allowance is too small for all,

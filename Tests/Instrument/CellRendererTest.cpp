@@ -74,7 +74,7 @@ public:
         std::ranges::fill(ears[0], 0.25f);
         std::ranges::fill(ears[1], 0.5f);
     }
-    void restart() noexcept override {}
+    void reset() noexcept override {}
     bool silent() const noexcept override { return true; }
 
     std::vector<Note> notes;

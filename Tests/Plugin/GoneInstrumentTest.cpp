@@ -63,7 +63,7 @@ private:
         void sound(std::int64_t, Synthesiser&, std::span<const CellOutput>) noexcept override {}
         void release(Synthesiser&, std::span<const CellOutput>) noexcept override {}
         void hear(std::span<const CellOutput>, const CellOutput&) noexcept override {}
-        void restart() noexcept override {}
+        void reset() noexcept override {}
         bool silent() const noexcept override { return true; }
         std::span<const PlacedImpact> takeImpacts() noexcept override { return {&struck, 1}; }
         std::uint32_t number() const noexcept override { return 1; }

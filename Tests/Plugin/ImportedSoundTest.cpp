@@ -47,7 +47,7 @@ TEST_CASE("The first product of a file plays at the pitches of the keys, of its 
     CHECK(sound->parameters[material] == double{ownMaterial});
     CHECK(sound->parameters[thickness] == parameterInfo(thickness).defaultValue);
     CHECK(sound->parameters[level] ==
-          startingLevel(sound->instrument, sound->preset.surface, rateHz, sound->parameters));
+          startingLevel({sound->instrument, sound->preset.surface, rateHz}, sound->parameters));
 }
 
 TEST_CASE("A later product keeps the keys and the material that the user has chosen meanwhile") {
@@ -74,7 +74,7 @@ TEST_CASE("A louder object gets a lower level, by as much as it is predicted to 
     before.parameters.set(level, parameterInfo(level).maximum); // beyond its headroom
     loud.parameters = before.parameters;
     const auto lufs = [&](const Sound& sound) {
-        return predictedLufs(sound.instrument, sound.preset.surface, rateHz, sound.parameters);
+        return predictedLufs({sound.instrument, sound.preset.surface, rateHz}, sound.parameters);
     };
     const auto matched = asLoudAs(before, loud, rateHz);
     const double lower = before.parameters[level] - matched.parameters[level];
@@ -88,7 +88,7 @@ TEST_CASE("A sound within its headroom leaves the next one headroom") {
     const auto matched = asLoudAs(loud, quiet, rateHz);
     CHECK(matched.parameters[level] > loud.parameters[level]);
     CHECK(matched.parameters[level] <=
-          highestLevel(quiet.instrument, quiet.preset.surface, rateHz, quiet.parameters));
+          highestLevel({quiet.instrument, quiet.preset.surface, rateHz}, quiet.parameters));
 }
 
 TEST_CASE("Without a former instrument the level stays") {

@@ -36,7 +36,7 @@ private:
             for (std::size_t c = 0; c < ears.channels(); ++c)
                 std::ranges::fill(ears[c], sample);
         }
-        void restart() noexcept override { sample = 0; }
+        void reset() noexcept override { sample = 0; }
         bool silent() const noexcept override { return sample == 0; }
         std::span<const BodyPose> bodyPoses() const noexcept override { return {&pose, 1}; }
         float sample = 0;

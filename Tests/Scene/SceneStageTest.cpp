@@ -243,7 +243,7 @@ TEST_CASE("Rolling does not click when it is paused, resumed, stopped or replace
         };
         player.stage().pause(end == End::pause);
         if (end == End::stop)
-            player.stage().reset();
+            player.stage().clear();
         goOn(end == End::note ? std::vector<Note>{{0, 60, 64}} : std::vector<Note>(), restCells);
         player.stage().pause(false);
         goOn({}, 10);
