@@ -15,7 +15,7 @@ PROGRAM = os.environ["IDIOPHONE"]
 OBJECTS = pathlib.Path(__file__).resolve().parents[2] / "Resources" / "Objects"
 
 
-def run(*arguments, timeout=120, environment=(), largest_file_bytes=None):
+def run(*arguments, environment=(), largest_file_bytes=None):
     def fill_disk():
         import resource  # POSIX only
         import signal
@@ -24,7 +24,7 @@ def run(*arguments, timeout=120, environment=(), largest_file_bytes=None):
         resource.setrlimit(resource.RLIMIT_FSIZE, (largest_file_bytes, largest_file_bytes))
 
     return subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True,
-                          timeout=timeout, env={**os.environ, **dict(environment)},
+                          env={**os.environ, **dict(environment)},
                           preexec_fn=None if largest_file_bytes is None else fill_disk)
 
 
@@ -47,8 +47,8 @@ class ConsoleTest(unittest.TestCase):
         # Hide the materials of the user who runs the tests.
         self.environment = {"XDG_CONFIG_HOME": str(self.folder / "settings")}
 
-    def succeed(self, *arguments, timeout=120):
-        result = run(*arguments, timeout=timeout, environment=self.environment)
+    def succeed(self, *arguments):
+        result = run(*arguments, environment=self.environment)
         self.assertEqual(result.returncode, 0, result.stderr)
         return result
 

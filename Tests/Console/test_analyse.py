@@ -189,7 +189,7 @@ class Analyse(ConsoleTest):
                 wait_for_handlers(process)
                 self.assertIsNone(process.poll(), "it was over before it could be stopped")
                 process.send_signal(wish)
-                _, complaint = process.communicate(timeout=600)
+                _, complaint = process.communicate()
                 self.assertEqual(process.returncode, 130)
                 self.assertEqual(complaint, "idiophone: The analysis was cancelled.\n")
                 self.assertEqual(list(self.folder.glob("plate.modal*")), [])
@@ -203,7 +203,7 @@ class Analyse(ConsoleTest):
         process.send_signal(signal.SIGHUP)
         self.assertIn(signal.SIGHUP, signals(process, "SigIgn"))
         process.send_signal(signal.SIGINT)
-        process.communicate(timeout=600)
+        process.communicate()
         self.assertEqual(process.returncode, 130)
 
     @unittest.skipIf(sys.platform == "win32", "signals and terminals of POSIX")

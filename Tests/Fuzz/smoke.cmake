@@ -47,10 +47,9 @@ function(smoke_test target program)
         set(dictionary)
     endif()
     add_test(NAME "Fuzz: ${target}"
-        COMMAND "${program}" -seed=1 -keep_seed=1 -max_total_time=5 -timeout=20
+        COMMAND "${program}" -seed=1 -keep_seed=1 -max_total_time=5
                 ${dictionary} "-seed_inputs=${seeds}"
                 "-artifact_prefix=${CMAKE_CURRENT_BINARY_DIR}/${target}-")
-    set_tests_properties("Fuzz: ${target}" PROPERTIES TIMEOUT 120)
 endfunction()
 
 foreach(module ${modules_with_juce})

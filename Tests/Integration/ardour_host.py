@@ -32,7 +32,7 @@ class Ardour:
 
     def run(self, *command, **variables):
         result = subprocess.run(list(map(str, command)), env=self.environment | variables,
-                                capture_output=True, text=True, timeout=120)
+                                capture_output=True, text=True)
         assert result.returncode == 0, (
             f"{command} ended with {result.returncode}: {result.stdout}{result.stderr}")
 

@@ -45,7 +45,7 @@ def render_in_console(console, songs, tmp_path_factory):
         changes = [argument for assignment in assignments for argument in ("--set", assignment)]
         subprocess.run([console, "render", "--preset", preset, *changes, "-o", wave,
                         "--midi", songs / "TheEntertainer.mid", "--sample-rate", "48000"],
-                       check=True, timeout=300)
+                       check=True)
         assert soundfile.info(wave).subtype == "FLOAT"
         samples, rate = soundfile.read(wave, dtype="float32", always_2d=True)
         assert rate == 48000

@@ -53,7 +53,7 @@ def ports_of(uri, environment):
     """Returns [(index, symbol, set of type names, default value)], read by lilv from the plugin's
     files."""
     text = subprocess.run(["lv2info", uri], env=environment, check=True, capture_output=True,
-                          text=True, timeout=60).stdout
+                          text=True).stdout
     ports = []
     for index, body in re.findall(r"^\tPort (\d+):\n((?:\t\t.*\n|\n)*)", text, re.MULTILINE):
         types = set(re.findall(r"[#](\w+Port)\b", body))

@@ -18,14 +18,14 @@ ID = "org.idiophone.Idiophone"
 def prefix(build, tmp_path_factory):
     folder = tmp_path_factory.mktemp("install") / "usr"
     subprocess.run(["cmake", "--install", build, "--prefix", folder], check=True,
-                   capture_output=True, timeout=120)
+                   capture_output=True)
     return folder
 
 
 def run(program, *arguments, cwd):
     # The environment of a new user: no sources nearby and no settings.
     return subprocess.run([program, *map(str, arguments)], cwd=cwd, env={"HOME": str(cwd)},
-                          capture_output=True, text=True, timeout=120, check=True).stdout
+                          capture_output=True, text=True, check=True).stdout
 
 
 def test_nothing_of_other_projects_is_installed(prefix):
@@ -107,7 +107,7 @@ def examples(prefix, sources, tmp_path_factory):
     folder = tmp_path_factory.mktemp("examples")
 
     def cmake(*arguments):
-        result = subprocess.run(["cmake", *arguments], capture_output=True, text=True, timeout=300)
+        result = subprocess.run(["cmake", *arguments], capture_output=True, text=True)
         assert result.returncode == 0, result.stdout + result.stderr
     cmake("-S", sources / "docs/library", "-B", folder,
           f"-DCMAKE_PREFIX_PATH={prefix}", "-DCMAKE_BUILD_TYPE=Release")
@@ -130,7 +130,7 @@ def test_a_program_on_the_library_analyses_as_the_console_does(prefix, examples,
 def test_a_game_loop_on_the_library_hears_its_impacts(examples, sources, tmp_path):
     sound = tmp_path / "bounce.f32"
     subprocess.run([examples / "game_loop", sources / "Resources/Objects/plate.modal", sound],
-                   check=True, timeout=60)
+                   check=True)
     samples = numpy.fromfile(sound, "<f4")
     assert abs(len(samples) - 3 * 48000) < 480
     assert numpy.isfinite(samples).all()
@@ -149,7 +149,7 @@ def test_slides_and_rolls_on_the_library_are_heard_by_both_ears_and_differ(
     def slide(kind):
         sound = tmp_path / f"{kind}.f32"
         subprocess.run([examples / "slide", kind, sources / "Resources/Objects/plate.modal", sound],
-                       check=True, timeout=60)
+                       check=True)
         samples = numpy.fromfile(sound, "<f4").reshape(-1, 2)
         assert len(samples) == 3 * 48000
         peak = abs(samples).max()
@@ -177,4 +177,4 @@ def test_the_desktop_knows_the_standalone(prefix):
     said = subprocess.run([prefix / "bin/idiophone", "--version"], capture_output=True, text=True)
     assert re.search(r"[\d.]+", said.stdout).group() == version
     if appstream := shutil.which("appstreamcli"):
-        subprocess.run([appstream, "validate", "--no-net", metainfo], check=True, timeout=60)
+        subprocess.run([appstream, "validate", "--no-net", metainfo], check=True)

@@ -7,7 +7,7 @@ FAILED_TEST = re.compile(r"^\[(.+)\]\n((?:[^\[\n].*\n)*)\[XXXXXXX Failed\]", re.
 
 
 def run(*command):
-    return subprocess.run(list(map(str, command)), capture_output=True, text=True, timeout=900)
+    return subprocess.run(list(map(str, command)), capture_output=True, text=True)
 
 
 def assert_steinberg_passes(validator, vst3, fewest_tests, *options):
