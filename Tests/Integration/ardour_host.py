@@ -38,8 +38,15 @@ class Ardour:
 
     def make_session(self, folder, midi_file, plugin_type, program, parameters=()):
         values = [text for pair in parameters for text in pair]
-        self.run(self.lua, SCRIPTS / "ardour_session.lua", folder, SESSION, SAMPLE_RATE,
-                 "Idiophone", plugin_type, program, *values)
+        try:
+            self.run(self.lua, SCRIPTS / "ardour_session.lua", folder, SESSION, SAMPLE_RATE,
+                     "Idiophone", plugin_type, program, *values)
+        except AssertionError as error:
+            # On a busy machine Ardour may register a port of the new track twice, and abort.
+            if "register_port: Port already exists" not in str(error):
+                raise
+            shutil.rmtree(folder)
+            return self.make_session(folder, midi_file, plugin_type, program, parameters)
         put_song(folder, midi_file)
 
     def render(self, folder, frames):
