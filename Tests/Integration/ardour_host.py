@@ -51,7 +51,12 @@ class Ardour:
 
     def render(self, folder, frames):
         """Reopens the session and exports its first `frames`; returns [channels, frames]."""
-        self.run(self.lua, SCRIPTS / "ardour_export.lua", folder, SESSION, frames)
+        try:
+            self.run(self.lua, SCRIPTS / "ardour_export.lua", folder, SESSION, frames)
+        except AssertionError as error:
+            # Now and then Ardour frees one of its export channels twice when the session closes.
+            if "exported\n" not in str(error):
+                raise
         wave = folder / "export" / "song.wav"
         assert soundfile.info(wave).subtype == "FLOAT"
         samples, rate = soundfile.read(wave, dtype="float32", always_2d=True)
