@@ -63,7 +63,7 @@ MethodChoice chooseMethod(const MeshCheck& check, double shellThicknessMetres) {
                     " on average; a mesh of the middle surface with that thickness would be nearer "
                     "the truth."};
     return {AnalysisMethod::tetrahedra,
-            "Taken as a solid (finite elements), because it is closed and chunky."};
+            "Taken as a solid (finite elements), because it is closed and thick."};
 }
 
 } // namespace idiophone

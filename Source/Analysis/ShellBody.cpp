@@ -13,7 +13,7 @@
 namespace idiophone {
 namespace {
 
-constexpr double edgesPerWavelength = 10, fewestEdgesPerWavelength = 4;
+constexpr double edgesPerWavelength = 10, minimumEdgesPerWavelength = 4;
 /// Area per vertex of equilateral triangles, in squares of their edge: √3/2.
 constexpr double areaPerVertex = 0.866;
 
@@ -71,7 +71,7 @@ Result<double> fitMesh(Mesh& mesh,
         notes = "The surface was remeshed to " + std::to_string(mesh.vertexCount()) + " vertices.";
     }
     return servedFrequencyHz(law, settings.material.densityKgPerM3, settings.maxFrequencyHz,
-                             settings.thicknessMetres, fewestEdgesPerWavelength * given);
+                             settings.thicknessMetres, minimumEdgesPerWavelength * given);
 }
 
 } // namespace

@@ -20,7 +20,7 @@ namespace {
 
 /// Maximum circumradius over shortest edge if no flat elements are wanted. TetGen is proved to
 /// terminate from 2 on, and in practice terminates far below 2.
-constexpr double chunkyRatio = 1.6;
+constexpr double thickRatio = 1.6;
 
 /// The volume bound over the volume of a regular tetrahedron of the target edge. It makes the mean
 /// edge about the target; found by trials on bars, spheres and blocks.
@@ -42,11 +42,11 @@ std::string faultOf(const Mesh& surface, const TetMeshSettings& settings) {
 /// 2V/A has R/h = √(e²/3 + h²/4)/h. With a lower bound, TetGen would cut it into cubes.
 double radiusEdgeRatio(const Mesh& surface, const TetMeshSettings& settings) {
     if (!settings.keepSurface)
-        return chunkyRatio;
+        return thickRatio;
     const double area = faceAreas(surface).sum();
     const double wall = wallThicknessMetres(area, std::abs(signedVolumeM3(surface)));
     const double edge = meanEdgeLengthMetres(surface) / std::max(wall, 1e-12 * std::sqrt(area));
-    return std::max(chunkyRatio, 1.5 * std::sqrt(edge * edge / 3 + 0.25));
+    return std::max(thickRatio, 1.5 * std::sqrt(edge * edge / 3 + 0.25));
 }
 
 double sixVolumes(const Eigen::MatrixXd& points, const Eigen::RowVectorXi& corners) {

@@ -8,7 +8,7 @@
 namespace idiophone {
 namespace {
 
-constexpr int fewestSamples = 16;
+constexpr int minimumSamples = 16;
 constexpr double nothing = 1e-9; // remainder that is only rounding
 
 } // namespace
@@ -17,7 +17,7 @@ PressedForce::PressedForce(const std::shared_ptr<const SurfaceProfile>& profile,
     : force(profile, seed),
       // Time that remains after the longest wait for a grid point.
       fadeSamples(
-          std::max(fewestSamples,
+          std::max(minimumSamples,
                    static_cast<int>(fadeSeconds * profile->sampleRateHz()) - (cellSamples - 1))) {}
 
 void PressedForce::begin() noexcept {

@@ -104,8 +104,8 @@ btCollisionShape* CollisionShape::hull(const std::vector<Eigen::Vector3d>& point
         shape->addPoint(corner, false);
     shape->recalcLocalAabb();
     shape->setMargin(margin);
-    constexpr int fewestFaces = 4; // with fewer faces Bullet reads beyond its list
-    if (computer.vertices.size() <= maximumHullVertices && computer.faces.size() >= fewestFaces)
+    constexpr int minimumFaces = 4; // with fewer faces Bullet reads beyond its list
+    if (computer.vertices.size() <= maximumHullVertices && computer.faces.size() >= minimumFaces)
         shape->initializePolyhedralFeatures(); // lets whole faces collide
     return shape;
 }

@@ -63,7 +63,7 @@ TEST_CASE("An analysis without a given method reports its choice and the reason"
     CHECK(solid->method == "fem");
     CHECK(solid->body == BodyKind::solid);
     CHECK(solid->thicknessMetres == 0);
-    CHECK_THAT(solid->provenance.notes, ContainsSubstring("closed and chunky"));
+    CHECK_THAT(solid->provenance.notes, ContainsSubstring("closed and thick"));
     const auto shell = analyse(sheetMesh(0.3, 0.05, 200), settingsOf(6000));
     REQUIRE(shell);
     CHECK(shell->method == "two-layer");
