@@ -35,13 +35,12 @@ std::string HostSession::save() {
 }
 
 void HostSession::restore(std::string_view bytes) {
-    shared.reporter.beginRestoring();
     const auto restored = withinMemory(
         [&] {
+            const HostReporter::Restoring restoring(shared.reporter);
             return parseState(bytes).and_then([this](const State& state) { return play(state); });
         },
         "The saved state");
-    shared.reporter.endRestoring();
     if (restored)
         shared.reporter.reportSound();
     else
