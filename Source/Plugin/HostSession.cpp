@@ -54,11 +54,10 @@ Result<void> HostSession::play(const State& state) {
     Sound sound{
         .preset = state.preset, .parameters = state.parameters, .stored = state.preset.parameters};
     sound.missing = replaceMissing(sound.preset, state.objects);
-    const auto held = session.lock();
     auto built = buildInstrument(sound.preset.keyMap, state.objects);
     if (!built)
         return failure("The saved state cannot be played: " + built.error().message);
-    auto player = session.newPlayer(*built, sound.preset, state.parameters);
+    auto [player, held] = session.newPlayerThenLock(*built, sound.preset, state.parameters);
     if (!player)
         return tl::unexpected(player.error());
     shared.programs.cancel();
