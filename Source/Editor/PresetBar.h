@@ -196,10 +196,10 @@ private:
             juce::PopupMenu::Options().withTargetComponent(mutation).withDeletionCheck(*this));
     }
     void refreshPreset() {
-        const auto details = view.presets.soundDetails();
-        name.show(fromUtf8(details.name), view.presets.soundIsChanged(),
-                  fromUtf8(details.description));
-        const auto* preset = chosen();
+        const auto playing = view.presets.playingPreset();
+        name.show(fromUtf8(playing.details.name), playing.isChanged,
+                  fromUtf8(playing.details.description));
+        const auto* preset = presetOf(playing.id);
         favourite.setEnabled(preset != nullptr);
         favourite.setToggleState(preset != nullptr && preset->isFavourite,
                                  juce::dontSendNotification);
@@ -221,9 +221,11 @@ private:
                          isB ? "Copy the current sound B to A" : "Copy the current sound A to B");
     }
     const ShelvedPreset* chosen() const {
+        return presetOf(view.presets.playingPreset().id);
+    }
+    const ShelvedPreset* presetOf(const std::string& id) const {
         const auto& presets = view.presets.presets();
-        const auto found =
-            std::ranges::find(presets, view.presets.chosenPreset(), &ShelvedPreset::id);
+        const auto found = std::ranges::find(presets, id, &ShelvedPreset::id);
         return found == presets.end() ? nullptr : &*found;
     }
     void report(const Result<void>& outcome) {

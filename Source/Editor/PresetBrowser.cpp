@@ -112,7 +112,7 @@ void PresetBrowser::refill() {
         if (sources.passes(preset) && matchesSearch(preset, search.getText()))
             passing.push_back(preset);
     const auto count = passing.size();
-    list.show(std::move(passing), shelf.chosenPreset());
+    list.show(std::move(passing), shelf.playingPreset().id);
     if (count == 0)
         say("No preset has all of these words and tags.", false);
     else if (status.getText().startsWith("No preset"))
@@ -147,7 +147,7 @@ void PresetBrowser::ask(Question next) {
     const auto* preset = list.selected();
     askedId = preset != nullptr ? preset->id : std::string();
     if (question == Question::save) {
-        auto details = shelf.soundDetails();
+        auto details = shelf.playingPreset().details;
         if (preset != nullptr && preset->isFactory)
             details.author.clear(); // another user is the author of the copy
         form.askForDetails(details);

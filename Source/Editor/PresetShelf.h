@@ -29,6 +29,14 @@ struct PresetDetails {
     std::vector<std::string> tags;
 };
 
+/// The current preset, and the sound made of it.
+struct PlayingPreset {
+    std::string id;        ///< constant while the sound changes; empty if there is no preset
+    PresetDetails details; ///< of the sound
+    /// Whether any parameter, except those of the setup, differs from the preset.
+    bool isChanged = false;
+};
+
 /// For the message thread. Errors are one sentence; after an error nothing has changed.
 class PresetShelf {
 public:
@@ -40,12 +48,8 @@ public:
     /// Reads the user's folder again, but not files that have not changed.
     virtual void readPresets() = 0;
 
-    /// The id of the current preset, even if its sound has changed; empty if there is none.
-    virtual std::string chosenPreset() const = 0;
-    /// Name, description and other details of the current sound.
-    virtual PresetDetails soundDetails() const = 0;
-    /// Whether any parameter, except those of the setup, differs from the preset.
-    virtual bool soundIsChanged() const = 0;
+    /// Cheap enough for every poll of the window.
+    virtual PlayingPreset playingPreset() const = 0;
 
     /// Loads a preset, as one step of the edit history.
     virtual Result<void> loadPreset(const std::string& id) = 0;

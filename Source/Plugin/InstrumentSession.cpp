@@ -10,7 +10,8 @@
 namespace idiophone {
 
 InstrumentView::KeyRange InstrumentSession::keyRange() const {
-    const auto map = session.loadedSound().preset.keyMap;
+    const auto held = session.lock();
+    const auto& map = session.playing().preset.keyMap;
     return {.lowest = map.lowestNote, .highest = map.highestNote};
 }
 

@@ -14,15 +14,6 @@ juce::File below(const juce::File& settings, const char* name) {
     return settings == juce::File() ? settings : settings.getChildFile(name);
 }
 
-/// Returns a preset's details with an empty folder.
-PresetDetails detailsOf(const Preset& preset) {
-    return {.name = preset.name,
-            .folder = {},
-            .author = preset.author,
-            .description = preset.description,
-            .tags = preset.tags};
-}
-
 ShelvedPreset shelved(const Preset& preset, std::string id) {
     return {.id = std::move(id),
             .name = preset.name,
@@ -74,12 +65,11 @@ void PresetCollection::readPresets() {
         preset.isFavourite = favourites.contains(preset.id);
 }
 
-PresetDetails PresetCollection::soundDetails() const {
-    const auto sound = holder.loadedSound();
-    auto details = detailsOf(sound.preset);
-    if (const auto* entry = folder.find(sound.presetId))
-        details.folder = entry->folder;
-    return details;
+PlayingPreset PresetCollection::playingPreset() const {
+    auto playing = holder.playingPreset();
+    if (const auto* entry = folder.find(playing.id))
+        playing.details.folder = entry->folder;
+    return playing;
 }
 
 Result<PresetCollection::FoundSound> PresetCollection::soundOf(const std::string& id) {

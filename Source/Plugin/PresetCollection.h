@@ -24,9 +24,7 @@ public:
 
     const std::vector<ShelvedPreset>& presets() const override { return shelf; }
     void readPresets() override;
-    std::string chosenPreset() const override { return holder.loadedSound().presetId; }
-    PresetDetails soundDetails() const override;
-    bool soundIsChanged() const override { return holder.loadedSound().isChanged(); }
+    PlayingPreset playingPreset() const override;
     Result<void> loadPreset(const std::string& id) override;
     Result<void> loadInitialSound() override;
     Result<void> auditionPreset(const std::string& id) override;

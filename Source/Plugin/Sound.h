@@ -1,6 +1,7 @@
 // Holds a whole sound that can be kept and played again. Cheap to copy, because objects are shared.
 #pragma once
 
+#include "Editor/PresetShelf.h"
 #include "Instrument/Instrument.h"
 #include "Instrument/Preset.h"
 #include "Plugin/ObjectEmbedding.h"
@@ -22,11 +23,17 @@ struct Sound {
     std::uint64_t presetContent = 0;
     ParameterValues stored; ///< values of that preset, to detect changes
 
-    /// Returns whether a parameter outside the setup differs from the stored one.
-    bool isChanged() const { return withSetupOf(stored, parameters) != stored; }
-
     bool operator==(const Sound&) const = default;
 };
+
+/// Returns a preset's details with an empty folder.
+inline PresetDetails detailsOf(const Preset& preset) {
+    return {.name = preset.name,
+            .folder = {},
+            .author = preset.author,
+            .description = preset.description,
+            .tags = preset.tags};
+}
 
 /// Holds the current sound and plays others; SoundSession implements it. For the message thread.
 class SoundHolder {
@@ -35,6 +42,8 @@ public:
 
     /// Returns the current sound; its instrument is null if none could be loaded.
     virtual Sound loadedSound() const = 0;
+    /// Returns the preset of the current sound, with an empty folder, without copying the sound.
+    virtual PlayingPreset playingPreset() const = 0;
     /// Plays the sound at once and keeps the present setup. If the instrument or its preset
     /// differs, the old sound fades out. If only parameters change, it rings on, unless the level
     /// changes by more than 12 dB and there is no stage. Returns false for a sound without an

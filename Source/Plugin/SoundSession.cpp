@@ -69,6 +69,13 @@ Sound SoundSession::loadedSound() const {
     return soundNow();
 }
 
+PlayingPreset SoundSession::playingPreset() const {
+    const auto held = lock();
+    return {.id = current.presetId,
+            .details = detailsOf(current.preset),
+            .isChanged = withSetupOf(current.stored, shared.parameters.values()) != current.stored};
+}
+
 Sound SoundSession::soundNow() const {
     auto sound = current;
     sound.parameters = shared.parameters.values();

@@ -41,6 +41,7 @@ public:
     void poll();
 
     Sound loadedSound() const override;
+    PlayingPreset playingPreset() const override;
     bool playSound(const Sound& wanted) override;
     void relabel(const Sound& wanted) override;
     void changeParameters(const Sound& of, const ParameterValues& wanted) override;

@@ -145,8 +145,8 @@ TEST_CASE("Saving overwrites the loaded file, even if another preset has the sam
         changeDensity(bar.processor, 1234);
         bar.click("Save");
         CHECK_FALSE(bar.processor.view().status.takeStatus().isError);
-        CHECK(shelf.chosenPreset() == copy);
-        CHECK_FALSE(shelf.soundIsChanged());
+        CHECK(shelf.playingPreset().id == copy);
+        CHECK_FALSE(shelf.playingPreset().isChanged);
         CHECK(bar.user.read("Presets/Bell.json") == original);
         CHECK(bar.user.read(std::string("Presets/") + copy).find("1234") != std::string::npos);
         CHECK_FALSE(std::filesystem::exists(bar.user.folder() / "Presets/Other/Bell.json"));

@@ -159,20 +159,20 @@ TEST_CASE("Saving under a new name adds a preset; overwriting another one asks f
     b.fill("Folder", "Bells");
     b.fill("Tags", "bright, , short ;x");
     b.click("Save");
-    REQUIRE(b.shelf.chosenPreset() == "Bells/Mine.json");
+    REQUIRE(b.shelf.playingPreset().id == "Bells/Mine.json");
     CHECK(b.shelf.presets().back().tags == std::vector<std::string>{"bright", "short", "x"});
     CHECK(b.list().selected()->name == "Mine");
 
     b.processor.view().parameters.change(ParameterId::tau, 7);
     b.click("Save as...");
     b.click("Save");
-    CHECK(b.shelf.soundIsChanged());
+    CHECK(b.shelf.playingPreset().isChanged);
     b.fill("Name", "Other");
     b.fill("Name", "Mine"); // typing makes Save ask again
     b.click("Save");
-    CHECK(b.shelf.soundIsChanged());
+    CHECK(b.shelf.playingPreset().isChanged);
     b.click("Replace");
-    CHECK_FALSE(b.shelf.soundIsChanged());
+    CHECK_FALSE(b.shelf.playingPreset().isChanged);
 }
 
 TEST_CASE("The save shortcut does not overwrite the old preset while the form is open") {
@@ -183,7 +183,7 @@ TEST_CASE("The save shortcut does not overwrite the old preset while the form is
     b.fill("Name", "Other");
     const juce::KeyPress save('s', juce::ModifierKeys::commandModifier, 19);
     CHECK(b.browser.keyPressed(save));
-    CHECK(b.shelf.soundIsChanged());
+    CHECK(b.shelf.playingPreset().isChanged);
     b.click("Cancel");
     CHECK_FALSE(b.browser.keyPressed(save)); // the key is left to the window
 }
@@ -205,7 +205,7 @@ TEST_CASE("Escape keeps an auditioned sound that was saved") {
     b.fill("Name", "Second");
     b.click("Save");
     b.press(juce::KeyPress::escapeKey);
-    CHECK(b.shelf.chosenPreset() == "Second.json");
+    CHECK(b.shelf.playingPreset().id == "Second.json");
 }
 
 TEST_CASE("Only the user's presets can be renamed and deleted") {
@@ -220,7 +220,7 @@ TEST_CASE("Only the user's presets can be renamed and deleted") {
     auto* yes = find<juce::TextButton>(b.browser, "Rename preset");
     REQUIRE(yes != nullptr);
     yes->onClick();
-    CHECK(b.shelf.chosenPreset() == "Ours.json");
+    CHECK(b.shelf.playingPreset().id == "Ours.json");
     CHECK(b.list().selected()->name == "Ours");
 #if JUCE_LINUX
     const std::string home = std::getenv("HOME") != nullptr ? std::getenv("HOME") : "";
@@ -232,7 +232,7 @@ TEST_CASE("Only the user's presets can be renamed and deleted") {
     find<juce::TextButton>(b.browser, "Delete preset")->onClick();
     setenv("HOME", home.c_str(), 1);
     CHECK(b.rows() == factoryCount);
-    CHECK(b.shelf.chosenPreset().empty());
+    CHECK(b.shelf.playingPreset().id.empty());
 #endif
 }
 
@@ -263,7 +263,7 @@ TEST_CASE("Confirming a deletion never deletes a preset selected later") {
     find<juce::TextButton>(b.browser, "Delete preset")->onClick();
     setenv("HOME", home.c_str(), 1);
     CHECK(b.rows() == factoryCount + 1);
-    CHECK(b.shelf.chosenPreset() == "Mine.json");
+    CHECK(b.shelf.playingPreset().id == "Mine.json");
 }
 #endif
 

@@ -107,7 +107,7 @@ TEST_CASE("A bend range set by MIDI holds in the next preset and changes none of
         instance.processor.setCurrentProgram(marimba);
         instance.send(after);
         CHECK(instance.value(ParameterId::bendRange) == 2);
-        CHECK_FALSE(instance.processor.soundSession().loadedSound().isChanged());
+        CHECK_FALSE(instance.processor.soundSession().playingPreset().isChanged);
         return render(instance.processor, 9600, blockSize, bent);
     };
     const auto sound = played(setup, {});

@@ -56,8 +56,8 @@ TEST_CASE("Factory presets are listed in the order of the programs") {
         CHECK(shelf.presets()[i].isFactory);
         REQUIRE(shelf.loadPreset(shelf.presets()[i].id));
         CHECK(processor.getCurrentProgram() == static_cast<int>(i));
-        CHECK(shelf.chosenPreset() == shelf.presets()[i].id);
-        CHECK_FALSE(shelf.soundIsChanged());
+        CHECK(shelf.playingPreset().id == shelf.presets()[i].id);
+        CHECK_FALSE(shelf.playingPreset().isChanged);
     }
 }
 
@@ -68,11 +68,11 @@ TEST_CASE("A saved preset loads unchanged and plays the same samples") {
     processor.setCurrentProgram(3);
     processor.view().parameters.change(ParameterId::density, 1234.5);
     processor.view().parameters.change(ParameterId::size, 1.5);
-    CHECK(shelf.soundIsChanged());
+    CHECK(shelf.playingPreset().isChanged);
     const auto values = processor.soundSession().loadedSound().parameters;
     REQUIRE(shelf.savePreset(called("Mine", "Tests"), false));
-    CHECK_FALSE(shelf.soundIsChanged());
-    CHECK(shelf.chosenPreset() == "Tests/Mine.json");
+    CHECK_FALSE(shelf.playingPreset().isChanged);
+    CHECK(shelf.playingPreset().id == "Tests/Mine.json");
     CHECK(processor.getCurrentProgram() == 0); // no longer a factory preset
     const auto expected = firstSecond(processor);
 
@@ -87,7 +87,7 @@ TEST_CASE("A saved preset loads unchanged and plays the same samples") {
     CHECK_FALSE(mine->isFactory);
     REQUIRE(otherShelf.loadPreset(mine->id));
     CHECK(other.soundSession().loadedSound().parameters == values);
-    CHECK(otherShelf.soundDetails().folder == "Tests");
+    CHECK(otherShelf.playingPreset().details.folder == "Tests");
     CHECK(firstSecond(other) == expected);
 }
 
@@ -136,7 +136,7 @@ TEST_CASE("A folder made by idiophone tune plays from inside the preset folder")
     REQUIRE(tuned != nullptr);
     REQUIRE(shelf.loadPreset(tuned->id));
     CHECK_FALSE(processor.view().status.takeStatus().isError);
-    CHECK(shelf.chosenPreset() == "My bars/marimba.json");
+    CHECK(shelf.playingPreset().id == "My bars/marimba.json");
     for (const int note : {59, 60, 61, 62})
         CHECK(processor.soundSession().instrument()->hasOwn(note) == (note == 60 || note == 61));
 }
@@ -179,7 +179,7 @@ TEST_CASE("A matched gain beyond the maximum level is kept when a preset is load
     auto& shelf = other.view().presets;
     REQUIRE(shelf.loadPreset("Loud.json"));
     CHECK(other.view().parameters.value(level) == 20);
-    CHECK_FALSE(shelf.soundIsChanged());
+    CHECK_FALSE(shelf.playingPreset().isChanged);
     CHECK(firstSecond(other) == expected);
     // The gain survives another save. Once the level parameter suffices, it replaces the gain.
     REQUIRE(shelf.saveChosenPreset());
@@ -214,12 +214,12 @@ TEST_CASE("Renaming a sound keeps automated values") {
                            juce::File(user.folder().string()));
     REQUIRE(shelf.savePreset(called("One"), false));
     CHECK(holder.isWhereItWasMoved());
-    CHECK(shelf.soundIsChanged());
+    CHECK(shelf.playingPreset().isChanged);
     REQUIRE(shelf.renamePreset("One.json", "Two"));
     CHECK(holder.isWhereItWasMoved());
     CHECK(processor.soundSession().loadedSound().preset.name == "Two");
     CHECK(processor.soundSession().loadedSound().preset.author == "Anna");
-    CHECK(shelf.chosenPreset() == "Two.json");
+    CHECK(shelf.playingPreset().id == "Two.json");
 }
 
 TEST_CASE("A scene preset names its scene by a path without machine-specific folders") {
@@ -258,9 +258,9 @@ TEST_CASE("A load is one step of the history") {
     processor.windowSession().history.undo();
     CHECK(saved(processor) == before);
     REQUIRE(shelf.loadInitialSound());
-    CHECK(shelf.soundDetails().name == "Init");
-    CHECK(shelf.chosenPreset().empty());
-    CHECK_FALSE(shelf.soundIsChanged());
+    CHECK(shelf.playingPreset().details.name == "Init");
+    CHECK(shelf.playingPreset().id.empty());
+    CHECK_FALSE(shelf.playingPreset().isChanged);
     CHECK(loudest(firstSecond(processor)) > 0.01f);
     processor.windowSession().history.undo();
     CHECK(saved(processor) == before);
@@ -299,7 +299,7 @@ TEST_CASE("Broken presets stay listed with an error, and loading them changes no
     CHECK(status.isError);
     CHECK_THAT(status.sentence, ContainsSubstring("Lost: Objects/lost-12.modal is missing"));
     CHECK(processor.soundSession().loadedSound().preset.name == "Lost");
-    CHECK(shelf.chosenPreset().empty()); // saving it needs confirmation
+    CHECK(shelf.playingPreset().id.empty()); // saving it needs confirmation
 }
 
 TEST_CASE("Favourites stay with the machine and follow a renamed preset") {
@@ -310,8 +310,8 @@ TEST_CASE("Favourites stay with the machine and follow a renamed preset") {
     REQUIRE(shelf.setFavourite("One.json", true));
     REQUIRE(shelf.setFavourite(factoryPresetId("Wok"), true));
     REQUIRE(shelf.renamePreset("One.json", "Two"));
-    CHECK(shelf.chosenPreset() == "Two.json");
-    CHECK(shelf.soundDetails().name == "Two");
+    CHECK(shelf.playingPreset().id == "Two.json");
+    CHECK(shelf.playingPreset().details.name == "Two");
     Processor other;
     other.view().presets.readPresets();
     for (const auto& preset : other.view().presets.presets())
@@ -334,7 +334,7 @@ TEST_CASE("A deleted preset plays on, goes to the bin and is no longer a favouri
     setenv("HOME", home.c_str(), 1);
     CHECK(find(shelf, "One") == nullptr);
     CHECK(processor.soundSession().instrument() == instrument);
-    CHECK(shelf.chosenPreset().empty());
+    CHECK(shelf.playingPreset().id.empty());
     CHECK(user.read("favourites.json").find("One") == std::string::npos);
     CHECK(std::filesystem::exists(testFolder() / "home/.local/share/Trash/files/One.json"));
 }

@@ -142,7 +142,7 @@ TEST_CASE("A save overwrites only the file version that the current sound came f
         two.view().parameters.change(tau, wanted);
         REQUIRE(otherShelf.saveChosenPreset());
         Processor third;
-        REQUIRE(third.view().presets.loadPreset(otherShelf.chosenPreset()));
+        REQUIRE(third.view().presets.loadPreset(otherShelf.playingPreset().id));
         CHECK(third.view().parameters.value(tau) == wanted);
     };
 
@@ -245,11 +245,11 @@ TEST_CASE("After a save or rename, the sounds of A/B and undo belong to the save
         CHECK(processor.windowSession().history.redoName() == "Wok");
     }
     CHECK(processor.view().parameters.value(tau) != 5);
-    CHECK(shelf.soundDetails().name == name);
-    CHECK(shelf.chosenPreset() == name + ".json");
-    CHECK(shelf.soundIsChanged()); // compared with the file's new content
+    CHECK(shelf.playingPreset().details.name == name);
+    CHECK(shelf.playingPreset().id == name + ".json");
+    CHECK(shelf.playingPreset().isChanged); // compared with the file's new content
     processor.view().parameters.change(tau, 5);
-    CHECK_FALSE(shelf.soundIsChanged());
+    CHECK_FALSE(shelf.playingPreset().isChanged);
     processor.view().parameters.change(tau, 7);
     REQUIRE(shelf.saveChosenPreset());
     Processor other;

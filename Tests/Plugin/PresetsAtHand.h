@@ -29,6 +29,7 @@ public:
     explicit ForwardingHolder(Processor& held) : session(held.soundSession()) {}
 
     Sound loadedSound() const override { return session.loadedSound(); }
+    PlayingPreset playingPreset() const override { return session.playingPreset(); }
     bool playSound(const Sound& sound) override { return session.playSound(sound); }
     void relabel(const Sound& sound) override { session.relabel(sound); }
     void reportError(const std::string& sentence) override { session.reportError(sentence); }

@@ -192,8 +192,8 @@ TEST_CASE(
     first.setCurrentProgram(1);
     restoreBytes(second, saved(first));
     CHECK(second.getCurrentProgram() == 1);
-    CHECK(second.view().presets.chosenPreset() == factoryPresetId(factoryPresets()[1].name));
+    CHECK(second.view().presets.playingPreset().id == factoryPresetId(factoryPresets()[1].name));
     restore(second, testState());
-    CHECK(second.view().presets.chosenPreset().empty());
+    CHECK(second.view().presets.playingPreset().id.empty());
     CHECK(second.getCurrentProgram() == 0); // hosts know no other program
 }

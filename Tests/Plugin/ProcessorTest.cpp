@@ -99,7 +99,7 @@ TEST_CASE("Every factory preset is a program that has a name and sounds") {
 TEST_CASE("A new instance plays the first factory preset") {
     Processor processor;
     CHECK(processor.getCurrentProgram() == 0);
-    CHECK(processor.view().presets.chosenPreset() == factoryPresetId(factoryPresets()[0].name));
+    CHECK(processor.view().presets.playingPreset().id == factoryPresetId(factoryPresets()[0].name));
     CHECK_FALSE(processor.view().status.takeStatus().isError);
     processor.prepareToPlay(44100, 512);
     CHECK(loudest(render(processor, 4096, 512, hardNote)) > 0.001f);

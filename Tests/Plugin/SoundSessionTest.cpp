@@ -1,5 +1,6 @@
 #include "Plugin/SoundSession.h"
 
+#include "Plugin/RealTimeTrap.h"
 #include "Plugin/SessionParts.h"
 
 using namespace idiophone;
@@ -26,6 +27,15 @@ TEST_CASE("A sound without an instrument does not play") {
     CHECK_FALSE(parts.session.playSound(nothing));
     CHECK(parts.session.number() == 0);
     CHECK(parts.session.instrument() == nullptr);
+}
+
+TEST_CASE("Reading the playing preset copies only its texts") {
+    SessionParts parts;
+    parts.play();
+    PlayingPreset playing;
+    const auto faults = faultsOf([&] { playing = parts.session.playingPreset(); });
+    CHECK(playing.details.name == "Test keyboard"); // short enough to be stored without allocation
+    CHECK(faults.allocations == 0);
 }
 
 TEST_CASE("A session hands over no player until it is prepared") {
@@ -63,7 +73,7 @@ TEST_CASE("Changed parameters are set only while their sound plays") {
     wanted.set(density, 1234);
     parts.session.changeParameters(now, wanted);
     CHECK(parts.parameters[density].exactValue() == 1234);
-    CHECK(parts.session.loadedSound().isChanged());
+    CHECK(parts.session.playingPreset().isChanged);
     now.instrument = testSound("other").instrument;
     wanted.set(density, 4321);
     parts.session.changeParameters(now, wanted);
