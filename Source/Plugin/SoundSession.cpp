@@ -193,6 +193,12 @@ void SoundSession::reportError(const std::string& sentence) {
     fail(sentence);
 }
 
+void SoundSession::takeBackError(const std::string& sentence) {
+    const auto held = lock();
+    if (lastError == sentence)
+        lastError.clear();
+}
+
 SoundSession::PlayerResult SoundSession::newPlayer(const std::shared_ptr<const Instrument>& built,
                                                    const Preset& preset,
                                                    const ParameterValues& values) const {

@@ -47,6 +47,8 @@ public:
     void changeParameters(const Sound& of, const ParameterValues& wanted) override;
     Status takeStatus() override;
     void reportError(const std::string& sentence) override;
+    /// Removes this error from the status line, unless another has replaced it.
+    void takeBackError(const std::string& sentence);
 
     Loaded loaded() const;
     /// Returns the playing instrument, or null if none could be loaded.
