@@ -207,7 +207,7 @@ SoundSession::PlayerResult SoundSession::newPlayer(const std::shared_ptr<const I
                     shared.report.modulationWheel);
 }
 
-SoundSession::PlayerAndLock
+std::pair<SoundSession::PlayerResult, std::unique_lock<std::mutex>>
 SoundSession::newPlayerThenLock(const std::shared_ptr<const Instrument>& built,
                                 const Preset& preset,
                                 const ParameterValues& values) const {

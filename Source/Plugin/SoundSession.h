@@ -10,6 +10,7 @@
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <utility>
 
 namespace idiophone {
 
@@ -75,15 +76,12 @@ public:
     PlayerResult newPlayer(const std::shared_ptr<const Instrument>& instrument,
                            const Preset& preset,
                            const ParameterValues& values) const;
-    struct PlayerAndLock {
-        PlayerResult player;
-        std::unique_lock<std::mutex> lock;
-    };
     /// Returns `newPlayer` of an instrument that does not play yet, and the lock. Builds without
     /// the lock, so that the window does not wait.
-    PlayerAndLock newPlayerThenLock(const std::shared_ptr<const Instrument>& instrument,
-                                    const Preset& preset,
-                                    const ParameterValues& values) const;
+    std::pair<PlayerResult, std::unique_lock<std::mutex>>
+    newPlayerThenLock(const std::shared_ptr<const Instrument>& instrument,
+                      const Preset& preset,
+                      const ParameterValues& values) const;
     /// [lock] Plays a sound with the player from `newPlayer`. `loadValues` sets the parameter
     /// values.
     void play(Sound sound, std::unique_ptr<Player> player, const LoadValues& loadValues);
