@@ -12,14 +12,17 @@ void CellStrikes::schedule(std::size_t slot,
                            std::int64_t cell,
                            double sample) {
     const double cells = std::floor(sample / cellSamples);
-    const PendingStrike added{.cell = cell + static_cast<std::int64_t>(cells),
-                              .sampleInCell = sample - cells * cellSamples,
-                              .slot = slot,
-                              .strike = strike};
-    const auto isLater = [](const PendingStrike& a, const PendingStrike& b) {
-        return std::tie(a.cell, a.sampleInCell) > std::tie(b.cell, b.sampleInCell);
-    };
-    pending.insert(std::lower_bound(pending.begin(), pending.end(), added, isLater), added);
+    pending.push_back({.cell = cell + static_cast<std::int64_t>(cells),
+                       .sampleInCell = sample - cells * cellSamples,
+                       .number = added++,
+                       .slot = slot,
+                       .strike = strike});
+    std::ranges::push_heap(pending, isLater);
+}
+
+bool CellStrikes::isLater(const PendingStrike& one, const PendingStrike& other) {
+    return std::tie(one.cell, one.sampleInCell, one.number) >
+           std::tie(other.cell, other.sampleInCell, other.number);
 }
 
 void CellStrikes::strikeBefore(double sampleInCell, const BegunCell& cell) {
@@ -27,7 +30,8 @@ void CellStrikes::strikeBefore(double sampleInCell, const BegunCell& cell) {
         return next.cell < cell.index ||
                (next.cell == cell.index && next.sampleInCell < sampleInCell);
     };
-    while (!pending.empty() && isDue(pending.back())) {
+    while (!pending.empty() && isDue(pending.front())) {
+        std::ranges::pop_heap(pending, isLater);
         const auto due = pending.back();
         pending.pop_back();
         strike(due.slot, due.strike, due.cell < cell.index ? 0 : due.sampleInCell, cell);

@@ -50,12 +50,16 @@ public:
 private:
     struct PendingStrike {
         std::int64_t cell = 0;
-        double sampleInCell = 0; ///< 0 ≤ s < 64, may be fractional
+        double sampleInCell = 0;  ///< 0 ≤ s < 64, may be fractional
+        std::uint64_t number = 0; ///< of all that were ever added
         std::size_t slot = 0;
         Strike strike;
     };
 
-    std::vector<PendingStrike> pending; ///< latest first, so that the next is at the back
+    static bool isLater(const PendingStrike& one, const PendingStrike& other);
+
+    std::vector<PendingStrike> pending; ///< a heap with the next one in front
+    std::uint64_t added = 0;
 };
 
 } // namespace idiophone

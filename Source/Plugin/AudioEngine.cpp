@@ -115,7 +115,9 @@ void AudioEngine::strikeKeysHeldFor(const Player* next) noexcept {
 void AudioEngine::takeEvents(const BlockPieces::Piece& piece) noexcept {
     if (!piece.systemExclusive.empty()) {
         messages.tuner.retune(piece.systemExclusive);
-        messages.tuner.tune(sound.player());
+        // An empty piece is followed by another message, which tunes for both, or by a callback.
+        if (piece.length > 0 || !piece.events.empty())
+            messages.tuner.tune(sound.player());
     }
     programs.follow(piece.events);
 }

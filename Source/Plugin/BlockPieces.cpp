@@ -3,6 +3,7 @@
 #include "Instrument/MidiControllers.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace idiophone {
 namespace {
@@ -35,46 +36,41 @@ int BlockPieces::stampOf(const juce::MidiMessageMetadata& metadata) const noexce
     return std::clamp(metadata.samplePosition, position, std::max(position, samples - 1));
 }
 
-// Returns how far samples and events fit. Ends before a sample whose events do not all fit.
-int BlockPieces::pieceEnd() const noexcept {
-    const int end = std::min(position + maximumSamples, samples);
-    auto count = eventCount;
-    for (auto later = message; later != lastMessage; ++later) {
-        const int stamp = stampOf(*later);
-        if ((isSystemExclusive(*later) || isAllSoundOff(*later)) && stamp > position && stamp < end)
-            return stamp;
-        if (!isChannelMessage(*later))
-            continue;
-        if (stamp >= end)
-            break;
-        if (count++ == events.size())
-            return stamp;
-    }
-    return end;
-}
-
 std::optional<BlockPieces::Piece> BlockPieces::next() noexcept {
     if (finished)
         return std::nullopt;
     const int start = position;
-    int end = pieceEnd();
+    int end = std::min(start + maximumSamples, samples);
     std::span<const juce::uint8> systemExclusive;
+    int newest = start; // sample of the newest message
+    auto firstOfSample = message;
+    auto eventsBefore = eventCount;
     for (; message != lastMessage; ++message) {
         const auto metadata = *message;
         const int stamp = stampOf(metadata);
-        if (isSystemExclusive(metadata)) {
-            if (stamp >= end && end > start)
-                break;
-            if (eventCount > 0 || !systemExclusive.empty()) {
-                end = start;
-                break;
-            }
-            systemExclusive = {metadata.data, static_cast<std::size_t>(metadata.numBytes)};
-        }
-        if (!isChannelMessage(metadata))
-            continue;
-        if ((stamp >= end && end > start) || eventCount == events.size())
+        if (stamp >= end && end > start)
             break;
+        if (std::exchange(newest, stamp) != stamp) {
+            firstOfSample = message;
+            eventsBefore = eventCount;
+        }
+        const bool isExclusive = isSystemExclusive(metadata);
+        const bool isEvent = isChannelMessage(metadata);
+        const bool beginsPiece = stamp > start
+                                     ? isExclusive || isAllSoundOff(metadata)
+                                     : isExclusive && (eventCount > 0 || !systemExclusive.empty());
+        if (beginsPiece || (isEvent && eventCount == events.size())) {
+            end = stamp;
+            if (stamp > start) { // all messages of that sample go into the next piece
+                message = firstOfSample;
+                eventCount = eventsBefore;
+            }
+            break;
+        }
+        if (isExclusive)
+            systemExclusive = {metadata.data, static_cast<std::size_t>(metadata.numBytes)};
+        if (!isEvent)
+            continue;
         auto& event = events[eventCount++];
         event = {.sampleOffset = stamp - start, .bytes = {}};
         std::copy_n(metadata.data, metadata.numBytes, event.bytes.begin());

@@ -39,6 +39,7 @@ public:
     /// while there is room.
     void add(const MidiEvent& event) noexcept { events[eventCount++] = event; }
 
+    /// Reads each message at most twice per block.
     std::optional<Piece> next() noexcept;
 
     /// Forgets the events kept for the next block.
@@ -46,7 +47,6 @@ public:
 
 private:
     int stampOf(const juce::MidiMessageMetadata& metadata) const noexcept;
-    int pieceEnd() const noexcept;
 
     juce::MidiBufferIterator message, lastMessage;
     int position = 0;

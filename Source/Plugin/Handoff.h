@@ -41,9 +41,9 @@ public:
 
     /// [audio thread] Gives an object back for destruction; ignores nullptr.
     void retire(Built* built) noexcept {
-        // The queue is never full: every `publish` empties it. Until the next one at most four
-        // objects come back: the two that the audio thread held and the two that may have been
-        // pending.
+        // The queue is never full. When `collect` begins, the audio thread has at most three
+        // objects: two held and one pending. At most one more is published before the next
+        // `collect`. So at most four come back until `collect` has freed their places.
         if (built != nullptr)
             retired.push(built);
     }

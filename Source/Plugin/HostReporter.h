@@ -25,10 +25,20 @@ public:
     void reportProgram();
     /// [message thread] Reports that the state has changed outside the parameters.
     void reportState();
-    /// [any thread except the audio thread] Call before and after restoring a state. JUCE's VST3
-    /// reports nothing in between, so `poll` delays the reports of the sound.
-    void beginRestoring() noexcept { ++restorings; }
-    void endRestoring() noexcept { --restorings; }
+    /// [any thread except the audio thread] Keep one while a state is restored. JUCE's VST3 reports
+    /// nothing meanwhile, so `poll` delays the reports of the sound.
+    class Restoring {
+    public:
+        explicit Restoring(HostReporter& ofHost) noexcept : reporter(ofHost) {
+            ++reporter.restorings;
+        }
+        ~Restoring() { --reporter.restorings; }
+        Restoring(const Restoring&) = delete;
+        Restoring& operator=(const Restoring&) = delete;
+
+    private:
+        HostReporter& reporter;
+    };
     /// [message thread] Drops all further reports, before the host has asked for anything.
     void forget() noexcept { soundsToReport = movesToReport = 0; }
 

@@ -35,13 +35,12 @@ std::string HostSession::save() {
 }
 
 void HostSession::restore(std::string_view bytes) {
-    shared.reporter.beginRestoring();
     const auto restored = withinMemory(
         [&] {
+            const HostReporter::Restoring restoring(shared.reporter);
             return parseState(bytes).and_then([this](const State& state) { return play(state); });
         },
         "The saved state");
-    shared.reporter.endRestoring();
     if (restored)
         shared.reporter.reportSound();
     else
@@ -54,18 +53,17 @@ Result<void> HostSession::play(const State& state) {
         return failure("The saved state has a fault in its tuning: " + keys.error().message);
     Sound sound{
         .preset = state.preset, .parameters = state.parameters, .stored = state.preset.parameters};
-    sound.missing = replaceMissing(sound.preset, state.objects);
-    const auto held = session.lock();
-    auto built = buildInstrument(sound.preset.keyMap, state.objects);
-    if (!built)
-        return failure("The saved state cannot be played: " + built.error().message);
-    auto player = session.newPlayer(*built, sound.preset, state.parameters);
-    if (!player)
-        return tl::unexpected(player.error());
-    shared.programs.cancel();
     if (const auto* factory = findFactoryPreset(state.preset.name);
         factory != nullptr && factory->keyMap == state.preset.keyMap)
         sound.presetId = factoryPresetId(factory->name);
+    sound.missing = replaceMissing(sound.preset, state.objects);
+    auto built = buildInstrument(sound.preset.keyMap, state.objects);
+    if (!built)
+        return failure("The saved state cannot be played: " + built.error().message);
+    auto [player, held] = session.newPlayerThenLock(*built, sound.preset, state.parameters);
+    if (!player)
+        return tl::unexpected(player.error());
+    shared.programs.cancel();
     sound.instrument = std::move(*built);
     auto files = state.tuning;
     const auto missing = sound.missing;

@@ -8,6 +8,12 @@
 #include <utility>
 
 namespace idiophone {
+namespace {
+
+constexpr const char* pauseSentence =
+    "The host has paused the instrument: strikes in the window are silent until it goes on.";
+
+} // namespace
 
 InstrumentView::KeyRange InstrumentSession::keyRange() const {
     const auto held = session.lock();
@@ -71,7 +77,7 @@ std::vector<std::array<double, 3>> InstrumentSession::struckPlaces(std::size_t i
 }
 
 void InstrumentSession::playNote(int midiNote, int velocity) {
-    if (velocity <= 0 || isProcessing())
+    if (velocity <= 0 || takesStrikes())
         events.pushNote(midiNote, velocity);
 }
 
@@ -79,7 +85,7 @@ void InstrumentSession::strikeObject(std::size_t index,
                                      const std::array<double, 3>& pointMetres,
                                      int velocity) {
     const auto playing = session.instrument();
-    if (playing == nullptr || (velocity > 0 && !isProcessing()))
+    if (playing == nullptr || (velocity > 0 && !takesStrikes()))
         return;
     if (const auto slots = ownSlots(*playing); index < slots.size())
         hand.strike(playing, slots[index], pointMetres, velocity);
@@ -89,7 +95,7 @@ void InstrumentSession::scrapeObject(std::size_t index,
                                      const std::array<double, 3>& pointMetres,
                                      double pressure) {
     const auto playing = session.instrument();
-    if (playing == nullptr || (pressure > 0 && !isProcessing()))
+    if (playing == nullptr || (pressure > 0 && !takesStrikes()))
         return;
     if (const auto slots = ownSlots(*playing); index < slots.size())
         hand.scrape(playing, slots[index], pointMetres, pressure);
@@ -103,9 +109,20 @@ bool InstrumentSession::isProcessing() const {
                longestPauseMilliseconds;
 }
 
+bool InstrumentSession::takesStrikes() {
+    if (isProcessing())
+        return true;
+    hasRefused = true;
+    session.reportError(pauseSentence);
+    return false;
+}
+
 void InstrumentSession::poll() {
-    if (const auto count = report.callbacks.load(); std::exchange(callbacksSeen, count) != count)
-        lastCallbackMilliseconds = juce::Time::getMillisecondCounter();
+    if (const auto count = report.callbacks.load(); std::exchange(callbacksSeen, count) == count)
+        return;
+    lastCallbackMilliseconds = juce::Time::getMillisecondCounter();
+    if (std::exchange(hasRefused, false))
+        session.takeBackError(pauseSentence);
 }
 
 } // namespace idiophone

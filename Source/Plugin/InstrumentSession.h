@@ -29,17 +29,21 @@ public:
                       const std::array<double, 3>& pointMetres,
                       double pressure) override;
 
-    /// Returns whether the host calls the engine. Otherwise strikes are refused: all would wait and
-    /// sound at once when the host goes on. Needs regular calls of `poll`.
+    /// Returns whether the host calls the engine. Some hosts stop in silence. Then strikes are
+    /// refused with a sentence in the status line: all would wait and sound at once when the host
+    /// goes on. Needs regular calls of `poll`.
     bool isProcessing() const;
     void poll();
 
 private:
+    bool takesStrikes();
+
     SoundSession& session;
     WindowEvents& events;
     const EngineReport& report;
     SurfaceHand hand;
     std::uint32_t callbacksSeen = 0, lastCallbackMilliseconds = 0;
+    bool hasRefused = false; ///< since the last callback
 };
 
 } // namespace idiophone

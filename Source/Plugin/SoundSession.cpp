@@ -21,6 +21,25 @@ bool sharesObject(const std::shared_ptr<const Instrument>& one,
            one->slots().front().object == other->slots().front().object;
 }
 
+SoundSession::PlayerResult playerAt(double rateHz,
+                                    const std::shared_ptr<const Instrument>& instrument,
+                                    const Preset& preset,
+                                    const ModeSet& alone,
+                                    const ParameterValues& values,
+                                    int wheel) {
+    if (instrument == nullptr || !(rateHz > 0))
+        return nullptr;
+    return withinMemory(
+        [&]() -> SoundSession::PlayerResult {
+            auto player = std::make_unique<Player>(instrument, rateHz, preset.surface, preset.seed,
+                                                   preset.parameters);
+            player->setSilencedModes(silencedModes(*instrument, preset.mutedModes, alone));
+            player->prepare(values, wheel);
+            return player;
+        },
+        preset.name.empty() ? "The sound" : oneLine(preset.name));
+}
+
 } // namespace
 
 void SoundSession::prepare(double sampleRateHz,
@@ -174,21 +193,34 @@ void SoundSession::reportError(const std::string& sentence) {
     fail(sentence);
 }
 
+void SoundSession::takeBackError(const std::string& sentence) {
+    const auto held = lock();
+    if (lastError == sentence)
+        lastError.clear();
+}
+
 SoundSession::PlayerResult SoundSession::newPlayer(const std::shared_ptr<const Instrument>& built,
                                                    const Preset& preset,
                                                    const ParameterValues& values) const {
-    if (built == nullptr || !(preparedRateHz > 0))
-        return nullptr;
-    return withinMemory(
-        [&]() -> PlayerResult {
-            auto player = std::make_unique<Player>(built, preparedRateHz, preset.surface,
-                                                   preset.seed, preset.parameters);
-            player->setSilencedModes(silencedModes(
-                *built, preset.mutedModes, built == current.instrument ? heardAlone : ModeSet()));
-            player->prepare(values, shared.report.modulationWheel);
-            return player;
-        },
-        preset.name.empty() ? "The sound" : oneLine(preset.name));
+    return playerAt(preparedRateHz, built, preset,
+                    built == current.instrument ? heardAlone : ModeSet(), values,
+                    shared.report.modulationWheel);
+}
+
+std::pair<SoundSession::PlayerResult, std::unique_lock<std::mutex>>
+SoundSession::newPlayerThenLock(const std::shared_ptr<const Instrument>& built,
+                                const Preset& preset,
+                                const ParameterValues& values) const {
+    auto held = lock();
+    PlayerResult player;
+    // Builds again if the host has prepared for another rate meanwhile.
+    for (double rateHz = -1; rateHz != preparedRateHz;) {
+        rateHz = preparedRateHz;
+        held.unlock();
+        player = playerAt(rateHz, built, preset, {}, values, shared.report.modulationWheel);
+        held.lock();
+    }
+    return {std::move(player), std::move(held)};
 }
 
 /// Returns a new player for the same instrument at other values. Returns null if the current player

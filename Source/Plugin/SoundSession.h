@@ -10,6 +10,7 @@
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <utility>
 
 namespace idiophone {
 
@@ -47,6 +48,8 @@ public:
     void changeParameters(const Sound& of, const ParameterValues& wanted) override;
     Status takeStatus() override;
     void reportError(const std::string& sentence) override;
+    /// Removes this error from the status line, unless another has replaced it.
+    void takeBackError(const std::string& sentence);
 
     Loaded loaded() const;
     /// Returns the playing instrument, or null if none could be loaded.
@@ -73,6 +76,12 @@ public:
     PlayerResult newPlayer(const std::shared_ptr<const Instrument>& instrument,
                            const Preset& preset,
                            const ParameterValues& values) const;
+    /// Returns `newPlayer` of an instrument that does not play yet, and the lock. Builds without
+    /// the lock, so that the window does not wait.
+    std::pair<PlayerResult, std::unique_lock<std::mutex>>
+    newPlayerThenLock(const std::shared_ptr<const Instrument>& instrument,
+                      const Preset& preset,
+                      const ParameterValues& values) const;
     /// [lock] Plays a sound with the player from `newPlayer`. `loadValues` sets the parameter
     /// values.
     void play(Sound sound, std::unique_ptr<Player> player, const LoadValues& loadValues);

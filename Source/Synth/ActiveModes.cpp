@@ -235,8 +235,9 @@ void ActiveModes::fadeChanges(std::span<const ModeShare> shares) noexcept {
 }
 
 void ActiveModes::reset() noexcept {
-    std::ranges::fill(flags, Flags{});
-    activeBlocks.restAll(0);
+    for (const std::int32_t b : activeBlocks.list())
+        flags[index(b)] = {};
+    activeBlocks.retire([](std::size_t) { return true; }, 0);
     mixed.clear();
     runs.clear();
     mixedIsRinging = true;

@@ -122,11 +122,11 @@ void ModalResonator::applySettings(const SynthesisSettings& settings) noexcept {
     active.setTau(newTau);
     groups.set(wanted);
     if (groups.areBehind() &&
-        (!active.blocks().none() || contacts.sounding() || active.holdsAboveTau()))
+        (!active.blocks().none() || contacts.sounding() || (!bankIsOld && active.holdsAboveTau())))
         movePoles();
     if (contactsMove)
         contacts.holdAgain(cellIndex);
-    if (polesMove || tauFalls)
+    if ((polesMove || tauFalls) && !bankIsOld)
         active.wake(cellIndex);
 }
 
@@ -162,6 +162,8 @@ void ModalResonator::mix(std::int32_t allowance, const CellOutput& cell) noexcep
 /// Updates groups and poles to the settings. A silent resonator starts again in one channel.
 void ModalResonator::prepareBank() noexcept {
     asleep = false;
+    if (std::exchange(bankIsOld, false))
+        bank.clear();
     increments.takeIn(cellIndex + 1);
     if (silent())
         bank.setChannels(1);
@@ -249,7 +251,7 @@ bool ModalResonator::applyForce(const ForceCell& force,
 }
 
 void ModalResonator::reset() noexcept {
-    bank.clear();
+    bankIsOld = true;
     bank.setChannels(1);
     active.reset();
     contacts.reset();
@@ -272,7 +274,7 @@ void ModalResonator::report(SoundingGroups& report) const noexcept {
         if (static_cast<std::size_t>(end) > report.amplitudes.size())
             break;
         report.starts[g + 1] = end;
-        report.amplitudes[g] = active.blocks().amplitude(g, cellIndex);
+        report.amplitudes[g] = bankIsOld ? 0 : active.blocks().amplitude(g, cellIndex);
         report.standings[g] = standing(g);
         report.count = g + 1;
     }

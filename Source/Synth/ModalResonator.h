@@ -85,6 +85,7 @@ public:
     bool
     applyForce(const ForceCell& force, std::int32_t allowance, const CellOutput& cell) noexcept;
 
+    /// Silences everything at once. Costs a pass over the blocks that ring.
     void reset() noexcept;
 
     /// Reports the groups of modes in the current cell.
@@ -127,6 +128,9 @@ private:
     std::optional<LiveMaterial> requestedMaterial; ///< empty: the settings'
     Listening listening;                           ///< for strikes from now on
     double sizeNow = 1; ///< size over the reference size, for strikes from now on
+    /// The bank holds sound from before a reset. It is cleared before its next use, because it may
+    /// be large and all resonators are reset at once.
+    bool bankIsOld = false;
 
     ModalBank bank;
     BankOutput output;

@@ -21,6 +21,7 @@ std::span<const NamedBenchmark> namedBenchmarks() {
         NamedBenchmark{"kernel", "Modal banks against the FMA peak and the paper's loop",
                        benchKernel},
         NamedBenchmark{"callback", "The worst 64-sample callback against the mean", benchCallback},
+        NamedBenchmark{"crowd", "Steps of a callback with few and with many to do", benchCrowd},
         NamedBenchmark{"plugin", "The plugin's whole callback with every factory preset",
                        benchPlugin},
         NamedBenchmark{"force", "Continuous force against the free bank", benchForce},

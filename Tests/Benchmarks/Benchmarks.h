@@ -1,5 +1,5 @@
-// The benchmarks of `idiophone-bench`. All except `plugin` use the engine through its headers,
-// without JUCE. Every ratio comes from times measured side by side in one run.
+// The benchmarks of `idiophone-bench`. All except `plugin` and `crowd` use the engine through its
+// headers, without JUCE. Every ratio comes from times measured side by side in one run.
 #pragma once
 
 #include "Benchmarks/Report.h"
@@ -45,6 +45,8 @@ std::span<const NamedBenchmark> namedBenchmarks();
 Result<BenchSection> benchKernel(const BenchContent&);
 /// Compares the worst callback with the mean, and silence with sound.
 Result<BenchSection> benchCallback(const BenchContent&);
+/// Compares steps of a callback with few and with many strikes, messages and modes.
+Result<BenchSection> benchCrowd(const BenchContent&);
 /// Times the plugin's callback with every factory preset.
 Result<BenchSection> benchPlugin(const BenchContent&);
 /// Compares cells under continuous force with the same object's free cells.

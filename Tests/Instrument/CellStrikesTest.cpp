@@ -100,6 +100,32 @@ TEST_CASE("A strike too late for its cell acts at the start of the next cell") {
     CHECK(late.sound[0] != 0);
 }
 
+TEST_CASE("Pending strikes play in order of time, and at the same time as they were added") {
+    // A sum of floats tells the order of its terms.
+    constexpr int count = 1000;
+    const auto strikeOf = [](int k) {
+        auto strike = pulse(0);
+        strike.impulseNewtonSeconds[2] = -std::exp2(static_cast<float>(k * 7 % 23));
+        return strike;
+    };
+    const auto timeOf = [](int k) { return k * 37 % 101; };
+    Rig scheduled, inTurn;
+    for (int k = 0; k < count; ++k)
+        scheduled.strikes.schedule(0, strikeOf(k), 0, timeOf(k) * 3.0);
+    for (int cell = 0; cell < 6; ++cell) {
+        scheduled.beginCell();
+        inTurn.beginCell();
+        for (int time = 0; time < 101; ++time)
+            for (int k = 0; k < count; ++k)
+                if (timeOf(k) == time && time * 3 / cellSamples == cell)
+                    inTurn.strikes.strike(0, strikeOf(k), time * 3 % cellSamples, inTurn.cell());
+        scheduled.finishCell();
+        inTurn.finishCell();
+    }
+    CHECK(scheduled.strikes.empty());
+    CHECK(scheduled.sound == inTurn.sound);
+}
+
 TEST_CASE("Pending strikes keep their places until they are played or cleared") {
     Rig rig;
     const auto all = rig.strikes.freeSpace();

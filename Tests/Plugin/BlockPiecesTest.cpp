@@ -1,7 +1,9 @@
 #include "Plugin/BlockPieces.h"
 
+#include <algorithm>
 #include <array>
 #include <catch2/catch_test_macros.hpp>
+#include <random>
 #include <vector>
 
 using namespace idiophone;
@@ -145,6 +147,45 @@ TEST_CASE("Kept events are handed on before the store is full, and reset discard
     pieces.reset();
     pieces.begin(none, 64);
     CHECK(pieces.next()->events.empty());
+}
+
+TEST_CASE("Notes and system exclusive messages of one block keep their samples and their order") {
+    const juce::uint8 dump[]{1, 2, 3};
+    std::mt19937 random(1);
+    for (const int samples : {0, 1, 300, 5000}) {
+        juce::MidiBuffer midi;
+        std::vector<std::pair<int, int>> expected; // sample, note or −1
+        int stamp = 0;
+        for (int i = 0; i < 2000; ++i) {
+            stamp = std::min(stamp + (random() % 8 == 0 ? 1 : 0), std::max(samples - 1, 0));
+            const bool isNote = random() % 3 != 0;
+            const int number = static_cast<int>(random() % 128);
+            midi.addEvent(isNote ? note(number) : juce::MidiMessage::createSysExMessage(dump, 3),
+                          stamp);
+            expected.emplace_back(stamp, isNote ? number : -1);
+        }
+        BlockPieces pieces;
+        pieces.begin(midi, samples);
+        std::vector<std::pair<int, int>> found;
+        const auto take = [&] {
+            const auto piece = pieces.next();
+            if (!piece)
+                return false;
+            if (!piece->systemExclusive.empty())
+                found.emplace_back(piece->start, -1);
+            for (const auto& event : piece->events)
+                found.emplace_back(piece->start + event.sampleOffset, event.bytes[1]);
+            return true;
+        };
+        while (take()) {
+        }
+        if (samples == 0) { // the last notes belong to the next block
+            const juce::MidiBuffer none;
+            pieces.begin(none, 1);
+            take();
+        }
+        CHECK(found == expected);
+    }
 }
 
 TEST_CASE("System messages are left out") {

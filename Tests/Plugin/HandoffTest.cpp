@@ -1,7 +1,8 @@
 #include "Plugin/Handoff.h"
 
 #include <catch2/catch_test_macros.hpp>
-#include <set>
+#include <functional>
+#include <random>
 #include <thread>
 #include <utility>
 
@@ -12,6 +13,7 @@ namespace {
 std::atomic<int> alive{0};
 std::atomic<bool> destroyedOnAudioThread{false};
 thread_local bool isAudioThread = false;
+std::function<void()> whileDestroying; ///< stands for the audio thread meanwhile
 
 struct Built {
     explicit Built(int made) : number(made) { ++alive; }
@@ -19,6 +21,8 @@ struct Built {
         --alive;
         if (isAudioThread)
             destroyedOnAudioThread = true;
+        if (whileDestroying)
+            whileDestroying();
     }
     int number;
 };
@@ -49,6 +53,40 @@ TEST_CASE("Retired objects are destroyed by collect, by publish and at the end")
         handoff.publish(std::make_unique<Built>(4));
         CHECK(alive == 1);
         handoff.retire(handoff.take());
+    }
+    CHECK(alive == 0);
+}
+
+TEST_CASE(
+    "The queue has room for every object, also for those given back while others are destroyed") {
+    std::mt19937 random(1);
+    {
+        Handoff<Built> handoff;
+        Built* current = nullptr;
+        Built* fading = nullptr;
+        const auto play = [&] { // a few steps of PlayerCrossfade
+            for (auto steps = random() % 6; steps > 0; --steps) {
+                if (random() % 2 == 0) {
+                    handoff.retire(std::exchange(fading, nullptr));
+                } else if (Built* const next = handoff.take()) {
+                    Built* const previous = std::exchange(current, next);
+                    if (fading == nullptr)
+                        fading = previous;
+                    else
+                        handoff.retire(previous);
+                }
+            }
+        };
+        whileDestroying = play;
+        for (int i = 0; i < 100000; ++i) {
+            handoff.publish(std::make_unique<Built>(i));
+            play();
+            if (random() % 2 == 0)
+                handoff.collect();
+        }
+        whileDestroying = nullptr;
+        handoff.retire(fading);
+        handoff.retire(current);
     }
     CHECK(alive == 0);
 }

@@ -3,6 +3,7 @@
 #include "Plugin/BareHost.h"
 
 #include <catch2/catch_test_macros.hpp>
+#include <stdexcept>
 
 using namespace idiophone;
 using namespace idiophone::test;
@@ -54,13 +55,28 @@ TEST_CASE("While a state is restored, and after reports are dropped, polls repor
     reported.heard.values = 0;
     auto& density = reported.parameters[ParameterId::density];
     density.setExactValue(1234);
-    reported.reporter.beginRestoring();
-    reported.reporter.poll(reported.controllers);
-    CHECK(reported.heard.values == 0);
-    reported.reporter.endRestoring();
+    {
+        const HostReporter::Restoring restoring(reported.reporter);
+        reported.reporter.poll(reported.controllers);
+        CHECK(reported.heard.values == 0);
+    }
     reported.reporter.forget();
     reported.reporter.poll(reported.controllers);
     CHECK(reported.heard.values == 0);
+}
+
+TEST_CASE("Polls report the sound again after restoring a state has failed with an exception") {
+    Reported reported;
+    reported.reporter.reportSound();
+    reported.heard.values = 0;
+    reported.parameters[ParameterId::density].setExactValue(1234);
+    const auto restore = [&] {
+        const HostReporter::Restoring restoring(reported.reporter);
+        throw std::length_error("a state too long");
+    };
+    CHECK_THROWS_AS(restore(), std::length_error);
+    reported.reporter.poll(reported.controllers);
+    CHECK(reported.heard.values == 1);
 }
 
 TEST_CASE("A poll reports the moves of controllers and new assignments") {

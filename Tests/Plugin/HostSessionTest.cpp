@@ -1,9 +1,11 @@
 #include "Plugin/HostSession.h"
 
 #include "Instrument/FactoryContent.h"
+#include "Plugin/RealTimeTrap.h"
 #include "Plugin/SessionParts.h"
 
 #include <array>
+#include <thread>
 
 using namespace idiophone;
 using namespace idiophone::test;
@@ -30,6 +32,34 @@ TEST_CASE("A restored state plays at once and is saved as it was") {
     CHECK(parts.parameters.values() == state.parameters);
     CHECK(parts.tuning.tuningStatus().source == TuningStatus::Source::files);
     CHECK(parts.hosted.save() == bytes);
+}
+
+TEST_CASE("The session's lock is free while a state's instrument and player are built") {
+    if (!realTimeTrapWorks())
+        SKIP("other threads cannot act at allocations here");
+    const auto bytes = encodeState(testState());
+    HostParts parts;
+    parts.session.prepare(48000, [](std::unique_ptr<Player>) {});
+    auto* const mutex = parts.session.lock().mutex();
+    int allocations = 0, tried = 0, refused = 0;
+    const auto tryLock = [&] {
+        if (mutex->try_lock())
+            mutex->unlock();
+        else
+            ++refused;
+    };
+    {
+        const AtAllocations look([&] {
+            if (++allocations % 20 != 0)
+                return;
+            ++tried;
+            std::thread(tryLock).join();
+        });
+        parts.hosted.restore(bytes);
+    }
+    CHECK(parts.loads.counted() == 1);
+    CHECK(tried > 100);
+    CHECK(10 * refused < tried);
 }
 
 TEST_CASE("Bytes that are no state change nothing and are reported") {

@@ -95,8 +95,14 @@ TEST_CASE("The window plays keys and objects only while the host calls the engin
     CHECK(window.playedObjects().size() == 13);
     CHECK(window.struckPlaces(0).size() > 0);
     CHECK(window.struckPlaces(13).empty());
+    CHECK_FALSE(parts.session.takeStatus().isError);
+    window.playNote(65, 100);
+    CHECK(peakAfterEvents(parts, *player) == 0);
+    CHECK(parts.session.takeStatus().sentence.starts_with("The host has paused the instrument"));
     ++parts.report.callbacks;
     REQUIRE(window.isProcessing());
+    window.poll();
+    CHECK_FALSE(parts.session.takeStatus().isError);
     window.playNote(65, 100);
     CHECK(peakAfterEvents(parts, *player) > 0);
     player->reset();
@@ -105,6 +111,17 @@ TEST_CASE("The window plays keys and objects only while the host calls the engin
     player->reset();
     window.strikeObject(13, {0, 0, 0}, 100);
     CHECK(peakAfterEvents(parts, *player) == 0);
+}
+
+TEST_CASE("When the host goes on, only the sentence about its pause is removed") {
+    SessionParts parts;
+    parts.play();
+    InstrumentSession window(parts, parts.session);
+    window.strikeObject(3, {0, 0, 0}, 100);
+    parts.session.reportError("It fails.");
+    ++parts.report.callbacks;
+    window.poll();
+    CHECK(parts.session.takeStatus().sentence == "It fails.");
 }
 
 TEST_CASE("Without a stage there is nothing to show, pause or capture") {

@@ -2,6 +2,7 @@
 #include "Synth/ModalResonator.h"
 #include "ModalReference.h"
 
+#include <algorithm>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
 
@@ -80,6 +81,31 @@ TEST_CASE("Lowering tau restores a mode at its current state") {
     }
     CHECK(error < 1e-8);
     CHECK(synthesiser.status()[0].modesMixed == 2);
+}
+
+TEST_CASE("After a reset no change of settings restores the old sound, and strikes sound as new") {
+    const ModalObject object = ringingObject({440, 700}, 5);
+    Synthesiser used({slotOf(object)}, sampleRate), fresh({slotOf(object)}, sampleRate);
+    SynthesisSettings settings = exactSettings();
+    settings.tau = 1;
+    used.setSettings(settings);
+    render(used, {{0, unitStrike()}}, 5);
+    used.reset();
+    settings.tau = 0;
+    settings.sizeRatio = 1.5;
+    for (auto* synthesiser : {&used, &fresh}) {
+        synthesiser->setSettings(settings);
+        synthesiser->setDamping(0, 2);
+    }
+    CHECK(render(used, {}, 5) == render(fresh, {}, 5));
+    CHECK(used.silent());
+    SoundingGroups groups(2);
+    used.report(0, groups);
+    CHECK(groups.count == 2);
+    CHECK(std::ranges::all_of(groups.amplitudes, [](float amplitude) { return amplitude == 0; }));
+    const auto again = render(used, {{0, unitStrike(2e-3)}}, 50);
+    CHECK(again == render(fresh, {{0, unitStrike(2e-3)}}, 50));
+    CHECK(std::ranges::any_of(again, [](float sample) { return sample != 0; }));
 }
 
 TEST_CASE("Modes that the budget drops and restores make no broadband sound above -80 dB") {
