@@ -18,6 +18,10 @@ constexpr int solverIterations = 30;
 /// A resting body overlaps by the distance that it falls in this many steps. Otherwise it would
 /// touch only in every other step.
 constexpr double restingStepsOfFall = 2;
+/// The solver stops when its corrections fall below this share of the speed that gravity adds in a
+/// step.
+constexpr double shareOfRest = 1e-3;
+constexpr double sleepSeconds = 0.5; ///< of rest before a group of bodies sleeps
 // Measured costs of pairs in contact: a pair, a pair with a mesh and up to `someFaces` nearby
 // faces, and each further face.
 constexpr double microsecondsOfPair = 5, microsecondsOfMesh = 500, microsecondsOfFace = 3.5;
@@ -106,6 +110,13 @@ double workOf(const btPersistentManifold& pair) {
     return microsecondsOfMesh + microsecondsOfFace * std::max(near - someFaces, 0);
 }
 
+/// Sets the values that Bullet has once for the process. Several worlds may start at once.
+bool setGlobals() {
+    gContactAddedCallback = adjustContact;
+    gDeactivationTime = sleepSeconds;
+    return true;
+}
+
 } // namespace
 
 struct RigidWorld::Implementation {
@@ -113,6 +124,7 @@ struct RigidWorld::Implementation {
         : kinds(std::move(allKinds)), stepSeconds(1 / stepsPerSecond), dispatcher(&configuration),
           broadphase(&dispatcher.bodies), world(&dispatcher, &broadphase, &solver, &configuration),
           reader(stepSeconds, gravity) {
+        [[maybe_unused]] static const bool areSet = setGlobals();
         dispatcher.bodies.setOverlapFilterCallback(&dispatcher);
         for (const auto& kind : kinds)
             shapes.emplace_back(*kind.model);
@@ -124,8 +136,8 @@ struct RigidWorld::Implementation {
         solving.m_splitImpulsePenetrationThreshold = 0; // correct overlap without adding speed
         solving.m_linearSlop = restingStepsOfFall * gravity * stepSeconds * stepSeconds;
         solving.m_restitutionVelocityThreshold = slowestReboundMetresPerSecond;
-        // Bullet has one callback for the process, and several worlds may start at once.
-        [[maybe_unused]] static const auto isSet = gContactAddedCallback = adjustContact;
+        solving.m_leastSquaresResidualThreshold = std::pow(shareOfRest * gravity * stepSeconds, 2);
+        solving.m_minimumSolverBatchSize = 1; // so that bodies at rest do not wait for others
     }
 
     ~Implementation() {
