@@ -2,7 +2,7 @@
 
 #include "Geometry/ObjectMesh.h"
 #include "Scene/BulletMath.h"
-#include "Scene/SurfaceTree.h"
+#include "Scene/SurfaceShape.h"
 
 #include <BulletCollision/CollisionDispatch/btInternalEdgeUtility.h>
 #include <LinearMath/btConvexHullComputer.h>
@@ -74,7 +74,7 @@ CollisionShape::CollisionShape(const RigidBodyModel& model) {
         root = round(model);
         break;
     case BodyForm::surface:
-        root = surface(model);
+        root = meshOf(model);
         break;
     case BodyForm::ground:
         root = ground(model);
@@ -178,7 +178,7 @@ btCollisionShape* CollisionShape::ground(const RigidBodyModel& model) {
     return own<btStaticPlaneShape>(btVector3(0, 0, 1), boundingBox(outerVertices(model)).max().z());
 }
 
-btCollisionShape* CollisionShape::surface(const RigidBodyModel& model) {
+btCollisionShape* CollisionShape::meshOf(const RigidBodyModel& model) {
     Mesh mesh = collisionSurface(*model.object);
     mesh.vertices *= model.sizeRatio;
     auto& triangles = *meshes.emplace_back(std::make_unique<btTriangleMesh>());
@@ -187,9 +187,8 @@ btCollisionShape* CollisionShape::surface(const RigidBodyModel& model) {
     };
     for (Eigen::Index face = 0; face < mesh.faceCount(); ++face)
         triangles.addTriangle(corner(face, 0), corner(face, 1), corner(face, 2));
-    constexpr bool isQuantised = false, hasOwnTree = false;
-    auto* shape = own<btBvhTriangleMeshShape>(&triangles, isQuantised, hasOwnTree);
-    shape->setOptimizedBvh(trees.emplace_back(std::make_unique<SurfaceTree>(mesh)).get());
+    auto* shape = own<SurfaceShape>(triangles, mesh);
+    surfaceShape = shape;
     const bool isShell = model.object->body == BodyKind::shell;
     shape->setMargin(isShell ? model.sizeRatio * model.object->thicknessMetres / 2
                              : maximumMarginMetres);
