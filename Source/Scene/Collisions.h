@@ -1,11 +1,12 @@
 // Chooses the collision algorithms of bodies.
 #pragma once
 
+#include "Scene/RingCollision.h"
 #include "Scene/SurfaceShape.h"
 
 namespace idiophone {
 
-/// Bullet's collision algorithms, except those of surfaces.
+/// Bullet's collision algorithms, except those of rings and surfaces.
 class Collisions final : public btDefaultCollisionConfiguration {
 public:
     btCollisionAlgorithmCreateFunc* getCollisionAlgorithmCreateFunc(int first,
@@ -19,6 +20,8 @@ public:
             return &onSurface;
         if (are(isSurface, isConvex))
             return &ofSurface;
+        if (btBroadphaseProxy::isCompound(first) || btBroadphaseProxy::isCompound(second))
+            return &rings;
         return btDefaultCollisionConfiguration::getCollisionAlgorithmCreateFunc(first, second);
     }
 
@@ -36,6 +39,7 @@ private:
 
     Surfaces<false> onSurface;
     Surfaces<true> ofSurface;
+    RingCollisions rings{*this};
 };
 
 } // namespace idiophone
