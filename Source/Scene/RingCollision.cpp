@@ -167,7 +167,8 @@ public:
         if (!isFar && (heightOver(nearest) < 0 || !isWithin(ring, nearest)) && faces.size() > 1) {
             contacts->clearManifold();
             if (capsules == nullptr) {
-                btCollisionAlgorithmConstructionInfo info(m_dispatcher, 0);
+                btCollisionAlgorithmConstructionInfo info; // its other constructor sets less
+                info.m_dispatcher1 = m_dispatcher;
                 capsules = makeCapsules.CreateCollisionAlgorithm(info, first, second);
             }
             capsules->processCollision(first, second, how, result);
