@@ -46,17 +46,28 @@ SurfaceShape::SurfaceShape(btTriangleMesh& triangles, const Mesh& surface)
     }
 }
 
-/// Returns whether the body is beside the slab by more than a contact's distance.
-bool SurfaceShape::isApart(const Slab& slab) const {
-    const auto normal = toBullet(slab.normal);
-    const double middle = normal.dot(near->pose.getOrigin());
-    if (middle >= slab.low && middle <= slab.high)
+/// Returns whether the body is farther from a node than a contact reaches: beside its slab, or in
+/// the direction of its box.
+bool SurfaceShape::isApart(std::size_t node) const {
+    const auto farthest = [this](const Eigen::Vector3d& direction) {
+        const btVector3 own = toBullet(direction) * near->pose.getBasis();
+        return direction.dot(toEigen(near->pose(near->shape->localGetSupportingVertex(own)))) +
+               near->reachMetres;
+    };
+    const auto& slab = slabs[node];
+    const Eigen::Vector3d centre = toEigen(near->pose.getOrigin());
+    const double middle = slab.normal.dot(centre);
+    if ((middle > slab.high && -farthest(-slab.normal) > slab.high) ||
+        (middle < slab.low && farthest(slab.normal) < slab.low))
+        return true;
+    const auto& box = tree.nodes()[node].box;
+    const Eigen::Vector3d towards = centre.cwiseMax(box.min()).cwiseMin(box.max()) - centre;
+    const double distance = towards.norm();
+    if (!(distance > 0))
         return false;
-    const double side = middle > slab.high ? 1 : -1;
-    const btVector3 towards = -side * normal * near->pose.getBasis();
-    const double nearest = normal.dot(near->pose(near->shape->localGetSupportingVertex(towards)));
-    return side > 0 ? nearest > slab.high + near->reachMetres
-                    : nearest < slab.low - near->reachMetres;
+    const Eigen::Vector3d direction = towards / distance;
+    return farthest(direction) <
+           direction.dot(box.center()) - direction.cwiseAbs().dot(box.sizes()) / 2;
 }
 
 void SurfaceShape::processAllTriangles(btTriangleCallback* callback,
@@ -69,7 +80,7 @@ void SurfaceShape::processAllTriangles(btTriangleCallback* callback,
         workDone += microsecondsOfSearch;
     for (std::size_t next = 0; next < nodes.size();) {
         const auto& node = nodes[next];
-        if (!node.box.intersects(box) || (isForBody && isApart(slabs[next]))) {
+        if (!node.box.intersects(box) || (isForBody && isApart(next))) {
             next = node.after;
             continue;
         }

@@ -41,7 +41,7 @@ private:
         double low = 0, high = 0;
     };
 
-    bool isApart(const Slab& slab) const;
+    bool isApart(std::size_t node) const;
 
     Mesh mesh;
     BoxTree tree;

@@ -28,6 +28,6 @@ TEST_CASE("A sleeping worker wakes for each note, and goes on as its blocks come
             isLast = block->isLast;
             worker.giveBack(block);
         }
-        CHECK(cells > 1000);
+        CHECK(cells > 96 * SimulationBlock::cells);
     }
 }
