@@ -183,6 +183,14 @@ def scale(figures):
                   "µs a frame", "with the budget", "at worst", "memory, MB"), rows)
 
 
+def scenes(figures):
+    return table(("scene", "s", "bodies, of real time", "in the slowest tenth of a second",
+                  "impacts"),
+                 [(s["name"], digits(s["seconds"]), digits(s["motion_over_real_time"]),
+                   digits(s["slowest_tenth_over_real_time"]), s["impacts"])
+                  for s in figures["scenes"]])
+
+
 def xylophone(figures):
     return table(("strikes", "s", "share of one core", "dearest cell / its length", "modes mixed",
                   "at most"),
@@ -239,8 +247,8 @@ def main():
         text, "machine", f"Measured on: {machine}SIMD target {build['simd_target']}, compiler "
                          f"{build['compiler']}.")
     text = replace_between_markers(text, "goals", goals(document))
-    for draw in (kernel, callback, plugin, force, memory, tau, rings, scale, xylophone,
-                 compression):
+    for draw in (kernel, callback, plugin, force, memory, tau, rings, scale, scenes,
+                 xylophone, compression):
         if draw.__name__ in document["benchmarks"]:
             text = replace_between_markers(text, draw.__name__,
                                            draw(document["benchmarks"][draw.__name__]))

@@ -109,13 +109,15 @@ bool isWhole(const SongEvent& event) {
 } // namespace
 
 Result<std::vector<SongEvent>> readMidiSong(const std::filesystem::path& file) {
-    const auto refuse = [&](const char* fault) { return failure(file.string() + ": " + fault); };
-    const auto bytes = readTextFile(file);
-    if (!bytes)
-        return tl::unexpected(bytes.error());
-    if (!bytes->starts_with("MThd") && !bytes->starts_with("RIFF"))
+    return readTextFile(file).and_then(
+        [&](const std::string& bytes) { return parseMidiSong(bytes, file.string()); });
+}
+
+Result<std::vector<SongEvent>> parseMidiSong(std::string_view bytes, const std::string& name) {
+    const auto refuse = [&](const char* fault) { return failure(name + ": " + fault); };
+    if (!bytes.starts_with("MThd") && !bytes.starts_with("RIFF"))
         return refuse("it is not a MIDI file");
-    const auto midi = readMidiTracks(*bytes);
+    const auto midi = readMidiTracks(bytes);
     if (!midi || !isUsableTimeFormat(midi->timeFormat))
         return refuse("the MIDI file is damaged or cut off");
     auto events = channelMessages(*midi);

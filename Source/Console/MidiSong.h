@@ -6,6 +6,8 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <string>
+#include <string_view>
 #include <vector>
 
 namespace idiophone {
@@ -27,5 +29,7 @@ struct SongEvent {
 /// controllers come first, then note-offs, then note-ons. The error names the file and the fault:
 /// not a MIDI file, damaged, without notes, or longer than 10 hours.
 Result<std::vector<SongEvent>> readMidiSong(const std::filesystem::path& file);
+/// Does the same with the bytes of a file that the error names.
+Result<std::vector<SongEvent>> parseMidiSong(std::string_view bytes, const std::string& name);
 
 } // namespace idiophone

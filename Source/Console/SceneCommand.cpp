@@ -4,6 +4,7 @@
 #include "Console/ParameterAssignments.h"
 #include "Console/SceneRender.h"
 #include "Console/SofaHead.h"
+#include "Instrument/EmbeddedFiles.h"
 #include "Instrument/ImpulseLine.h"
 #include "Object/OneLine.h"
 #include "Object/TextFile.h"
@@ -14,6 +15,9 @@
 #include <iostream>
 
 namespace idiophone {
+
+std::span<const EmbeddedFile> songFiles(); // generated
+
 namespace {
 
 using nlohmann::ordered_json;
@@ -113,8 +117,9 @@ report(const SceneTally& tally, const Recording& recording, const SceneOptions& 
                   << sumOf(tally, &FrameFigures::impacts) << " impacts, at most "
                   << mostOf(tally, &FrameFigures::modesMixed) << " modes at a time" << std::endl;
     if (tally.notesLeftOut > 0)
-        std::cerr << "warning: " << options.midi.string() << ": " << tally.notesLeftOut
-                  << " of its notes drop nothing" << std::endl;
+        std::cerr << "warning: "
+                  << (options.midi.empty() ? "The Entertainer" : options.midi.string()) << ": "
+                  << tally.notesLeftOut << " of its notes drop nothing" << std::endl;
     if (tally.impactsLeftOut > 0)
         std::cerr << "warning: " << tally.impactsLeftOut
                   << " impacts were left out, because they are not finite" << std::endl;
@@ -127,6 +132,17 @@ bool waitsForNotes(const Scene& scene) {
            std::ranges::all_of(scene.releases, [&](const Release& release) {
                return scene.kinds[release.kind].isFixed;
            });
+}
+
+/// Returns the song that drops bodies. Without a file it is the factory's, if nothing moves without
+/// a song.
+Result<std::vector<SongEvent>> songFor(const Scene& scene, const std::filesystem::path& file) {
+    if (!file.empty())
+        return readMidiSong(file);
+    if (!waitsForNotes(scene))
+        return std::vector<SongEvent>();
+    const auto& song = songFiles().front();
+    return parseMidiSong(song.bytes, std::string(song.name));
 }
 
 std::vector<SynthesiserSlot> heardSlots(const SceneAssets& assets) {
@@ -147,13 +163,9 @@ Result<void> perform(const SceneOptions& options) {
         return tl::unexpected(assigned.error());
     if (!options.midi.empty() && !scene->noteDrop)
         return failure(inQuotes(scene->name) + " has no 'notes', so a song drops nothing");
-    std::vector<SongEvent> song;
-    if (!options.midi.empty()) {
-        auto read = readMidiSong(options.midi);
-        if (!read)
-            return tl::unexpected(read.error());
-        song = std::move(*read);
-    }
+    const auto song = songFor(*scene, options.midi);
+    if (!song)
+        return tl::unexpected(song.error());
     const auto assets = SceneAssets::make(std::move(*scene), ObjectLibrary::shared());
     if (!assets)
         return tl::unexpected(assets.error());
@@ -171,7 +183,7 @@ Result<void> perform(const SceneOptions& options) {
     auto recording = Recording::start(options.format, values);
     if (!recording)
         return tl::unexpected(recording.error());
-    const auto tally = renderScene(*assets, head, song, values, **recording);
+    const auto tally = renderScene(*assets, head, *song, values, **recording);
     if (!tally)
         return tl::unexpected(tally.error());
     if (!options.impulses.empty())
@@ -179,9 +191,6 @@ Result<void> perform(const SceneOptions& options) {
                                       impulseLines(**assets, tally->impacts, options.impulses));
             !done)
             return done;
-    if (options.midi.empty() && waitsForNotes((*assets)->scene()))
-        std::cerr << "warning: the bodies of " << inQuotes((*assets)->scene().name)
-                  << " fall only on notes; add a song with --midi" << std::endl;
     return report(*tally, **recording, options);
 }
 
@@ -192,7 +201,10 @@ void addScene(CLI::App& program, Action& chosen) {
         program, chosen, "scene", "Renders a scene of rigid bodies to a WAV file", perform);
     command->add_option("scene", options->scene, "Name of a factory scene, or a scene file")
         ->required();
-    command->add_option("--midi", options->midi, "A Standard MIDI File whose notes drop bodies");
+    command->add_option(
+        "--midi", options->midi,
+        "A Standard MIDI File whose notes drop bodies (default: The Entertainer, if "
+        "nothing moves without notes)");
     command->add_option("--head", options->head,
                         "A SOFA file of a measured head (default: a sphere)");
     addRecordingOptions(*command, options->format);

@@ -2,7 +2,8 @@
 
 #include "Geometry/ObjectMesh.h"
 #include "Scene/BulletMath.h"
-#include "Scene/SurfaceTree.h"
+#include "Scene/RingShape.h"
+#include "Scene/SurfaceShape.h"
 
 #include <BulletCollision/CollisionDispatch/btInternalEdgeUtility.h>
 #include <LinearMath/btConvexHullComputer.h>
@@ -14,8 +15,7 @@ namespace idiophone {
 namespace {
 
 constexpr double roundestSection = 1.25; // maximum ratio of a ring's width and height
-constexpr int capsules = 16;
-constexpr int sectors = 20; // of a ring
+constexpr int sectors = 20;              // of a ring
 constexpr int maximumHullVertices = 72;
 constexpr double marginShare = 0.01; // of a shape's smallest size
 constexpr double maximumMarginMetres = 5e-4;
@@ -46,6 +46,10 @@ std::vector<btVector3> fewer(const btAlignedObjectArray<btVector3>& corners) {
     return kept;
 }
 
+btTransform bodyFromMesh(const RigidBodyModel& model) {
+    return toBullet(Eigen::Isometry3d(model.meshFromBody.inverse()));
+}
+
 double angleOf(const Eigen::RowVector3d& point) {
     const double angle = std::atan2(point.y(), point.x()) / (2 * std::numbers::pi);
     return angle < 0 ? angle + 1 : angle;
@@ -74,15 +78,15 @@ CollisionShape::CollisionShape(const RigidBodyModel& model) {
         root = round(model);
         break;
     case BodyForm::surface:
-        root = surface(model);
+        root = meshOf(model);
         break;
     case BodyForm::ground:
         root = ground(model);
         break;
     }
-    if (!model.isFixed) {
+    if (!model.isFixed && model.form != BodyForm::ring) {
         auto* placed = own<btCompoundShape>();
-        placed->addChildShape(toBullet(Eigen::Isometry3d(model.meshFromBody.inverse())), root);
+        placed->addChildShape(bodyFromMesh(model), root);
         root = placed;
     }
 }
@@ -110,7 +114,7 @@ btCollisionShape* CollisionShape::hull(const std::vector<Eigen::Vector3d>& point
     return shape;
 }
 
-/// Makes a chain of capsules if the section is round: they cost a fraction of hulls.
+/// A ring with a round section costs a fraction of hulls.
 btCollisionShape* CollisionShape::ring(const RigidBodyModel& model) {
     const auto outer = outerVertices(model);
     Eigen::AlignedBox2d section; // x: distance from the axis, y: height
@@ -119,21 +123,10 @@ btCollisionShape* CollisionShape::ring(const RigidBodyModel& model) {
     const Eigen::Vector2d half = section.sizes() / 2, middle = section.center();
     if (half.maxCoeff() > roundestSection * half.minCoeff())
         return sectorHulls(model, outer);
-
-    auto* compound = own<btCompoundShape>();
-    const double turn = 2 * std::numbers::pi / capsules;
-    // The polygon is as long as the circle, so that the polygon lies half inside the circle.
-    const double chord = turn * middle.x();
-    auto* capsule = own<btCapsuleShape>(half.mean(), chord);
-    for (int k = 0; k < capsules; ++k) { // Bullet's capsules lie along y
-        const double angle = turn * k;
-        const double radius = chord / 2 / std::tan(turn / 2);
-        compound->addChildShape(
-            btTransform(btQuaternion(btVector3(0, 0, 1), angle),
-                        btVector3(radius * std::cos(angle), radius * std::sin(angle), middle.y())),
-            capsule);
-    }
-    return compound;
+    auto pose = bodyFromMesh(model);
+    pose.setOrigin(pose(btVector3(0, 0, middle.y())));
+    return own<RingShape>(
+        RoundRing{.pose = pose, .radius = middle.x(), .sectionRadius = half.mean()});
 }
 
 btCollisionShape* CollisionShape::sectorHulls(const RigidBodyModel& model,
@@ -154,7 +147,7 @@ btCollisionShape* CollisionShape::sectorHulls(const RigidBodyModel& model,
     auto* compound = own<btCompoundShape>();
     for (const auto& sector : points)
         if (sector.size() >= 6)
-            compound->addChildShape(btTransform::getIdentity(), hull(sector));
+            compound->addChildShape(bodyFromMesh(model), hull(sector));
     return compound;
 }
 
@@ -178,7 +171,7 @@ btCollisionShape* CollisionShape::ground(const RigidBodyModel& model) {
     return own<btStaticPlaneShape>(btVector3(0, 0, 1), boundingBox(outerVertices(model)).max().z());
 }
 
-btCollisionShape* CollisionShape::surface(const RigidBodyModel& model) {
+btCollisionShape* CollisionShape::meshOf(const RigidBodyModel& model) {
     Mesh mesh = collisionSurface(*model.object);
     mesh.vertices *= model.sizeRatio;
     auto& triangles = *meshes.emplace_back(std::make_unique<btTriangleMesh>());
@@ -187,9 +180,8 @@ btCollisionShape* CollisionShape::surface(const RigidBodyModel& model) {
     };
     for (Eigen::Index face = 0; face < mesh.faceCount(); ++face)
         triangles.addTriangle(corner(face, 0), corner(face, 1), corner(face, 2));
-    constexpr bool isQuantised = false, hasOwnTree = false;
-    auto* shape = own<btBvhTriangleMeshShape>(&triangles, isQuantised, hasOwnTree);
-    shape->setOptimizedBvh(trees.emplace_back(std::make_unique<SurfaceTree>(mesh)).get());
+    auto* shape = own<SurfaceShape>(triangles, mesh);
+    surfaceShape = shape;
     const bool isShell = model.object->body == BodyKind::shell;
     shape->setMargin(isShell ? model.sizeRatio * model.object->thicknessMetres / 2
                              : maximumMarginMetres);

@@ -40,7 +40,7 @@ double ownContactRadius(const RigidBodyModel& model, const Eigen::Vector3d& size
 }
 
 /// Counts the touching faces of a surface by their boxes. Bullet looks for the neighbours of each
-/// face in this tree (SurfaceTree), and for the common edge of each pair.
+/// face in this tree (SurfaceShape), and for the common edge of each pair.
 Result<BoxSearch> touchingFaces(const BodyTemplate& kind, const ModalObject& object) {
     const auto fault = [&](const std::string& why) {
         return failure(inQuotes(kind.name) + " is no surface: its object " + inQuotes(object.name) +

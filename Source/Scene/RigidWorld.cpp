@@ -2,7 +2,9 @@
 
 #include "Scene/BulletMath.h"
 #include "Scene/CollisionShape.h"
+#include "Scene/Collisions.h"
 #include "Scene/ContactReader.h"
+#include "Scene/SurfaceShape.h"
 
 #include <BulletCollision/CollisionDispatch/btInternalEdgeUtility.h>
 #include <algorithm>
@@ -18,10 +20,9 @@ constexpr int solverIterations = 30;
 /// A resting body overlaps by the distance that it falls in this many steps. Otherwise it would
 /// touch only in every other step.
 constexpr double restingStepsOfFall = 2;
-// Measured costs of pairs in contact: a pair, a pair with a mesh and up to `someFaces` nearby
-// faces, and each further face.
-constexpr double microsecondsOfPair = 5, microsecondsOfMesh = 500, microsecondsOfFace = 3.5;
-constexpr int someFaces = 2000;
+constexpr double sleepSeconds = 0.5; ///< of rest before a group of bodies sleeps
+constexpr double treeMarginMetres = 0.002;
+constexpr double microsecondsOfPair = 5; // measured
 
 /// Bullet calls this for every new contact. It adds the rolling frictions of both bodies and lets
 /// them pass over the inner edges of a mesh.
@@ -78,32 +79,34 @@ private:
     }
 };
 
-/// Counts the faces of the mesh that Bullet tests against a body.
-int facesNear(const btCollisionObject& mesh, const btCollisionObject& body) {
-    struct Count final : btNodeOverlapCallback {
-        void processNode(int, int) override { ++faces; }
-        int faces = 0;
-    } count;
-    btVector3 lowest, highest;
-    body.getCollisionShape()->getAabb(mesh.getWorldTransform().inverse() * body.getWorldTransform(),
-                                      lowest, highest);
-    // Bullet's accessor is not const, but it changes nothing.
-    auto* shape = const_cast<btCollisionShape*>(mesh.getCollisionShape());
-    static_cast<btBvhTriangleMeshShape*>(shape)->getOptimizedBvh()->reportAabbOverlappingNodex(
-        &count, lowest, highest);
-    return count.faces;
-}
+/// Gives bodies boxes that are as large as their contacts reach. Bullet's are 2 cm larger, so that
+/// heaps of small bodies have many pairs that do not touch and never sleep.
+class World final : public btDiscreteDynamicsWorld {
+public:
+    using btDiscreteDynamicsWorld::btDiscreteDynamicsWorld;
 
-/// Returns the cost of a pair in microseconds. A mesh tests every nearby triangle.
-double workOf(const btPersistentManifold& pair) {
-    const auto isMesh = [](const btCollisionObject& body) {
-        return body.getCollisionShape()->getShapeType() == TRIANGLE_MESH_SHAPE_PROXYTYPE;
-    };
-    const auto &first = *pair.getBody0(), &second = *pair.getBody1();
-    if (!isMesh(first) && !isMesh(second))
-        return microsecondsOfPair;
-    const int near = isMesh(first) ? facesNear(first, second) : facesNear(second, first);
-    return microsecondsOfMesh + microsecondsOfFace * std::max(near - someFaces, 0);
+    void updateAabbs() override {
+        for (int k = 0; k < m_nonStaticRigidBodies.size(); ++k) {
+            auto* body = m_nonStaticRigidBodies[k];
+            if (!body->isActive())
+                continue;
+            const auto& shape = *body->getCollisionShape();
+            const double reach = shape.getContactBreakingThreshold(gContactBreakingThreshold);
+            btVector3 lowest, highest;
+            shape.getAabb(body->getWorldTransform(), lowest, highest);
+            const btVector3 margin(reach, reach, reach);
+            getBroadphase()->setAabb(body->getBroadphaseHandle(), lowest - margin, highest + margin,
+                                     getDispatcher());
+        }
+    }
+};
+
+/// Sets the values that Bullet has once for the process. Several worlds may start at once.
+bool setGlobals() {
+    gContactAddedCallback = adjustContact;
+    gDeactivationTime = sleepSeconds;
+    gDbvtMargin = treeMarginMetres;
+    return true;
 }
 
 } // namespace
@@ -113,6 +116,7 @@ struct RigidWorld::Implementation {
         : kinds(std::move(allKinds)), stepSeconds(1 / stepsPerSecond), dispatcher(&configuration),
           broadphase(&dispatcher.bodies), world(&dispatcher, &broadphase, &solver, &configuration),
           reader(stepSeconds, gravity) {
+        [[maybe_unused]] static const bool areSet = setGlobals();
         dispatcher.bodies.setOverlapFilterCallback(&dispatcher);
         for (const auto& kind : kinds)
             shapes.emplace_back(*kind.model);
@@ -124,8 +128,7 @@ struct RigidWorld::Implementation {
         solving.m_splitImpulsePenetrationThreshold = 0; // correct overlap without adding speed
         solving.m_linearSlop = restingStepsOfFall * gravity * stepSeconds * stepSeconds;
         solving.m_restitutionVelocityThreshold = slowestReboundMetresPerSecond;
-        // Bullet has one callback for the process, and several worlds may start at once.
-        [[maybe_unused]] static const auto isSet = gContactAddedCallback = adjustContact;
+        solving.m_minimumSolverBatchSize = 1; // small groups stay in the cache
     }
 
     ~Implementation() {
@@ -139,11 +142,11 @@ struct RigidWorld::Implementation {
     std::int64_t stepsDone = 0;
     double workDone = 0;
     std::deque<CollisionShape> shapes; ///< by kind
-    btDefaultCollisionConfiguration configuration;
+    Collisions configuration;
     PairLimit dispatcher;
     btDbvtBroadphase broadphase;
     btSequentialImpulseConstraintSolver solver;
-    btDiscreteDynamicsWorld world;
+    World world;
     std::vector<std::unique_ptr<btRigidBody>> bodies; ///< null without one, or after removal
     std::vector<BodyInStep> inStep;                   ///< by body
     ContactReader reader;
@@ -232,9 +235,8 @@ void RigidWorld::step() {
     all.reader.begin(seconds());
     all.world.stepSimulation(all.stepSeconds, 0);
     for (int k = 0; k < all.dispatcher.getNumManifolds(); ++k) {
-        const auto& pair = *all.dispatcher.getManifoldByIndexInternal(k);
-        all.reader.read(pair, all.inStep);
-        all.workDone += workOf(pair);
+        all.reader.read(*all.dispatcher.getManifoldByIndexInternal(k), all.inStep);
+        all.workDone += microsecondsOfPair;
     }
     all.reader.finish();
     ++all.stepsDone;
@@ -253,7 +255,11 @@ bool RigidWorld::isCrowded() const {
 }
 
 double RigidWorld::work() const {
-    return implementation->workDone;
+    double sum = implementation->workDone;
+    for (const auto& shape : implementation->shapes)
+        if (shape.surface() != nullptr)
+            sum += shape.surface()->work();
+    return sum;
 }
 
 std::span<const Impact> RigidWorld::impacts() const {

@@ -18,7 +18,7 @@ namespace idiophone {
 /// The shape of a body in collisions.
 enum class BodyForm {
     hull,     ///< convex hull of the mesh; a shell extends by half its thickness all around
-    ring,     ///< about the mesh's z axis, open in the middle: capsules or hulls of sectors
+    ring,     ///< about the mesh's z axis, open in the middle: round, or hulls of sectors
     sphere,   ///< centred in the bounding box, as wide as its mean size
     cylinder, ///< about the mesh's z axis, with closed ends
     surface,  ///< the smoothed mesh, for hollow fixed bodies

@@ -2,14 +2,12 @@
 
 #include <algorithm>
 #include <cfenv>
-#include <chrono>
 #include <exception>
 #include <utility>
 
 namespace idiophone {
 namespace {
 
-constexpr std::chrono::milliseconds pollingInterval{4};
 constexpr double faintNewtons = 1e-9;
 
 /// Makes the pairs of all simulations distinct.
@@ -45,8 +43,26 @@ SimulationThread::SimulationThread(const SceneStage& playedStage, double sampleR
 
 SimulationThread::~SimulationThread() {
     isStopping = true;
-    stopped.notify_all(); // if the thread is not waiting yet, it notices after one polling interval
+    wake();
     thread.join();
+}
+
+bool SimulationThread::start(const SimulationNote& note) noexcept {
+    const bool isSent = notes.push(note);
+    wake();
+    return isSent;
+}
+
+void SimulationThread::giveBack(SimulationBlock* block) noexcept {
+    used.push(block);
+    if (++blocksReturned % blocksPerWake == 0)
+        wake();
+}
+
+/// Takes no lock. Makes a system call only if the worker sleeps.
+void SimulationThread::wake() noexcept {
+    ++wakes;
+    wakes.notify_one();
 }
 
 SimulationBlock* SimulationThread::take() noexcept {
@@ -62,9 +78,13 @@ bool SimulationThread::help() noexcept {
 
 void SimulationThread::runThread() noexcept {
     while (!isStopping) {
-        std::unique_lock lock(working);
-        if (!workOnce())
-            stopped.wait_for(lock, pollingInterval, [this] { return isStopping.load(); });
+        const auto before = wakes.load(); // a later wake ends the wait at once
+        const auto isBusy = [this] {
+            const std::lock_guard lock(working);
+            return workOnce();
+        }();
+        if (!isBusy)
+            wakes.wait(before);
     }
 }
 

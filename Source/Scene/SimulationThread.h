@@ -6,7 +6,7 @@
 
 #include <atomic>
 #include <boost/lockfree/spsc_queue.hpp>
-#include <condition_variable>
+#include <cstdint>
 #include <memory>
 #include <mutex>
 #include <thread>
@@ -16,8 +16,8 @@ namespace idiophone {
 
 /// Three lock-free queues connect the audio thread and the owner of `working`. They carry notes,
 /// filled blocks and used blocks. The filled blocks of a simulation are in order of time. If memory
-/// runs out, a simulation ends early: no exception leaves the thread. The worker polls for notes
-/// every few milliseconds, because the audio thread may not notify it.
+/// runs out, a simulation ends early: no exception leaves the thread. The worker sleeps while it has
+/// nothing to do. The audio thread wakes it for a note, and for every few used blocks.
 class SimulationThread {
 public:
     SimulationThread(const SceneStage& stage,
@@ -27,10 +27,10 @@ public:
     SimulationThread& operator=(const SimulationThread&) = delete;
 
     /// [audio thread] Sends a note. Returns false and drops it if the queue is full.
-    bool start(const SimulationNote& note) noexcept { return notes.push(note); }
+    bool start(const SimulationNote& note) noexcept;
     /// [audio thread] Returns the next block or nullptr. The caller gives it back.
     SimulationBlock* take() noexcept;
-    void giveBack(SimulationBlock* block) noexcept { used.push(block); }
+    void giveBack(SimulationBlock* block) noexcept;
     /// [audio thread, offline] Fills one block on the calling thread, after the worker's current
     /// one. Allocates. Returns false if there is nothing to do.
     bool help() noexcept;
@@ -48,7 +48,12 @@ private:
         std::size_t blocksOut = 0; ///< blocks that have not been given back
     };
 
+    /// The audio thread wakes the worker once for so many used blocks. The worker still has most of
+    /// its lead by then.
+    static constexpr std::uint32_t blocksPerWake = 16;
+
     void runThread() noexcept;
+    void wake() noexcept;
     bool workOnce() noexcept;
     void takeUsed();
     void takeNotes();
@@ -65,8 +70,9 @@ private:
     Queue<SimulationBlock*, blockCapacity> ready, used;
 
     std::mutex working; ///< the thread that owns it does the worker's job
-    std::condition_variable stopped;
     std::atomic<bool> isStopping{false};
+    std::atomic<std::uint32_t> wakes{0};
+    std::uint32_t blocksReturned = 0; ///< [audio thread]
     std::vector<Simulation> simulations;
     std::vector<SimulationBlock> blocks; ///< `blocksAhead` for each simulation
     std::vector<SimulationBlock*> freeBlocks;

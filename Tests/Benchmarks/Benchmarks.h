@@ -59,6 +59,8 @@ Result<BenchSection> benchTau(const BenchContent&);
 Result<BenchSection> benchRings(const BenchContent&);
 /// Measures modes mixed, cost and memory with 10, 100 and 1000 sounding bodies.
 Result<BenchSection> benchScale(const BenchContent&);
+/// Compares the time to move the bodies of the factory scenes with real time.
+Result<BenchSection> benchScenes(const BenchContent&);
 /// Measures a song's share of one core.
 Result<BenchSection> benchXylophone(const BenchContent&);
 /// Compares modes and level before and after compression.

@@ -100,6 +100,18 @@ class Benchmarks(ConsoleTest):
             self.assertAlmostEqual(source["over_free_500"],
                                    source["seconds"] / figures["sizes"][1]["free_s"])
 
+    def test_each_factory_scene_has_a_goal_for_its_motion(self):
+        document = self.bench("scenes")
+        scenes = document["benchmarks"]["scenes"]["scenes"]
+        self.assertEqual(len(scenes), len(list((OBJECTS.parent / "Scenes").glob("*.json"))))
+        self.assertIn("scenes: motion over real time, 100 rings",
+                      [goal["name"] for goal in document["goals"]])
+        for scene, goal in zip(scenes, document["goals"], strict=True):
+            self.assertEqual(goal["measured"], scene["motion_over_real_time"])
+            self.assertGreaterEqual(scene["slowest_tenth_over_real_time"],
+                                    scene["motion_over_real_time"])
+            self.assertGreater(scene["impacts"], 0)
+
     def test_the_song_benchmark_plays_the_xylophone(self):
         figures = self.bench("xylophone", "--song", SONG)["benchmarks"]["xylophone"]
         self.assertGreater(figures["strikes"], 100)

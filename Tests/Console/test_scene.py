@@ -188,14 +188,14 @@ class Scenes(ConsoleTest):
         self.refuse("scene", self.scene(), "--midi", song, "-o", self.folder / "x.wav",
                     naming="Ball on a plate", saying="drops nothing")
 
-    def test_a_scene_moved_only_by_notes_asks_for_a_song(self):
+    def test_a_scene_moved_only_by_notes_plays_the_factory_song(self):
         notes = {"notes": {"kind": "ball"}}
         waits = {**notes, "bodies": BALL["bodies"][:1]}
         taps = {**waits, "hand": {"kind": "plate", "tool": "ball", "taps": [[0.01, 0, 0, 0, 1]]}}
-        for changes, asks in ((waits, True), (taps, False), (notes, False)):
-            said = self.succeed("scene", self.scene(**changes), "-o", self.folder / "x.wav",
-                                "--seconds", 0.1).stderr
-            self.assertEqual("add a song with --midi" in said, asks)
+        for changes, plays in ((waits, True), (taps, False), (notes, False)):
+            report, _ = self.perform(self.scene(**changes), "--seconds", 2)
+            bodies = len(changes.get("bodies", BALL["bodies"]))
+            self.assertEqual(report["bodies_most"] > bodies, plays)
 
     def test_too_many_bodies_in_one_place_are_refused(self):
         crowd = [{"kind": "ball", "count": 10000}]

@@ -347,8 +347,8 @@ TEST_CASE("The work of a body on a surface grows with the faces near it") {
         return world.work();
     };
     const double ofBall = workOf(ballKind(ballRadius), ballRadius);
-    CHECK(ofBall > 500);
-    CHECK(workOf(cubeKind(2), 1) > 50 * ofBall); // its real cost grows in the same way
+    CHECK(ofBall > 50);
+    CHECK(workOf(cubeKind(2), 1) > 500 * ofBall); // its real cost grows in the same way
     floor = floorOf(withFaceAt(10'000, sheet));
     CHECK(workOf(ballKind(ballRadius), ballRadius) == ofBall);
 }

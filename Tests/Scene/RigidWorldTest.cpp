@@ -94,6 +94,19 @@ TEST_CASE("A resting body causes no impacts and presses with its weight") {
     CHECK_THAT(impulse, WithinRel(0.2 * cubeKind(0.02).model->massKg * gravity, 0.02));
 }
 
+TEST_CASE("A body at rest sleeps within a second, until another one hits it") {
+    RigidWorld world({groundKind(), cubeKind(0.02), ballKind(0.005)}, stepsPerSecond, gravity);
+    world.add(0, at({0, 0, 0}));
+    const auto cube = world.add(1, at({0, 0, 0.0101}));
+    impactsOf(world, 0.1, cube);
+    CHECK_FALSE(world.touches().empty());
+    impactsOf(world, 1.1, cube);
+    CHECK(world.touches().empty());
+    world.add(2, at({0.009, 0, 0.05}, {0, 0, -1}));
+    CHECK_FALSE(impactsOf(world, 1.3, cube).empty());
+    CHECK_FALSE(world.touches().empty());
+}
+
 TEST_CASE("A sliding ball ends up rolling at 5/7 of its speed, without impacts") {
     const double radius = 0.02, speed = 1;
     RigidWorld world({groundKind({.friction = 0.3, .restitution = 0}),

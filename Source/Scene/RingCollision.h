@@ -1,0 +1,24 @@
+// Finds the contacts of rings in closed form.
+#pragma once
+
+#include <btBulletDynamicsCommon.h>
+#include <vector>
+
+namespace idiophone {
+
+/// Makes the collision algorithms of ring shapes. A ring meets another ring, a plane, or a hull
+/// whose face reaches beyond the ring in closed form. `others` makes all other algorithms, and must
+/// outlive it.
+class RingCollisions final : public btCollisionAlgorithmCreateFunc {
+public:
+    explicit RingCollisions(btDefaultCollisionConfiguration& others) : configuration(others) {}
+
+    btCollisionAlgorithm* CreateCollisionAlgorithm(btCollisionAlgorithmConstructionInfo& info,
+                                                   const btCollisionObjectWrapper* first,
+                                                   const btCollisionObjectWrapper* second) override;
+
+private:
+    btDefaultCollisionConfiguration& configuration;
+};
+
+} // namespace idiophone
