@@ -2,6 +2,7 @@
 
 #include "Synth/AllFinite.h"
 #include "Synth/ContactPulse.h"
+#include "Synth/GroupsReport.h"
 #include "Synth/LiveConditions.h"
 #include "Synth/PointShapes.h"
 #include "Synth/TubeShares.h"
@@ -227,18 +228,10 @@ bool ModalResonator::strike(const Strike& asked,
     return true;
 }
 
-bool ModalResonator::validPlace(const ForcePlace& place) const noexcept {
-    const auto isValid = [&](const ForcePoint& at) {
-        return isOn(object, at.point) && allFinite(at.direction);
-    };
-    return std::isfinite(place.fraction) && isValid(place.points[0]) &&
-           (place.fraction == 0 || isValid(place.points[1]));
-}
-
 bool ModalResonator::applyForce(const ForceCell& force,
                                 std::int32_t allowance,
                                 const CellOutput& cell) noexcept {
-    if (force.contact >= forceCapacity || !validPlace(force.start) || !validPlace(force.end) ||
+    if (force.contact >= forceCapacity || !isOn(object, force.start) || !isOn(object, force.end) ||
         !allWithin(force.newtons, largestForceNewtons))
         return false;
     prepareBank();
@@ -259,33 +252,7 @@ void ModalResonator::reset() noexcept {
 }
 
 void ModalResonator::report(SoundingGroups& report) const noexcept {
-    const GroupConditions& conditions = groups.conditions();
-    report.law = conditions.law;
-    report.thicknessRatio = conditions.thicknessRatio;
-    report.tauPascals = active.tau();
-    report.compression = conditions.compression;
-    report.groupsAreBehind = groups.areBehind();
-    report.count = 0;
-    report.starts[0] = 0;
-    for (std::size_t g = 0; g < groups.size(); ++g) {
-        const std::int32_t end = groups.starts()[g + 1];
-        if (static_cast<std::size_t>(end) > report.amplitudes.size())
-            break;
-        report.starts[g + 1] = end;
-        report.amplitudes[g] = active.blocks().amplitude(g, cellIndex);
-        report.standings[g] = standing(g);
-        report.count = g + 1;
-    }
-}
-
-GroupStanding ModalResonator::standing(std::size_t g) const noexcept {
-    if (active.isMixed(g))
-        return GroupStanding::sounding;
-    if (!groups.inBand(g))
-        return GroupStanding::outOfBand;
-    if (groups.silenced(g))
-        return GroupStanding::silenced;
-    return active.rings(g) ? GroupStanding::beyondBudget : GroupStanding::belowTau;
+    reportGroups(groups, active, cellIndex, report);
 }
 
 } // namespace idiophone

@@ -111,8 +111,6 @@ private:
     void request(Value& requested, const Value& wanted) noexcept;
     void prepareBank() noexcept;
     void widen(double farShare) noexcept;
-    bool validPlace(const ForcePlace& place) const noexcept;
-    GroupStanding standing(std::size_t g) const noexcept;
 
     // A silent cell reads these only.
     std::int64_t cellIndex = -1; ///< the current cell
