@@ -25,8 +25,10 @@ ModalResonator::ModalResonator(SynthesiserSlot ownSlot,
                                std::uint32_t seed,
                                std::size_t channels,
                                double sampleRateHz,
-                               SynthesisScratch& scratch)
-    : slot(std::move(ownSlot)), object(*slot.object), outputChannels(channels),
+                               SynthesisScratch& scratch,
+                               AmplitudeEnvelope& ownEnvelope)
+    : envelope(ownEnvelope), slot(std::move(ownSlot)), object(*slot.object),
+      outputChannels(channels),
       bank(object.modeCount(), object.radiation.empty() ? 1 : channels, sampleRateHz),
       output(bank, tubeShares(object), sampleRateHz, scratch),
       groups(object, std::move(modeWeights), seed, sampleRateHz, scratch),
@@ -45,7 +47,6 @@ void ModalResonator::request(Value& requested, const Value& wanted) noexcept {
         return;
     requested = wanted;
     controlsChanged = true;
-    asleep = false;
 }
 
 void ModalResonator::setDamping(double dampingPerSecond) noexcept {
@@ -63,22 +64,22 @@ void ModalResonator::setMaterial(const std::optional<LiveMaterial>& material) no
 }
 
 void ModalResonator::setSilencedModes(std::span<const std::uint8_t> silenced) noexcept {
-    if (!groups.requestSilenced(silenced))
-        return;
-    controlsChanged = true;
-    asleep = false;
+    if (groups.requestSilenced(silenced))
+        controlsChanged = true;
 }
 
-bool ModalResonator::beginSoundingCell(std::int64_t cell,
-                                       const SynthesisSettings& settings,
-                                       bool settingsChanged) noexcept {
+bool ModalResonator::beginCell(std::int64_t cell,
+                               const SynthesisSettings& settings,
+                               bool settingsChanged) noexcept {
     increments.takeIn(cell);
     cellIndex = cell;
     if (settingsChanged || controlsChanged)
         applySettings(settings);
-    asleep = silent();
-    if (asleep)
+    if (idle()) {
+        if (asleep())
+            envelope.updateFalls(bank.poles(), output.damping());
         return false;
+    }
     // During a contact the set of ringing modes stays fixed. During a continuous force modes may
     // join but not leave.
     using Change = ActiveModes::Change;
@@ -86,6 +87,17 @@ bool ModalResonator::beginSoundingCell(std::int64_t cell,
                   : forces.actedIn(cellIndex - 1) ? Change::joinOnly
                                                   : Change::any);
     return true;
+}
+
+void ModalResonator::wake() noexcept {
+    active.wake(cellIndex);
+    active.survey(ActiveModes::Change::any);
+}
+
+void ModalResonator::measure() noexcept {
+    envelope.updateFalls(bank.poles(), output.damping());
+    envelope.set(bank.poles(), bank.energies(), active.demand().modes);
+    active.reconsider();
 }
 
 void ModalResonator::applySettings(const SynthesisSettings& settings) noexcept {
@@ -119,6 +131,7 @@ void ModalResonator::applySettings(const SynthesisSettings& settings) noexcept {
         contacts.free(cellIndex);
     residues.setRadiationRatio(live.radiationRatio);
     forces.invalidate();
+    envelope.invalidateFalls();
     output.setDamping(requestedDamping, cellIndex);
     active.setTau(newTau);
     groups.set(wanted);
@@ -133,6 +146,7 @@ void ModalResonator::applySettings(const SynthesisSettings& settings) noexcept {
 
 void ModalResonator::movePoles() noexcept {
     forces.invalidate();
+    envelope.invalidateFalls();
     // Bring resting states up to date with their old poles.
     active.bringRestingUpToDate(cellIndex);
     if (groups.follow())
@@ -154,15 +168,17 @@ void ModalResonator::catchUp(const SynthesisSettings& settings) noexcept {
 }
 
 void ModalResonator::mix(std::int32_t allowance, const CellOutput& cell) noexcept {
-    if (contacts.empty() && !forces.actedIn(cellIndex - 1))
+    if (contacts.empty() && !forces.actedIn(cellIndex - 1)) {
+        if (allowance == 0 && !active.blocks().none())
+            measure(); // it falls asleep
         active.choose(allowance, cellIndex);
+    }
     output.render(active.blocks().list(), active.mixedRuns(), cell);
     contacts.mix(increments, cellIndex, cell);
 }
 
 /// Updates groups and poles to the settings. A silent resonator starts again in one channel.
 void ModalResonator::prepareBank() noexcept {
-    asleep = false;
     increments.takeIn(cellIndex + 1);
     if (silent())
         bank.setChannels(1);
@@ -182,7 +198,7 @@ void ModalResonator::widen(double farShare) noexcept {
 
 bool ModalResonator::strike(const Strike& asked,
                             double sampleInCell,
-                            std::int32_t allowance,
+                            const StrikeAllowance& allowed,
                             const CellOutput& cell) noexcept {
     const bool isPulse = asked.durationSeconds * output.sampleRateHz() >= shortestContactSamples;
     const bool isValid = isOn(object, asked.point) && allFinite(asked.impulseNewtonSeconds) &&
@@ -205,6 +221,13 @@ bool ModalResonator::strike(const Strike& asked,
     if (!isPulse)
         contacts.computeImpulse();
     increments.start(isPulse ? -1 : 1, sampleInCell);
+    std::int32_t allowance = allowed.modes;
+    if (allowed.ranking != nullptr) {
+        envelope.add(bank.poles(), increments.energies());
+        allowance = std::max(allowance, allowed.ranking->allowance(envelope.amplitude()));
+        if (allowance == 0 && strikeAsleep(contact, isPulse))
+            return true;
+    }
     const auto joined =
         active.joinStruck(increments.energies(), allowance, !contacts.empty(), cellIndex + 1);
     contacts.join(joined);
@@ -225,6 +248,19 @@ bool ModalResonator::strike(const Strike& asked,
     }
     increments.soundAndKeep(from, cell);
     contacts.startClick(contact, sizeNow, outputChannels, cellIndex, cell);
+    return true;
+}
+
+/// Adds the strike to the resting states if it ends in this cell.
+bool ModalResonator::strikeAsleep(const Contact& contact, bool isPulse) noexcept {
+    const double seconds = contact.strike.durationSeconds;
+    const double end = contact.startSample + seconds * output.sampleRateHz();
+    if (!idle() || end > cellSamples)
+        return false;
+    if (isPulse)
+        increments.finish(seconds, end);
+    increments.joinAsleep(firstSampleFrom(end), cellIndex + 1);
+    measure();
     return true;
 }
 
@@ -251,8 +287,8 @@ void ModalResonator::reset() noexcept {
     output.reset();
 }
 
-void ModalResonator::report(SoundingGroups& report) const noexcept {
-    reportGroups(groups, active, cellIndex, report);
+void ModalResonator::report(SoundingGroups& report, std::int64_t cell) const noexcept {
+    reportGroups(groups, active, cell, report);
 }
 
 } // namespace idiophone
