@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <utility>
 
 namespace idiophone {
 
@@ -42,18 +43,22 @@ void ActiveModes::survey(Change allowed) noexcept {
         const unsigned kept = allowed == Change::joinOnly ? before : 0u;
         const unsigned rings = allowed == Change::none ? before : above | kept;
         ringing += std::popcount(rings) - std::popcount(above);
-        mixedIsRinging = mixedIsRinging && rings == before;
+        if (rings != before)
+            chosenFor = noChoice;
         flags[index(number)].rings = static_cast<std::uint16_t>(rings);
     }
     if (found.faint)
         for (const std::int32_t b : activeBlocks.list())
             bank.clearFaint(index(b));
-    demanded = {found.amplitudes, ringing};
+    demanded = {found.amplitudes, ringing + restingModes};
 }
 
 void ActiveModes::choose(std::int32_t allowance, std::int64_t grid) noexcept {
+    if (restingModes > 0 && allowance > 0 && chosenFor != allowance)
+        wakeContenders(allowance, grid);
     const bool all = allowance >= demanded.modes;
-    if (all && mixedIsRinging)
+    const std::int32_t choice = all ? allModes : allowance;
+    if (std::exchange(chosenFor, choice) == choice)
         return;
     if (all)
         for (const std::int32_t b : activeBlocks.list())
@@ -70,12 +75,33 @@ void ActiveModes::choose(std::int32_t allowance, std::int64_t grid) noexcept {
         appendModes(b, now & ~before, scratch.joining);
         flags[b].mixed = scratch.wanted[b];
     }
-    mixedIsRinging = all;
     output.fade(scratch.leaving, 1);
     output.fade(scratch.joining, -1);
     if (!scratch.leaving.empty() || !scratch.joining.empty())
         listMixed();
-    retireBlocks(grid);
+    retireBlocks(true, grid);
+}
+
+/// Activates the resting blocks that may hold a mode that belongs to the strongest ones.
+void ActiveModes::wakeContenders(std::int32_t allowance, std::int64_t grid) noexcept {
+    float weakest = mixedCount() < allowance ? 0 : largestEnergy;
+    for (const std::int32_t mode : mixed)
+        weakest = std::min(weakest, bank.energies()[mode]);
+    activeBlocks.wake(std::max(weakest, tauEnergy()), grid);
+    countResting(tauEnergy());
+    survey(Change::any);
+}
+
+/// Counts the ringing modes of resting blocks that are not below the threshold altogether.
+void ActiveModes::countResting(float threshold) noexcept {
+    restingModes = 0;
+    for (std::size_t b = 0; b < bank.blockCount(); ++b) {
+        if (flags[b].rings == 0 || activeBlocks.contains(b))
+            continue;
+        if (!(bank.energyOfLoudest(b) > threshold))
+            flags[b].rings = 0;
+        restingModes += std::popcount(flags[b].rings);
+    }
 }
 
 void ActiveModes::selectStrongest(std::size_t maximum) noexcept {
@@ -97,14 +123,21 @@ void ActiveModes::listMixed() noexcept {
     ++changes;
 }
 
-void ActiveModes::retireBlocks(std::int64_t grid) noexcept {
-    activeBlocks.retire([&](std::size_t b) { return (flags[b].rings | flags[b].mixed) == 0; },
-                        grid);
+/// Lets blocks rest in which nothing is mixed, or even ringing ones.
+void ActiveModes::retireBlocks(bool evenRinging, std::int64_t grid) noexcept {
+    const auto isDone = [&](std::size_t b) {
+        return (flags[b].mixed | (evenRinging ? 0 : flags[b].rings)) == 0;
+    };
+    activeBlocks.retire(isDone, grid);
+    if (evenRinging)
+        countResting(tauEnergy());
 }
 
 void ActiveModes::wake(std::int64_t grid) noexcept {
     if (activeBlocks.wake(tauEnergy(), grid))
-        mixedIsRinging = false;
+        chosenFor = noChoice;
+    if (restingModes > 0)
+        countResting(tauEnergy());
 }
 
 /// Mixes the audible modes of `energies` above `threshold`. If the allowance is too small for all,
@@ -117,18 +150,19 @@ std::span<const ModeRun> ActiveModes::join(const float* energies,
                                            std::int64_t grid) noexcept {
     if (allMixed())
         return {};
-    surveyEnergies(energies, bank.poles().audibleWeights(), threshold, 0, bank.allBlocks(),
-                   scratch.wanted.data());
+    surveyAll(energies, threshold);
     scratch.joining.clear();
     for (std::size_t b = 0; b < bank.blockCount(); ++b) {
         const unsigned barred = flags[b].mixed | (duringContact ? flags[b].rings : 0u);
-        appendModes(b, scratch.wanted[b] & ~barred, scratch.joining);
+        appendModes(b, scratch.aboveTau[b] & ~barred, scratch.joining);
     }
     keepLoudest(scratch.joining, loudness,
                 static_cast<std::size_t>(std::max(allowance - mixedCount(), 0)));
     std::ranges::sort(scratch.joining);
     if (scratch.joining.empty())
         return {};
+    if (restingModes > 0)
+        wake(grid);
     scratch.leaving.clear();
     for (const std::int32_t mode : scratch.joining)
         admit(index(mode), grid);
@@ -136,7 +170,7 @@ std::span<const ModeRun> ActiveModes::join(const float* energies,
     output.fade(scratch.leaving, -1);
     findRuns(scratch.joining, scratch.joiningRuns);
     listMixed();
-    mixedIsRinging = false;
+    chosenFor = noChoice;
     return scratch.joiningRuns;
 }
 
@@ -155,15 +189,30 @@ void ActiveModes::admit(std::size_t g, std::int64_t grid) noexcept {
     flags[b].mixed |= bitOf(g);
 }
 
+/// Finds the audible modes of all blocks with energies above the threshold.
+EnergySurvey ActiveModes::surveyAll(const float* energies, float threshold) noexcept {
+    return surveyEnergies(energies, bank.poles().audibleWeights(), threshold, 0, bank.allBlocks(),
+                          scratch.aboveTau.data());
+}
+
 void ActiveModes::listRinging() noexcept {
-    surveyEnergies(bank.energies(), bank.poles().audibleWeights(), tauEnergy(), 0, bank.allBlocks(),
-                   scratch.aboveTau.data());
+    surveyAll(bank.energies(), tauEnergy());
     for (std::size_t b = 0; b < bank.blockCount(); ++b) {
         flags[b].rings = scratch.aboveTau[b] | flags[b].mixed;
         if (flags[b].rings != 0)
             activeBlocks.activate(b);
     }
-    mixedIsRinging = false;
+    chosenFor = noChoice;
+    restingModes = 0;
+}
+
+void ActiveModes::listResting() noexcept {
+    const EnergySurvey found = surveyAll(bank.energies(), tauEnergy());
+    for (std::size_t b = 0; b < bank.blockCount(); ++b)
+        flags[b].rings = scratch.aboveTau[b];
+    chosenFor = noChoice;
+    restingModes = found.modes;
+    demanded = {found.amplitudes, found.modes};
 }
 
 void ActiveModes::fadeInaudible(const ModeGroups& groups, std::int64_t grid) noexcept {
@@ -180,8 +229,9 @@ void ActiveModes::fadeInaudible(const ModeGroups& groups, std::int64_t grid) noe
     if (scratch.leaving.empty())
         return;
     output.fade(scratch.leaving, 1);
+    chosenFor = noChoice;
     listMixed();
-    retireBlocks(grid);
+    retireBlocks(false, grid);
 }
 
 void ActiveModes::regroup(const ModeGroups& groups, std::int64_t grid) noexcept {
@@ -195,7 +245,8 @@ void ActiveModes::regroup(const ModeGroups& groups, std::int64_t grid) noexcept 
         if ((flags[b].rings | flags[b].mixed) != 0)
             activeBlocks.activate(b);
     }
-    mixedIsRinging = false;
+    chosenFor = noChoice;
+    restingModes = 0;
     listMixed();
 }
 
@@ -235,12 +286,12 @@ void ActiveModes::fadeChanges(std::span<const ModeShare> shares) noexcept {
 }
 
 void ActiveModes::reset() noexcept {
-    for (const std::int32_t b : activeBlocks.list())
-        flags[index(b)] = {};
+    std::ranges::fill(flags, Flags{});
     activeBlocks.retire([](std::size_t) { return true; }, 0);
     mixed.clear();
     runs.clear();
-    mixedIsRinging = true;
+    chosenFor = allModes;
+    restingModes = 0;
     demanded = {};
     ++changes;
 }

@@ -1,5 +1,5 @@
 // The modes of a bank that ring (above τ) and those that are mixed, which the budget and contacts
-// decide. Blocks without any of them rest.
+// decide. Blocks without any of them rest, and so do blocks whose modes the budget leaves out.
 #pragma once
 
 #include "Synth/ActiveBlocks.h"
@@ -9,6 +9,7 @@
 #include "Synth/QualityScaling.h"
 
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -24,8 +25,11 @@ public:
     std::span<const ModeRun> mixedRuns() const noexcept { return runs; }
     std::int32_t mixedCount() const noexcept { return static_cast<std::int32_t>(mixed.size()); }
     bool allMixed() const noexcept { return mixed.size() == bank.poles().audibleCount(); }
-    /// Returns the demand for quality scaling that `survey` found.
+    /// Returns the amplitude of the active modes and the number of ringing ones that `survey`
+    /// found.
     ModeDemand demand() const noexcept { return demanded; }
+    /// Returns whether ringing modes rest because the budget leaves them out.
+    bool restRinging() const noexcept { return restingModes > 0; }
     /// Counts the changes of the mixed modes.
     std::uint64_t version() const noexcept { return changes; }
 
@@ -41,10 +45,15 @@ public:
     enum class Change { any, joinOnly, none };
     /// Finds the modes above τ at t_c of Raghuvanshi & Lin 2006, eq. 14.
     void survey(Change allowed) noexcept;
-    /// Mixes the strongest `allowance` ringing modes.
+    /// Mixes the strongest `allowance` ringing modes. If they are fewer than all, they stay until a
+    /// mode starts or stops ringing, or `reconsider`. Call it after `survey`.
     void choose(std::int32_t allowance, std::int64_t grid) noexcept;
+    /// Lets the next `choose` compare all ringing modes again.
+    void reconsider() noexcept { chosenFor = noChoice; }
     /// Activates all blocks that hold something above τ; the next survey finds the ringing modes.
     void wake(std::int64_t grid) noexcept;
+    /// Stops counting resting modes as ringing, because they have fallen below τ.
+    void forgetResting() noexcept { countResting(largestEnergy); }
 
     /// Mixes the modes that increments of these energies [padded size] lift above τ, at most
     /// `allowance` modes in all. During a contact, ringing modes that the budget left out cannot
@@ -69,6 +78,8 @@ public:
     }
     /// Call it after adding to the states.
     void listRinging() noexcept;
+    /// Does the same if all blocks rest, and lets them rest.
+    void listResting() noexcept;
 
     /// Fades out newly inaudible modes, still with their old poles: beyond the band the new ones
     /// would alias.
@@ -88,9 +99,12 @@ private:
     };
 
     float tauEnergy() const noexcept { return static_cast<float>(tauPascals * tauPascals); }
-    void retireBlocks(std::int64_t grid) noexcept;
+    void retireBlocks(bool evenRinging, std::int64_t grid) noexcept;
+    void wakeContenders(std::int32_t allowance, std::int64_t grid) noexcept;
+    void countResting(float threshold) noexcept;
     void selectStrongest(std::size_t maximum) noexcept;
     void listMixed() noexcept;
+    EnergySurvey surveyAll(const float* energies, float threshold) noexcept;
     std::span<const ModeRun> join(const float* energies,
                                   float threshold,
                                   const float* loudness,
@@ -108,7 +122,10 @@ private:
     std::vector<Flags> flags;        ///< of every block
     std::vector<std::int32_t> mixed; ///< ascending
     std::vector<ModeRun> runs;       ///< of `mixed`
-    bool mixedIsRinging = true;      ///< the mixed modes are the ringing ones
+    static constexpr std::int32_t noChoice = -1;
+    static constexpr std::int32_t allModes = std::numeric_limits<std::int32_t>::max();
+    std::int32_t chosenFor = allModes; ///< the allowance that decided the mixed modes
+    std::int32_t restingModes = 0;     ///< ringing modes in resting blocks
     ModeDemand demanded;
     double tauPascals = 0; ///< at least the floor below which states become 0
     std::uint64_t changes = 0;

@@ -2,6 +2,7 @@
 
 #include "Synth/AllFinite.h"
 #include "Synth/ContactPulse.h"
+#include "Synth/GroupsReport.h"
 #include "Synth/LiveConditions.h"
 #include "Synth/PointShapes.h"
 #include "Synth/TubeShares.h"
@@ -24,8 +25,10 @@ ModalResonator::ModalResonator(SynthesiserSlot ownSlot,
                                std::uint32_t seed,
                                std::size_t channels,
                                double sampleRateHz,
-                               SynthesisScratch& scratch)
-    : slot(std::move(ownSlot)), object(*slot.object), outputChannels(channels),
+                               SynthesisScratch& scratch,
+                               AmplitudeEnvelope& ownEnvelope)
+    : envelope(ownEnvelope), slot(std::move(ownSlot)), object(*slot.object),
+      outputChannels(channels),
       bank(object.modeCount(), object.radiation.empty() ? 1 : channels, sampleRateHz),
       output(bank, tubeShares(object), sampleRateHz, scratch),
       groups(object, std::move(modeWeights), seed, sampleRateHz, scratch),
@@ -44,7 +47,6 @@ void ModalResonator::request(Value& requested, const Value& wanted) noexcept {
         return;
     requested = wanted;
     controlsChanged = true;
-    asleep = false;
 }
 
 void ModalResonator::setDamping(double dampingPerSecond) noexcept {
@@ -62,22 +64,22 @@ void ModalResonator::setMaterial(const std::optional<LiveMaterial>& material) no
 }
 
 void ModalResonator::setSilencedModes(std::span<const std::uint8_t> silenced) noexcept {
-    if (!groups.requestSilenced(silenced))
-        return;
-    controlsChanged = true;
-    asleep = false;
+    if (groups.requestSilenced(silenced))
+        controlsChanged = true;
 }
 
-bool ModalResonator::beginSoundingCell(std::int64_t cell,
-                                       const SynthesisSettings& settings,
-                                       bool settingsChanged) noexcept {
+bool ModalResonator::beginCell(std::int64_t cell,
+                               const SynthesisSettings& settings,
+                               bool settingsChanged) noexcept {
     increments.takeIn(cell);
     cellIndex = cell;
     if (settingsChanged || controlsChanged)
         applySettings(settings);
-    asleep = silent();
-    if (asleep)
+    if (idle()) {
+        if (asleep())
+            envelope.updateFalls(bank.poles(), output.damping());
         return false;
+    }
     // During a contact the set of ringing modes stays fixed. During a continuous force modes may
     // join but not leave.
     using Change = ActiveModes::Change;
@@ -85,6 +87,17 @@ bool ModalResonator::beginSoundingCell(std::int64_t cell,
                   : forces.actedIn(cellIndex - 1) ? Change::joinOnly
                                                   : Change::any);
     return true;
+}
+
+void ModalResonator::wake() noexcept {
+    active.wake(cellIndex);
+    active.survey(ActiveModes::Change::any);
+}
+
+void ModalResonator::measure() noexcept {
+    envelope.updateFalls(bank.poles(), output.damping());
+    envelope.set(bank.poles(), bank.energies(), active.demand().modes);
+    active.reconsider();
 }
 
 void ModalResonator::applySettings(const SynthesisSettings& settings) noexcept {
@@ -118,6 +131,7 @@ void ModalResonator::applySettings(const SynthesisSettings& settings) noexcept {
         contacts.free(cellIndex);
     residues.setRadiationRatio(live.radiationRatio);
     forces.invalidate();
+    envelope.invalidateFalls();
     output.setDamping(requestedDamping, cellIndex);
     active.setTau(newTau);
     groups.set(wanted);
@@ -132,6 +146,7 @@ void ModalResonator::applySettings(const SynthesisSettings& settings) noexcept {
 
 void ModalResonator::movePoles() noexcept {
     forces.invalidate();
+    envelope.invalidateFalls();
     // Bring resting states up to date with their old poles.
     active.bringRestingUpToDate(cellIndex);
     if (groups.follow())
@@ -153,15 +168,17 @@ void ModalResonator::catchUp(const SynthesisSettings& settings) noexcept {
 }
 
 void ModalResonator::mix(std::int32_t allowance, const CellOutput& cell) noexcept {
-    if (contacts.empty() && !forces.actedIn(cellIndex - 1))
+    if (contacts.empty() && !forces.actedIn(cellIndex - 1)) {
+        if (allowance == 0 && !active.blocks().none())
+            measure(); // it falls asleep
         active.choose(allowance, cellIndex);
+    }
     output.render(active.blocks().list(), active.mixedRuns(), cell);
     contacts.mix(increments, cellIndex, cell);
 }
 
 /// Updates groups and poles to the settings. A silent resonator starts again in one channel.
 void ModalResonator::prepareBank() noexcept {
-    asleep = false;
     if (std::exchange(bankIsOld, false))
         bank.clear();
     increments.takeIn(cellIndex + 1);
@@ -183,7 +200,7 @@ void ModalResonator::widen(double farShare) noexcept {
 
 bool ModalResonator::strike(const Strike& asked,
                             double sampleInCell,
-                            std::int32_t allowance,
+                            const StrikeAllowance& allowed,
                             const CellOutput& cell) noexcept {
     const bool isPulse = asked.durationSeconds * output.sampleRateHz() >= shortestContactSamples;
     const bool isValid = isOn(object, asked.point) && allFinite(asked.impulseNewtonSeconds) &&
@@ -206,6 +223,13 @@ bool ModalResonator::strike(const Strike& asked,
     if (!isPulse)
         contacts.computeImpulse();
     increments.start(isPulse ? -1 : 1, sampleInCell);
+    std::int32_t allowance = allowed.modes;
+    if (allowed.ranking != nullptr) {
+        envelope.add(bank.poles(), increments.energies());
+        allowance = std::max(allowance, allowed.ranking->allowance(envelope.amplitude()));
+        if (allowance == 0 && strikeAsleep(contact, isPulse))
+            return true;
+    }
     const auto joined =
         active.joinStruck(increments.energies(), allowance, !contacts.empty(), cellIndex + 1);
     contacts.join(joined);
@@ -229,18 +253,23 @@ bool ModalResonator::strike(const Strike& asked,
     return true;
 }
 
-bool ModalResonator::validPlace(const ForcePlace& place) const noexcept {
-    const auto isValid = [&](const ForcePoint& at) {
-        return isOn(object, at.point) && allFinite(at.direction);
-    };
-    return std::isfinite(place.fraction) && isValid(place.points[0]) &&
-           (place.fraction == 0 || isValid(place.points[1]));
+/// Adds the strike to the resting states if it ends in this cell.
+bool ModalResonator::strikeAsleep(const Contact& contact, bool isPulse) noexcept {
+    const double seconds = contact.strike.durationSeconds;
+    const double end = contact.startSample + seconds * output.sampleRateHz();
+    if (!idle() || end > cellSamples)
+        return false;
+    if (isPulse)
+        increments.finish(seconds, end);
+    increments.joinAsleep(firstSampleFrom(end), cellIndex + 1);
+    measure();
+    return true;
 }
 
 bool ModalResonator::applyForce(const ForceCell& force,
                                 std::int32_t allowance,
                                 const CellOutput& cell) noexcept {
-    if (force.contact >= forceCapacity || !validPlace(force.start) || !validPlace(force.end) ||
+    if (force.contact >= forceCapacity || !isOn(object, force.start) || !isOn(object, force.end) ||
         !allWithin(force.newtons, largestForceNewtons))
         return false;
     prepareBank();
@@ -260,34 +289,10 @@ void ModalResonator::reset() noexcept {
     output.reset();
 }
 
-void ModalResonator::report(SoundingGroups& report) const noexcept {
-    const GroupConditions& conditions = groups.conditions();
-    report.law = conditions.law;
-    report.thicknessRatio = conditions.thicknessRatio;
-    report.tauPascals = active.tau();
-    report.compression = conditions.compression;
-    report.groupsAreBehind = groups.areBehind();
-    report.count = 0;
-    report.starts[0] = 0;
-    for (std::size_t g = 0; g < groups.size(); ++g) {
-        const std::int32_t end = groups.starts()[g + 1];
-        if (static_cast<std::size_t>(end) > report.amplitudes.size())
-            break;
-        report.starts[g + 1] = end;
-        report.amplitudes[g] = bankIsOld ? 0 : active.blocks().amplitude(g, cellIndex);
-        report.standings[g] = standing(g);
-        report.count = g + 1;
-    }
-}
-
-GroupStanding ModalResonator::standing(std::size_t g) const noexcept {
-    if (active.isMixed(g))
-        return GroupStanding::sounding;
-    if (!groups.inBand(g))
-        return GroupStanding::outOfBand;
-    if (groups.silenced(g))
-        return GroupStanding::silenced;
-    return active.rings(g) ? GroupStanding::beyondBudget : GroupStanding::belowTau;
+void ModalResonator::report(SoundingGroups& report, std::int64_t cell) const noexcept {
+    reportGroups(groups, active, cell, report);
+    if (bankIsOld)
+        std::fill_n(report.amplitudes.begin(), report.count, 0.0f);
 }
 
 } // namespace idiophone

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "Synth/ActiveModes.h"
+#include "Synth/AmplitudeEnvelope.h"
 #include "Synth/ContactSet.h"
 #include "Synth/ForceResponses.h"
 #include "Synth/GroupResidues.h"
@@ -18,21 +19,29 @@
 
 namespace idiophone {
 
+/// The modes that an object may mix after a strike.
+struct StrikeAllowance {
+    std::int32_t modes = 0; ///< whatever the amplitude
+    /// If not null: as many as an object of its amplitude got at the last ranking.
+    const BudgetShares* ranking = nullptr;
+};
+
 /// Memory is reserved by the constructor; every other member is for the audio thread. The current
-/// cell is the one begun last. States of active blocks hold at its start; after `mix` they hold at
-/// its end.
+/// cell is the one begun last, or that of `moveTo`. States of active blocks hold at its start;
+/// after `mix` they hold at its end.
 class ModalResonator {
 public:
     /// The slot has an object. `channels` is the channel count of the cells, 1 or 2. A resonator
     /// sounds in stereo from the first strike with far sound (`SynthesisSettings::radiation`) until
     /// it is silent again. Weights and seed: see ModeGroups. `scratch` has room for the slot's
-    /// object and outlives this; resonators on one thread share it.
+    /// object; resonators on one thread share it. It and the envelope outlive this.
     ModalResonator(SynthesiserSlot slot,
                    ModeGroups::ModeWeights modeWeights,
                    std::uint32_t seed,
                    std::size_t channels,
                    double sampleRateHz,
-                   SynthesisScratch& scratch);
+                   SynthesisScratch& scratch,
+                   AmplitudeEnvelope& envelope);
     ModalResonator(const ModalResonator&) = delete;
     ModalResonator& operator=(const ModalResonator&) = delete;
 
@@ -45,20 +54,29 @@ public:
     /// none). They fade out and in, and ring on unmixed in between.
     void setSilencedModes(std::span<const std::uint8_t> silenced) noexcept;
 
+    /// Returns whether something was set that `beginCell` or `catchUp` has not applied yet.
+    bool hasNewControls() const noexcept { return controlsChanged; }
+
     /// Moves to the grid point of cell `index`: applies pending settings and drops modes at t_c
-    /// (Raghuvanshi & Lin 2006, eq. 14). Returns whether there is anything to mix.
-    bool beginCell(std::int64_t index,
-                   const SynthesisSettings& settings,
-                   bool settingsChanged) noexcept {
-        if (!asleep || settingsChanged)
-            return beginSoundingCell(index, settings, settingsChanged);
-        cellIndex = index;
-        return false;
-    }
+    /// (Raghuvanshi & Lin 2006, eq. 14). Returns false if it is idle. Cells in which it is idle,
+    /// and nothing is set, need no call.
+    bool
+    beginCell(std::int64_t index, const SynthesisSettings& settings, bool settingsChanged) noexcept;
+    /// Moves an idle resonator to a cell.
+    void moveTo(std::int64_t index) noexcept { cellIndex = index; }
+    /// Lets resting modes above τ join the next `mix`; call it after `moveTo`.
+    void wake() noexcept;
+    /// Lets an idle resonator fall silent.
+    void fallSilent() noexcept { active.forgetResting(); }
 
     /// Returns the demand for quality scaling; call it after `beginCell`. It includes modes held by
-    /// a contact.
-    ModeDemand demand() const noexcept { return active.demand(); }
+    /// a contact. While modes rest, the amplitude is a bound.
+    ModeDemand demand() const noexcept {
+        const auto [amplitude, modes] = active.demand();
+        return {active.restRinging() ? envelope.amplitude() : amplitude, modes};
+    }
+    /// Sets the envelope to the present states, for a ranking. The next `mix` chooses modes anew.
+    void measure() noexcept;
 
     /// Mixes the strongest `allowance` modes into the cell. During a contact its modes stay,
     /// whatever the allowance, as its forced part was summed over them.
@@ -69,12 +87,13 @@ public:
     /// contact, all of it waits for the next cell.
     void catchUp(const SynthesisSettings& settings) noexcept;
 
-    /// Adds a strike to the rest of the current cell. `allowance` bounds the number of modes mixed
-    /// after it. A contact shorter than two samples is an impulse. Returns false and does nothing
-    /// if no contact is free or the strike is not valid for this object.
+    /// Adds a strike to the rest of the current cell. `allowed` bounds the number of modes mixed
+    /// after it. An idle resonator that may mix none stays idle if the contact ends in this cell. A
+    /// contact shorter than two samples is an impulse. Returns false and does nothing if no contact
+    /// is free or the strike is not valid for this object.
     bool strike(const Strike& strike,
                 double sampleInCell,
-                std::int32_t allowance,
+                const StrikeAllowance& allowed,
                 const CellOutput& cell) noexcept;
 
     bool contactsUsedUp() const noexcept { return contacts.full(); }
@@ -85,14 +104,22 @@ public:
     bool
     applyForce(const ForceCell& force, std::int32_t allowance, const CellOutput& cell) noexcept;
 
-    /// Silences everything at once. Costs a pass over the blocks that ring.
+    /// Silences everything at once. Touches the states of ringing blocks only.
     void reset() noexcept;
 
-    /// Reports the groups of modes in the current cell.
-    void report(SoundingGroups& groups) const noexcept;
+    /// Reports the groups of modes in a cell, the current one unless it is idle.
+    void report(SoundingGroups& groups, std::int64_t cell) const noexcept;
 
+    /// Returns whether a cell needs neither `beginCell` nor `mix`.
+    bool idle() const noexcept {
+        return active.blocks().none() && !contacts.sounding() && !output.fading() &&
+               !increments.pending();
+    }
+    /// Returns whether modes ring that the budget leaves out altogether.
+    bool asleep() const noexcept { return idle() && active.restRinging(); }
     bool silent() const noexcept {
-        return active.blocks().none() && !contacts.sounding() && !output.fading();
+        return active.blocks().none() && !contacts.sounding() && !output.fading() &&
+               !active.restRinging();
     }
     std::size_t channelsSounding() const noexcept { return bank.channels(); }
     std::int32_t groupCount() const noexcept { return static_cast<std::int32_t>(bank.size()); }
@@ -103,22 +130,17 @@ public:
     std::int32_t modesMixed() const noexcept { return active.mixedCount(); }
 
 private:
-    bool beginSoundingCell(std::int64_t cell,
-                           const SynthesisSettings& settings,
-                           bool settingsChanged) noexcept;
     void applySettings(const SynthesisSettings& settings) noexcept;
     void movePoles() noexcept;
     template <class Value>
     void request(Value& requested, const Value& wanted) noexcept;
     void prepareBank() noexcept;
     void widen(double farShare) noexcept;
-    bool validPlace(const ForcePlace& place) const noexcept;
-    GroupStanding standing(std::size_t g) const noexcept;
+    bool strikeAsleep(const Contact& contact, bool isPulse) noexcept;
 
-    // A silent cell reads these only.
     std::int64_t cellIndex = -1; ///< the current cell
-    bool asleep = false;         ///< silent, and nothing is pending
     bool controlsChanged = true;
+    AmplitudeEnvelope& envelope;
 
     SynthesiserSlot slot;
     const ModalObject& object; ///< of the slot

@@ -55,7 +55,13 @@ void PendingIncrements::sound(int from, int until, const CellOutput& cell) noexc
 
 void PendingIncrements::soundAndKeep(int from, const CellOutput& cell) noexcept {
     sound(from, cellSamples, cell);
-    move = moveBy((cellSamples - from) / output.sampleRateHz());
+    move = moveToGridFrom(from);
+}
+
+void PendingIncrements::joinAsleep(int from, std::int64_t grid) noexcept {
+    active.bringRestingUpToDate(grid);
+    bank.join(increments, moveToGridFrom(from));
+    active.listResting();
 }
 
 void PendingIncrements::takeIn(std::int64_t grid) noexcept {

@@ -38,6 +38,9 @@ public:
     /// Adds their sound up to the end of the cell, and keeps the increments until the next grid
     /// point.
     void soundAndKeep(int from, const CellOutput& cell) noexcept;
+    /// Adds the increments, which hold at sample `from`, to the states of a sleeping object at
+    /// `grid`, the end of the cell. They do not sound.
+    void joinAsleep(int from, std::int64_t grid) noexcept;
     /// Adds pending increments to the states, which hold at `grid`, the end of their cell.
     void takeIn(std::int64_t grid) noexcept;
     void reset() noexcept { move.reset(); }
@@ -45,6 +48,9 @@ public:
 private:
     BeforeSample beforeSample(double at) const noexcept;
     IncrementMove moveBy(double seconds) const noexcept;
+    IncrementMove moveToGridFrom(int sample) const noexcept {
+        return moveBy((cellSamples - sample) / output.sampleRateHz());
+    }
 
     ModalBank& bank;
     BankOutput& output;

@@ -3,8 +3,10 @@
 
 #include "Object/ModalObject.h"
 #include "Synth/AllFinite.h"
-#include "Synth/Strike.h"
+#include "Synth/ForceCell.h"
 #include "Synth/StrikeKernel.h"
+
+#include <cmath>
 
 namespace idiophone {
 
@@ -19,6 +21,15 @@ inline bool isOn(const ModalObject& object, const StrikePoint& point) noexcept {
     const auto directions = static_cast<std::int64_t>(object.radiation.directions.size());
     return point.radiationDirection >= -1 && point.radiationDirection < directions &&
            object.modeCount() > 0 && allFinite(point.weights) && allFinite(point.normal);
+}
+
+/// Returns the same for the points of a place that are read.
+inline bool isOn(const ModalObject& object, const ForcePlace& place) noexcept {
+    const auto isValid = [&](const ForcePoint& at) {
+        return isOn(object, at.point) && allFinite(at.direction);
+    };
+    return std::isfinite(place.fraction) && isValid(place.points[0]) &&
+           (place.fraction == 0 || isValid(place.points[1]));
 }
 
 /// Returns the shapes from mode `firstMode` on. They point into the object; the point's rows must

@@ -38,47 +38,93 @@ Entitlement entitlement(std::size_t objects, double budget, double slope) noexce
     return {budget / entitled + fall * (entitled - 1) / 2, fall};
 }
 
-double wholeBudget(double budget) noexcept {
-    return std::floor(std::clamp(budget, 0.0, largestBudget));
-}
-
 } // namespace
+
+std::int64_t wholeBudget(double budget) noexcept {
+    return static_cast<std::int64_t>(std::clamp(budget, 0.0, largestBudget));
+}
 
 double
 modeEntitlement(std::size_t rank, std::size_t objects, double budget, double slope) noexcept {
-    return entitlement(objects, wholeBudget(budget), slope).at(rank);
+    return entitlement(objects, static_cast<double>(wholeBudget(budget)), slope).at(rank);
 }
 
-void shareModeBudget(std::span<const ModeDemand> demands,
-                     double budget,
-                     double slope,
-                     std::span<std::int32_t> ranking,
-                     std::span<std::int32_t> shares) noexcept {
-    if (demands.empty())
-        return;
-    const auto ranks = ranking.first(demands.size());
-    std::iota(ranks.begin(), ranks.end(), 0);
-    std::sort(ranks.begin(), ranks.end(), [&](std::int32_t a, std::int32_t b) {
+BudgetShares::BudgetShares(std::size_t maximumObjects) {
+    shareOf.reserve(maximumObjects);
+    unranked.reserve(maximumObjects);
+    ranks.reserve(maximumObjects);
+}
+
+void BudgetShares::divide(std::span<const ModeDemand> demands,
+                          double budget,
+                          double slope) noexcept {
+    const std::int64_t whole = wholeBudget(budget);
+    std::int64_t demanded = 0;
+    shareOf.clear();
+    for (const ModeDemand& demand : demands) {
+        demanded += demand.modes;
+        shareOf.push_back(demand.modes);
+    }
+    ranks.clear();
+    suffices = demanded <= whole;
+    if (!suffices)
+        shareByRank(demands, static_cast<double>(whole), slope);
+}
+
+// Only objects with a share are sorted.
+void BudgetShares::shareByRank(std::span<const ModeDemand> demands,
+                               double whole,
+                               double slope) noexcept {
+    const auto isQuieter = [&](std::int32_t a, std::int32_t b) {
         const double left = demands[static_cast<std::size_t>(a)].amplitude;
         const double right = demands[static_cast<std::size_t>(b)].amplitude;
-        return left != right ? left > right : a < b;
-    });
+        return left != right ? left < right : a > b;
+    };
+    unranked.resize(demands.size());
+    std::iota(unranked.begin(), unranked.end(), 0);
+    std::make_heap(unranked.begin(), unranked.end(), isQuieter);
+    std::ranges::fill(shareOf, 0);
 
-    const double whole = wholeBudget(budget);
     const Entitlement line = entitlement(demands.size(), whole, slope);
-    double left = whole;
-    for (std::size_t rank = 0; rank < ranks.size(); ++rank)
-        left -= line.wholeAt(rank);
+    double spare = whole;
+    for (std::size_t rank = 0; rank < demands.size() && line.wholeAt(rank) > 0; ++rank)
+        spare -= line.wholeAt(rank);
+    auto left = static_cast<std::int32_t>(whole);
     std::int32_t unused = 0;
-    for (std::size_t rank = 0; rank < ranks.size(); ++rank) {
-        const double more = std::clamp(left, 0.0, 1.0);
-        left -= more;
-        const std::int32_t available =
-            static_cast<std::int32_t>(line.wholeAt(rank) + more) + unused;
-        const auto object = static_cast<std::size_t>(ranks[rank]);
-        shares[object] = std::min(available, demands[object].modes);
-        unused = available - shares[object];
+    while (left > 0 && !unranked.empty()) {
+        std::pop_heap(unranked.begin(), unranked.end(), isQuieter);
+        const std::int32_t object = unranked.back();
+        unranked.pop_back();
+        const ModeDemand& demand = demands[static_cast<std::size_t>(object)];
+        const double more = std::clamp(spare, 0.0, 1.0);
+        spare -= more;
+        const std::int32_t entitled =
+            static_cast<std::int32_t>(line.wholeAt(ranks.size()) + more) + unused;
+        const std::int32_t available = std::min(std::max(entitled, fewestModes), left);
+        const std::int32_t share = std::min(available, demand.modes);
+        shareOf[static_cast<std::size_t>(object)] = share;
+        ranks.push_back({object, demand.amplitude, available});
+        unused = std::max(entitled - share, 0);
+        left -= share;
     }
+    for (const Rank& rank : ranks) {
+        const auto object = static_cast<std::size_t>(rank.object);
+        const std::int32_t more = std::min(left, demands[object].modes - shareOf[object]);
+        shareOf[object] += more;
+        left -= more;
+    }
+}
+
+void BudgetShares::reset() noexcept {
+    suffices = true;
+    shareOf.clear();
+    ranks.clear();
+}
+
+std::int32_t BudgetShares::allowance(double amplitude) const noexcept {
+    const auto quieter = std::ranges::partition_point(
+        ranks, [&](const Rank& rank) { return rank.amplitude >= amplitude; });
+    return quieter == ranks.end() ? 0 : quieter->available;
 }
 
 } // namespace idiophone

@@ -1,10 +1,11 @@
-// Shares the mode budget among ringing objects (Raghuvanshi & Lin 2006, quality scaling). A pure
-// function that counts modes, never measured time, so that renders repeat.
+// Shares the mode budget among ringing objects (Raghuvanshi & Lin 2006, quality scaling). It counts
+// modes, never measured time, so that renders repeat.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 namespace idiophone {
 
@@ -13,21 +14,55 @@ struct ModeDemand {
     std::int32_t modes = 0; ///< number of modes that it could mix
 };
 
-/// Returns the entitlement of rank r < n of n objects, in modes; see shareModeBudget.
+/// A sounding object mixes at least this many modes as long as the budget lasts. Single modes of
+/// many objects would cost more and sound less like these objects.
+inline constexpr std::int32_t fewestModes = 4;
+
+/// Returns the entitlement of rank r < n of n objects, in modes; see BudgetShares.
 double modeEntitlement(std::size_t rank, std::size_t objects, double budget, double slope) noexcept;
 
-/// Divides `budget` Q among n objects. They are ranked by amplitude, loudest first; equal objects
-/// keep their order. Rank r = 0, 1, … is entitled to max(0, a − S·r·Q/n²), with a such that the
-/// entitlements sum to Q. S = 0 gives equal shares; S = ∞ entitles the first to everything. The
-/// unneeded part of a share goes to the next rank.
-///
-/// Entitlements are rounded down. The whole modes that remain of ⌊Q⌋ go to the loudest, one each,
-/// so that a new object changes the shares of few others. `ranking` is scratch of size n and
-/// returns the objects by rank.
-void shareModeBudget(std::span<const ModeDemand> demands,
-                     double budget,
-                     double slope,
-                     std::span<std::int32_t> ranking,
-                     std::span<std::int32_t> shares) noexcept;
+/// Returns the budget in whole modes, at most 1e9.
+std::int64_t wholeBudget(double budget) noexcept;
+
+/// The last division of the budget. Memory is reserved by the constructor; every other member is
+/// for the audio thread.
+class BudgetShares {
+public:
+    explicit BudgetShares(std::size_t maximumObjects);
+
+    /// Divides `budget` Q among n objects. If it suffices, each object gets its demand. Otherwise
+    /// they are ranked by amplitude, loudest first; equal objects keep their order. Rank r = 0, 1,
+    /// … is entitled to max(0, a − S·r·Q/n²), with a such that the entitlements sum to Q. S = 0
+    /// gives equal entitlements; S = ∞ entitles the first to everything. The unneeded part of an
+    /// entitlement goes to the next rank, and what the last rank leaves goes to the loudest.
+    ///
+    /// Entitlements are rounded down. The whole modes that remain of ⌊Q⌋ go to the loudest, one
+    /// each. As long as Q lasts, no share is cut to less than `fewestModes`.
+    void divide(std::span<const ModeDemand> demands, double budget, double slope) noexcept;
+    /// Returns to an unlimited budget.
+    void reset() noexcept;
+
+    /// Returns whether each object got its demand.
+    bool sufficient() const noexcept { return suffices; }
+    /// Returns the share of each object in modes, in the order of the demands.
+    std::span<const std::int32_t> shares() const noexcept { return shareOf; }
+    /// Returns how many modes were available to the first object that is quieter than `amplitude`,
+    /// or 0 if no quieter one has a share.
+    std::int32_t allowance(double amplitude) const noexcept;
+
+private:
+    struct Rank {
+        std::int32_t object = 0;
+        double amplitude = 0;
+        std::int32_t available = 0; ///< modes
+    };
+
+    void shareByRank(std::span<const ModeDemand> demands, double whole, double slope) noexcept;
+
+    bool suffices = true;
+    std::vector<std::int32_t> shareOf;
+    std::vector<std::int32_t> unranked; ///< heap, the loudest first
+    std::vector<Rank> ranks;            ///< objects with a share
+};
 
 } // namespace idiophone

@@ -1,7 +1,6 @@
 #include "Synth/Synthesiser.h"
 
-#include "Synth/ModalResonator.h"
-#include "Synth/QualityScaling.h"
+#include "Synth/AwakeSlots.h"
 
 #include <algorithm>
 #include <deque>
@@ -22,25 +21,17 @@ void clear(const CellOutput& cell) {
 struct Synthesiser::Implementation {
     double sampleRate;
     std::unique_ptr<SynthesisScratch> scratch;
-    std::deque<ModalResonator> objects; ///< do not move
+    std::vector<AmplitudeEnvelope> envelopes; ///< of the objects
+    std::deque<ModalResonator> objects;       ///< do not move
+    std::optional<AwakeSlots> slots;          ///< made after the objects
     SynthesisSettings settings;
     bool settingsChanged = false;
-    std::int64_t nextCell = 0;
-
-    std::vector<SlotStatus> status;
     std::vector<char> wasTouched; ///< of every slot, since its last reset
-    std::int64_t mixedNow = 0; ///< number of mixed modes, including those that strikes have added
-    // The slots that ring in this cell, with their demands and shares.
-    std::vector<std::int32_t> sounding; ///< ascending
-    std::vector<ModeDemand> demands;
-    std::vector<std::int32_t> shares;
-    std::vector<std::int32_t> ranking;
 
-    void listSounding();
-    void report();
-    std::int32_t allowance(std::size_t slot) const;
+    template <class Value>
+    void set(std::size_t slot, void (ModalResonator::*setter)(Value) noexcept, Value value);
     template <class Action>
-    bool apply(std::size_t slot, Action action);
+    bool act(std::size_t slot, Action action);
 };
 
 Synthesiser::Synthesiser(std::vector<SynthesiserSlot> slots,
@@ -56,22 +47,19 @@ Synthesiser::Synthesiser(std::vector<SynthesiserSlot> slots,
         maximumModes = std::max(maximumModes, slot.object->modeCount());
     }
     all.scratch = std::make_unique<SynthesisScratch>(maximumModes, channels);
+    all.envelopes.resize(slots.size());
     std::map<const ModalObject*, ModeGroups::ModeWeights> known; // one for all slots of an object
     for (SynthesiserSlot& slot : slots) {
         auto& modeWeights = known[slot.object.get()];
         if (!modeWeights)
             modeWeights =
                 std::make_shared<const std::vector<double>>(summedSquareShapes(*slot.object));
-        all.objects.emplace_back(std::move(slot), modeWeights,
-                                 static_cast<std::uint32_t>(all.objects.size()), channels,
-                                 sampleRateHz, *all.scratch);
+        const std::size_t number = all.objects.size();
+        all.objects.emplace_back(std::move(slot), modeWeights, static_cast<std::uint32_t>(number),
+                                 channels, sampleRateHz, *all.scratch, all.envelopes[number]);
     }
-    all.status.resize(slots.size());
+    all.slots.emplace(all.objects, all.envelopes);
     all.wasTouched.resize(slots.size());
-    all.sounding.reserve(slots.size());
-    all.demands.reserve(slots.size());
-    all.shares.resize(slots.size());
-    all.ranking.resize(slots.size());
 }
 
 Synthesiser::~Synthesiser() = default;
@@ -83,14 +71,23 @@ void Synthesiser::setSettings(const SynthesisSettings& settings) noexcept {
     all.settings = wanted;
 }
 
+template <class Value>
+void Synthesiser::Implementation::set(std::size_t slot,
+                                      void (ModalResonator::*setter)(Value) noexcept,
+                                      Value value) {
+    if (slot >= objects.size())
+        return;
+    (objects[slot].*setter)(value);
+    if (objects[slot].hasNewControls())
+        slots->wake(slot);
+}
+
 void Synthesiser::setDamping(std::size_t slot, double dampingPerSecond) noexcept {
-    if (slot < slotCount())
-        implementation->objects[slot].setDamping(dampingPerSecond);
+    implementation->set(slot, &ModalResonator::setDamping, dampingPerSecond);
 }
 
 void Synthesiser::setFrequencyRatio(std::size_t slot, double ratio) noexcept {
-    if (slot < slotCount())
-        implementation->objects[slot].setFrequencyRatio(ratio);
+    implementation->set(slot, &ModalResonator::setFrequencyRatio, ratio);
 }
 
 double Synthesiser::frequencyRatio(std::size_t slot) const noexcept {
@@ -99,14 +96,14 @@ double Synthesiser::frequencyRatio(std::size_t slot) const noexcept {
 
 void Synthesiser::setMaterial(std::size_t slot,
                               const std::optional<LiveMaterial>& material) noexcept {
-    if (slot < slotCount() && (!material || valid(*material)))
-        implementation->objects[slot].setMaterial(material);
+    if (!material || valid(*material))
+        implementation->set<const std::optional<LiveMaterial>&>(slot, &ModalResonator::setMaterial,
+                                                                material);
 }
 
 void Synthesiser::setSilencedModes(std::size_t slot,
                                    std::span<const std::uint8_t> silenced) noexcept {
-    if (slot < slotCount())
-        implementation->objects[slot].setSilencedModes(silenced);
+    implementation->set(slot, &ModalResonator::setSilencedModes, silenced);
 }
 
 void Synthesiser::setTubeOpening(const TubeOpening& opening) noexcept {
@@ -128,66 +125,24 @@ template <class CellOf>
 void Synthesiser::mixInto(CellOf cellOf) noexcept {
     auto& all = *implementation;
     all.scratch->tubesNow = all.scratch->tubes.start;
-    all.listSounding();
-    all.mixedNow = 0;
-    shareModeBudget(all.demands, all.settings.modeBudget, all.settings.qualitySlope, all.ranking,
-                    all.shares);
-    for (std::size_t k = 0; k < all.sounding.size(); ++k) {
-        const auto slot = static_cast<std::size_t>(all.sounding[k]);
-        all.objects[slot].mix(all.shares[k], cellOf(slot));
-        all.mixedNow += all.objects[slot].modesMixed();
+    all.slots->beginCell(all.settings, std::exchange(all.settingsChanged, false));
+    for (const std::int32_t number : all.slots->list()) {
+        const std::size_t slot = index(number);
+        all.objects[slot].mix(all.slots->share(slot), cellOf(slot));
     }
     all.scratch->tubesNow = all.scratch->tubes.end;
-    all.report();
+    all.slots->report();
 }
 
-void Synthesiser::Implementation::listSounding() {
-    sounding.clear();
-    demands.clear();
-    for (std::size_t slot = 0; slot < objects.size(); ++slot) {
-        if (!objects[slot].beginCell(nextCell, settings, settingsChanged))
-            continue;
-        sounding.push_back(static_cast<std::int32_t>(slot));
-        demands.push_back(objects[slot].demand());
-    }
-    settingsChanged = false;
-    ++nextCell;
-}
-
-void Synthesiser::Implementation::report() {
-    std::fill(status.begin(), status.end(), SlotStatus{});
-    for (std::size_t k = 0; k < sounding.size(); ++k) {
-        const auto slot = static_cast<std::size_t>(sounding[k]);
-        const ModalResonator& object = objects[slot];
-        status[slot] = {static_cast<float>(object.demand().amplitude),
-                        object.demand().modes,
-                        object.modesMixed(),
-                        static_cast<std::int32_t>(object.channelsSounding()),
-                        shares[k],
-                        object.groupCount(),
-                        object.groupsAudible()};
-    }
-}
-
-std::int32_t Synthesiser::Implementation::allowance(std::size_t slot) const {
-    const bool sounds = std::ranges::binary_search(sounding, static_cast<std::int32_t>(slot));
-    const std::size_t objectsThen = sounding.size() + (sounds ? 0 : 1);
-    const double budget = std::min(settings.modeBudget, 1e9);
-    const double unused = std::max(0.0, budget - static_cast<double>(mixedNow));
-    return std::max({status[slot].share,
-                     static_cast<std::int32_t>(budget / static_cast<double>(objectsThen)),
-                     objects[slot].modesMixed() + static_cast<std::int32_t>(unused)});
-}
-
-/// Applies an action to one resonator and updates the count of mixed modes for the others.
+/// Lets an action on an existing slot take place in the current cell.
 template <class Action>
-bool Synthesiser::Implementation::apply(std::size_t slot, Action action) {
+bool Synthesiser::Implementation::act(std::size_t slot, Action action) {
     ModalResonator& object = objects[slot];
     wasTouched[slot] = 1;
-    const std::int32_t allowed = allowance(slot);
-    mixedNow -= object.modesMixed();
-    const bool done = action(object, allowed);
-    mixedNow += object.modesMixed();
+    object.moveTo(slots->cell());
+    const std::int32_t modesBefore = object.modesMixed();
+    const bool done = action(object);
+    slots->update(slot, modesBefore);
     return done;
 }
 
@@ -196,7 +151,8 @@ bool Synthesiser::strike(std::size_t slot,
                          double sampleInCell,
                          const CellOutput& cell) noexcept {
     auto& all = *implementation;
-    return slot < slotCount() && all.apply(slot, [&](ModalResonator& object, std::int32_t allowed) {
+    return slot < slotCount() && all.act(slot, [&](ModalResonator& object) {
+        const StrikeAllowance allowed = all.slots->strikeAllowance(slot);
         object.catchUp(all.settings);
         return object.strike(strike, sampleInCell, allowed, cell);
     });
@@ -210,8 +166,8 @@ bool Synthesiser::applyForce(std::size_t slot,
                              const ForceCell& force,
                              const CellOutput& cell) noexcept {
     auto& all = *implementation;
-    return slot < slotCount() && all.apply(slot, [&](ModalResonator& object, std::int32_t allowed) {
-        return object.applyForce(force, allowed, cell);
+    return slot < slotCount() && all.act(slot, [&](ModalResonator& object) {
+        return object.applyForce(force, all.slots->forceAllowance(slot), cell);
     });
 }
 
@@ -221,25 +177,23 @@ void Synthesiser::reset() noexcept {
     for (std::size_t slot = 0; slot < all.objects.size(); ++slot)
         if (std::exchange(all.wasTouched[slot], 0) != 0)
             all.objects[slot].reset();
-    std::fill(all.status.begin(), all.status.end(), SlotStatus{});
-    all.sounding.clear();
-    all.mixedNow = 0;
+    all.slots->reset();
 }
 
-std::span<const Synthesiser::SlotStatus> Synthesiser::status() const noexcept {
-    return implementation->status;
+std::span<const SlotStatus> Synthesiser::status() const noexcept {
+    return implementation->slots->status();
 }
 
 std::int64_t Synthesiser::modesMixed() const noexcept {
     std::int64_t sum = 0;
-    for (const SlotStatus& slot : implementation->status)
+    for (const SlotStatus& slot : status())
         sum += slot.modesMixed;
     return sum;
 }
 
 void Synthesiser::report(std::size_t slot, SoundingGroups& groups) const noexcept {
     if (slot < slotCount())
-        implementation->objects[slot].report(groups);
+        implementation->objects[slot].report(groups, implementation->slots->cell());
 }
 
 const SynthesisSettings& Synthesiser::settings() const noexcept {

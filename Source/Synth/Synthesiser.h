@@ -4,6 +4,7 @@
 
 #include "Synth/CellOutput.h"
 #include "Synth/ForceCell.h"
+#include "Synth/SlotStatus.h"
 #include "Synth/SoundingGroups.h"
 #include "Synth/Strike.h"
 #include "Synth/SynthesisSettings.h"
@@ -91,15 +92,7 @@ public:
     /// Silences everything at once. The caller fades the output.
     void reset() noexcept;
 
-    struct SlotStatus {
-        float amplitude = 0;            ///< summed amplitude of the modes, m/s
-        std::int32_t modesRinging = 0;  ///< above τ
-        std::int32_t modesMixed = 0;    ///< modes within the slot's share of the budget
-        std::int32_t channels = 0;      ///< channels of its sound; a single one goes to both
-        std::int32_t share = 0;         ///< modes that the budget granted, at most the ringing ones
-        std::int32_t groups = 0;        ///< groups of modes, after compression
-        std::int32_t groupsAudible = 0; ///< groups within the band and not silenced
-    };
+    using SlotStatus = idiophone::SlotStatus;
     /// Returns the status as of the current cell.
     std::span<const SlotStatus> status() const noexcept;
     std::int64_t modesMixed() const noexcept;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <memory>
 #include <optional>
 #include <random>
@@ -111,16 +112,17 @@ Result<BenchSection> benchScale(const BenchContent& content) {
                                   figure(strikesPerSecond) +
                                   " times a second; a frame is a hundredth of a second"};
     section.figures["mode_budget"] = scaled.modeBudget;
+    std::map<std::size_t, Run> withBudget, without;
     for (const std::size_t bodies : bodyCounts) {
         const auto crowd = crowdOf(rings->front(), bodies);
         const auto heapBefore = heapBytes();
-        BenchScene withBudget(crowd.slots, crowd.strikes, scaled);
+        BenchScene scaledScene(crowd.slots, crowd.strikes, scaled);
         const auto heapAfter = heapBytes();
-        BenchScene without(crowd.slots, crowd.strikes, unscaled);
-        const auto times = replayInTurn(std::array{replayOf(withBudget), replayOf(without)},
+        BenchScene freeScene(crowd.slots, crowd.strikes, unscaled);
+        const auto times = replayInTurn(std::array{replayOf(scaledScene), replayOf(freeScene)},
                                         cellsIn(sceneSeconds), replays);
-        const Run budgeted = figuresOf(withBudget, times[0]);
-        const Run free = figuresOf(without, times[1]);
+        const Run& budgeted = withBudget[bodies] = figuresOf(scaledScene, times[0]);
+        const Run& free = without[bodies] = figuresOf(freeScene, times[1]);
 
         const std::string name = std::to_string(bodies) + " bodies";
         section.row(name + ", no budget", inWords(free));
@@ -139,6 +141,12 @@ Result<BenchSection> benchScale(const BenchContent& content) {
                                  static_cast<double>(budgeted.modesMost) / scaled.modeBudget,
                                  BenchGoal::Kind::atMost, 1.05});
     }
+    section.goals.push_back({"scale: cost with the budget over without, 1000 bodies",
+                             withBudget[1000].meanFrameSeconds / without[1000].meanFrameSeconds,
+                             BenchGoal::Kind::atMost, 0.25});
+    section.goals.push_back({"scale: cost at 1000 bodies over 100, same budget",
+                             withBudget[1000].meanFrameSeconds / withBudget[100].meanFrameSeconds,
+                             BenchGoal::Kind::atMost, 2});
     return section;
 }
 

@@ -60,6 +60,64 @@ TEST_CASE("A block rests when nothing in it rings and wakes when tau falls") {
     CHECK(parts.active.demand().modes == 4);
 }
 
+TEST_CASE("Blocks that the budget leaves out rest, and wake once they may hold a stronger mode") {
+    std::vector<double> frequencies;
+    for (std::size_t k = 0; k < 3 * modeBlock; ++k)
+        frequencies.push_back(300 + 200 * static_cast<double>(k));
+    ResonatorParts parts(ringingObject(frequencies, 5));
+    ActiveModes& active = parts.active;
+    parts.ring(); // amplitudes 1 to 48
+    active.choose(48, 0);
+    active.choose(20, 0);
+    CHECK(active.mixedCount() == 20);
+    CHECK(active.blocks().list().size() == 2);
+    CHECK(active.restRinging());
+    CHECK(active.rings(0));
+    active.survey(ActiveModes::Change::any);
+    CHECK(active.demand().modes == 48);
+
+    // The mixed modes of one block fall below the strongest of the block at rest.
+    for (std::size_t g = modeBlock; g < 2 * modeBlock; ++g)
+        parts.bank.setState(g, {0.5, 0});
+    active.choose(20, 50);
+    CHECK(active.isMixed(28));
+    active.reconsider();
+    active.survey(ActiveModes::Change::any);
+    active.choose(20, 50);
+    CHECK(!active.isMixed(28));
+    CHECK(active.isMixed(12));
+    CHECK(active.isMixed(15));
+    CHECK(active.mixedCount() == 20);
+    CHECK(!active.blocks().contains(1));
+    const double fallen =
+        std::exp(-decayBound(parts.bank.pole(15)) * 50 * parts.output.cellSeconds());
+    CHECK(std::abs(std::sqrt(double(parts.bank.energies()[15])) - 16 * fallen) < 1e-4);
+
+    active.choose(48, 50);
+    CHECK(active.allMixed());
+    CHECK(!active.restRinging());
+}
+
+TEST_CASE("Without a share all modes rest and still count as ringing until they are forgotten") {
+    ResonatorParts parts(fourModes());
+    parts.ring();
+    parts.active.choose(4, 0);
+    parts.active.choose(0, 0);
+    CHECK(parts.active.blocks().none());
+    CHECK(parts.active.mixedCount() == 0);
+    CHECK(parts.active.restRinging());
+    parts.active.survey(ActiveModes::Change::any);
+    CHECK(parts.active.demand().modes == 4);
+    parts.active.wake(10);
+    parts.active.survey(ActiveModes::Change::any);
+    parts.active.choose(4, 10);
+    CHECK(parts.active.allMixed());
+    parts.active.choose(0, 10);
+    parts.active.forgetResting();
+    CHECK(!parts.active.restRinging());
+    CHECK(!parts.active.rings(3));
+}
+
 TEST_CASE("Struck modes join within the allowance, the loudest first") {
     ResonatorParts parts(fourModes());
     AlignedVector<float> energies(modeBlock);

@@ -96,6 +96,28 @@ TEST_CASE("Increments of a whole contact sound like its pulse after its end") {
     }
 }
 
+TEST_CASE("Increments that join a sleeping object move its resting states and leave them at rest") {
+    StruckAtRest asleep, awake;
+    std::array<float, cellSamples> cell{};
+    for (StruckAtRest* struck : {&asleep, &awake}) {
+        struck->residues.compute({}, {0, 0, -1}, {});
+        struck->scratch.contact.setImpulse(struck->bank.poles());
+        struck->increments.start(1, 10.25);
+    }
+    asleep.increments.joinAsleep(11, 1);
+    awake.increments.soundAndKeep(11, cell);
+    awake.increments.takeIn(1);
+    for (std::size_t g = 0; g < 3; ++g) {
+        CHECK(asleep.bank.state(g).x == awake.bank.state(g).x);
+        CHECK(asleep.bank.state(g).y == awake.bank.state(g).y);
+        CHECK(asleep.active.rings(g));
+    }
+    CHECK(asleep.active.blocks().none());
+    CHECK(asleep.active.restRinging());
+    CHECK(asleep.active.demand().modes == 3);
+    CHECK(!asleep.increments.pending());
+}
+
 TEST_CASE("A reset discards pending increments") {
     StruckAtRest struck;
     struck.strike(0);
