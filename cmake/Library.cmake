@@ -33,8 +33,8 @@ install_modules(IdiophoneTargets
         Object/DampingLaw Object/Material Object/MaterialFile Object/ModalObject Object/ModalObjectFile
         Object/OrthotropicElasticity Object/RadiationTable Object/Result Object/WorkControl
         Synth/CellOutput Synth/ContactForce Synth/ForceCell Synth/LiveConditions Synth/ModalPole Synth/Reson
-        Synth/SoundingGroups Synth/Strike Synth/StrikePoints Synth/Surface Synth/SurfaceProfile Synth/Synthesiser
-        Synth/SynthesiserSlot Synth/SynthesisSettings Synth/TubeOpening)
+        Synth/SlotStatus Synth/SoundingGroups Synth/Strike Synth/StrikePoints Synth/Surface Synth/SurfaceProfile
+        Synth/Synthesiser Synth/SynthesiserSlot Synth/SynthesisSettings Synth/TubeOpening)
 # Makes objects from meshes. This is a component of its own because it needs Eigen.
 install_modules(IdiophoneAnalysisTargets
     TARGETS idiophone_geometry idiophone_analysis idiophone_tetgen
