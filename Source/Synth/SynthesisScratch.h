@@ -5,6 +5,7 @@
 
 #include "Synth/ForceResponse.h"
 #include "Synth/ModalBank.h"
+#include "Synth/ModeFader.h"
 #include "Synth/TubeOpening.h"
 
 #include <array>
@@ -23,7 +24,8 @@ struct SynthesisScratch {
 
     SynthesisScratch(std::size_t modes, std::size_t channels)
         : struckGains(modes), listeningGains(modes), modeResidues(modes), contact(paddedTo(modes)),
-          increments(paddedTo(modes), channels), states(paddedTo(modes), channels) {
+          increments(paddedTo(modes), channels), states(paddedTo(modes), channels),
+          fades(paddedTo(modes), channels) {
         const std::size_t padded = paddedTo(modes);
         for (std::size_t c = 0; c < channels; ++c)
             for (auto* residues : {&groupResidues[c], &startResidues[c], &endResidues[c]})
@@ -74,6 +76,7 @@ struct SynthesisScratch {
     std::vector<ModeShare> groupShares;       ///< shares that the new groups take over
     std::vector<float> fadingShares;          ///< [G] of the old groups
     ModeStates states;                        ///< [G]
+    FadeRoom fades;
 };
 
 } // namespace idiophone
