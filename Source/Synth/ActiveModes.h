@@ -56,14 +56,15 @@ public:
     void forgetResting() noexcept { countResting(largestEnergy); }
 
     /// Mixes the modes that increments of these energies [padded size] lift above τ, at most
-    /// `allowance` modes in all. During a contact, ringing modes that the budget left out cannot
-    /// join, as their forced part would step. Returns the modes that have joined, valid until the
-    /// next call on any resonator.
+    /// `allowance` modes in all, the loudest by `loudness`. During a contact, ringing modes that
+    /// the budget left out cannot join, as their forced part would step. Returns the modes that
+    /// have joined, valid until the next call on any resonator.
     std::span<const ModeRun> joinStruck(const float* energies,
+                                        const float* loudness,
                                         std::int32_t allowance,
                                         bool duringContact,
                                         std::int64_t grid) noexcept {
-        return join(energies, tauEnergy(), energies, allowance, duringContact, grid);
+        return join(energies, tauEnergy(), loudness, allowance, duringContact, grid);
     }
     /// Does the same for all audible modes.
     std::span<const ModeRun>

@@ -223,15 +223,17 @@ bool ModalResonator::strike(const Strike& asked,
     if (!isPulse)
         contacts.computeImpulse();
     increments.start(isPulse ? -1 : 1, sampleInCell);
+    const float* loudness = increments.energiesAfter(seconds);
     std::int32_t allowance = allowed.modes;
     if (allowed.ranking != nullptr) {
-        envelope.add(bank.poles(), increments.energies());
-        allowance = std::max(allowance, allowed.ranking->allowance(envelope.amplitude()));
+        envelope.add(bank.poles(), loudness);
+        allowance = std::max(allowance,
+                             allowed.ranking->allowance(envelope.amplitude() * allowed.advantage));
         if (allowance == 0 && strikeAsleep(contact, isPulse))
             return true;
     }
-    const auto joined =
-        active.joinStruck(increments.energies(), allowance, !contacts.empty(), cellIndex + 1);
+    const auto joined = active.joinStruck(increments.energies(), loudness, allowance,
+                                          !contacts.empty(), cellIndex + 1);
     contacts.join(joined);
     if (isPulse && !joined.empty() && !contacts.empty())
         contacts.compute(contact); // the other contacts used the scratch

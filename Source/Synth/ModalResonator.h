@@ -24,6 +24,7 @@ struct StrikeAllowance {
     std::int32_t modes = 0; ///< whatever the amplitude
     /// If not null: as many as an object of its amplitude got at the last ranking.
     const BudgetShares* ranking = nullptr;
+    double advantage = 1; ///< factor of the amplitude in the ranking
 };
 
 /// Memory is reserved by the constructor; every other member is for the audio thread. The current

@@ -49,10 +49,12 @@ public:
     /// Returns how many modes were available to the first object that is quieter than `amplitude`,
     /// or 0 if no quieter one has a share.
     std::int32_t allowance(double amplitude) const noexcept;
+    /// Takes in that objects up to an amplitude have lost their shares.
+    void dropUpTo(double amplitude) noexcept;
 
 private:
     struct Rank {
-        std::int32_t object = 0;
+        std::size_t object = 0;
         double amplitude = 0;
         std::int32_t available = 0; ///< modes
     };
@@ -61,8 +63,10 @@ private:
 
     bool suffices = true;
     std::vector<std::int32_t> shareOf;
-    std::vector<std::int32_t> unranked; ///< heap, the loudest first
-    std::vector<Rank> ranks;            ///< objects with a share
+    /// Heap of the others, the loudest first: the bits of the amplitude in single precision, then
+    /// ~object.
+    std::vector<std::uint64_t> unranked;
+    std::vector<Rank> ranks; ///< objects with a share
 };
 
 } // namespace idiophone

@@ -31,6 +31,7 @@ struct SynthesisScratch {
             for (auto* residues : {&groupResidues[c], &startResidues[c], &endResidues[c]})
                 residues->resize(padded);
         nearResidues.resize(padded);
+        energiesAfter.resize(padded);
         aboveTau.resize(padded / modeBlock);
         wanted.resize(padded / modeBlock);
         for (CachedResponses& contactResponses : responses)
@@ -53,6 +54,7 @@ struct SynthesisScratch {
     ModeResidues groupResidues;                    ///< [G]
     ChannelResidues nearResidues;                  ///< [G]
     UnitContact contact;                           ///< [G]
+    std::vector<float> energiesAfter;              ///< [G] of a contact's increments
     StateIncrements increments;                    ///< [G] increments that are not kept
     ModeResidues startResidues; ///< [G] at a force's place at the start of a cell
     ModeResidues endResidues;   ///< [G] at the force's place at the end of the cell

@@ -124,13 +124,13 @@ TEST_CASE("Struck modes join within the allowance, the loudest first") {
     energies[0] = 4;
     energies[1] = 9;
     energies[2] = 1;
-    const auto joined = parts.active.joinStruck(energies.data(), 2, false, 1);
+    const auto joined = parts.active.joinStruck(energies.data(), energies.data(), 2, false, 1);
     CHECK(parts.active.mixedCount() == 2);
     CHECK(parts.active.isMixed(0));
     CHECK(parts.active.isMixed(1));
     REQUIRE(joined.size() == 1);
     CHECK(joined[0].count == 2);
-    CHECK(parts.active.joinStruck(energies.data(), 2, false, 1).empty());
+    CHECK(parts.active.joinStruck(energies.data(), energies.data(), 2, false, 1).empty());
     CHECK(!parts.active.joinAll(4, false, 1).empty());
     CHECK(parts.active.allMixed());
 }
