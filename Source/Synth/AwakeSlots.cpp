@@ -12,9 +12,9 @@ namespace {
 /// The share of every slot while the budget suffices.
 constexpr std::int32_t unlimited = std::numeric_limits<std::int32_t>::max();
 
-/// An awake object ranks as if it were this much louder. Otherwise objects of similar amplitude
-/// would take turns, and each turn costs two fades.
-constexpr double awakeAdvantage = 2;
+/// An object with a share ranks as if it were this much louder. Otherwise objects of similar
+/// amplitude would take turns, and each turn costs two fades.
+constexpr double advantageOfShare = 2;
 
 } // namespace
 
@@ -139,7 +139,7 @@ void AwakeSlots::limit() noexcept {
             return;
         mixed -= wanted(quietest);
         shares[quietest] = 0;
-        division.dropUpTo(least * awakeAdvantage);
+        division.dropUpTo(least * advantageOfShare);
     }
 }
 
@@ -161,7 +161,7 @@ void AwakeSlots::report() noexcept {
 }
 
 double AwakeSlots::advantage(std::size_t slot) const noexcept {
-    return isAwake[slot] != 0 ? awakeAdvantage : 1;
+    return shares[slot] > 0 ? advantageOfShare : 1;
 }
 
 std::int32_t AwakeSlots::ownAllowance(std::size_t slot) const noexcept {

@@ -229,8 +229,10 @@ bool ModalResonator::strike(const Strike& asked,
         envelope.add(bank.poles(), loudness);
         allowance = std::max(allowance,
                              allowed.ranking->allowance(envelope.amplitude() * allowed.advantage));
-        if (allowance == 0 && strikeAsleep(contact, isPulse))
+        if (allowance == 0 && strikeAsleep(contact, isPulse)) {
+            contacts.startClick(contact, sizeNow, outputChannels, cellIndex, cell);
             return true;
+        }
     }
     const auto joined = active.joinStruck(increments.energies(), loudness, allowance,
                                           !contacts.empty(), cellIndex + 1);
