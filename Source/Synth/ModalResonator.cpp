@@ -234,8 +234,8 @@ bool ModalResonator::strike(const Strike& asked,
             return true;
         }
     }
-    const auto joined = active.joinStruck(increments.energies(), loudness, allowance,
-                                          !contacts.empty(), cellIndex + 1);
+    const auto joined = active.join({increments.energies(), active.tauEnergy(), loudness},
+                                    allowance, !contacts.empty(), cellIndex + 1);
     contacts.join(joined);
     if (isPulse && !joined.empty() && !contacts.empty())
         contacts.compute(contact); // the other contacts used the scratch
@@ -278,7 +278,8 @@ bool ModalResonator::applyForce(const ForceCell& force,
         return false;
     prepareBank();
     widen(forces.begin(cellIndex, listening));
-    contacts.join(active.joinAll(allowance, !contacts.empty(), cellIndex + 1));
+    contacts.join(active.join({bank.poles().audibleWeights(), 0, bank.energies()}, allowance,
+                              !contacts.empty(), cellIndex + 1));
     forces.apply(force, cell);
     return true;
 }

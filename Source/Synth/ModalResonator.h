@@ -128,7 +128,7 @@ public:
         return static_cast<std::int32_t>(bank.poles().audibleCount());
     }
     /// Number of mixed modes, including those that strikes have added since `mix`.
-    std::int32_t modesMixed() const noexcept { return active.mixedCount(); }
+    std::int32_t modesMixed() const noexcept { return active.modes().mixedCount(); }
 
 private:
     void applySettings(const SynthesisSettings& settings) noexcept;

@@ -98,7 +98,7 @@ void BudgetShares::shareByRank(std::span<const ModeDemand> demands,
         spare -= more;
         const std::int32_t entitled =
             static_cast<std::int32_t>(line.wholeAt(ranks.size()) + more) + unused;
-        const std::int32_t available = std::min(std::max(entitled, fewestModes), left);
+        const std::int32_t available = std::min(std::max(entitled, minimumModes), left);
         const std::int32_t share = std::min(available, demands[object].modes);
         shareOf[object] = share;
         ranks.push_back({object, demands[object].amplitude, available});

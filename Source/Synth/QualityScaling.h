@@ -14,9 +14,10 @@ struct ModeDemand {
     std::int32_t modes = 0; ///< number of modes that it could mix
 };
 
-/// A sounding object mixes at least this many modes as long as the budget lasts. Single modes of
-/// many objects would cost more and sound less like these objects.
-inline constexpr std::int32_t fewestModes = 4;
+/// A sounding object mixes at least this many modes as long as the budget lasts. One mode of each of
+/// four times as many objects would cost more and be further from the unscaled mix
+/// (docs/decisions/0006).
+inline constexpr std::int32_t minimumModes = 4;
 
 /// Returns the entitlement of rank r < n of n objects, in modes; see BudgetShares.
 double modeEntitlement(std::size_t rank, std::size_t objects, double budget, double slope) noexcept;
@@ -37,7 +38,7 @@ public:
     /// entitlement goes to the next rank, and what the last rank leaves goes to the loudest.
     ///
     /// Entitlements are rounded down. The whole modes that remain of ⌊Q⌋ go to the loudest, one
-    /// each. As long as Q lasts, no share is cut to less than `fewestModes`.
+    /// each. As long as Q lasts, no share is cut to less than `minimumModes`.
     void divide(std::span<const ModeDemand> demands, double budget, double slope) noexcept;
     /// Returns to an unlimited budget.
     void reset() noexcept;

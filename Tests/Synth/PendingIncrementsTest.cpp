@@ -16,7 +16,8 @@ struct StruckAtRest : ResonatorParts {
     void strike(double at) {
         scratch.contact.setImpulse(bank.poles());
         increments.start(1, at);
-        active.joinStruck(increments.energies(), increments.energies(), 3, false, 1);
+        active.join({increments.energies(), active.tauEnergy(), increments.energies()}, 3, false,
+                    1);
     }
 
     /// Returns the sum of `response` over the modes.
@@ -83,8 +84,9 @@ TEST_CASE("Increments of a whole contact sound like its pulse after its end") {
     const double contactSeconds = contactSamples / struck.sampleRateHz;
     struck.scratch.contact.setForced(struck.bank.poles(), {.contactSeconds = contactSeconds});
     struck.increments.start(-1, start);
-    struck.active.joinStruck(struck.increments.energies(), struck.increments.energies(), 3, false,
-                             1);
+    struck.active.join(
+        {struck.increments.energies(), struck.active.tauEnergy(), struck.increments.energies()}, 3,
+        false, 1);
     struck.increments.finish(contactSeconds, start + contactSamples);
     std::array<float, cellSamples> cell{};
     struck.increments.soundAndKeep(24, cell);
@@ -125,7 +127,7 @@ TEST_CASE("Increments that join a sleeping object move its resting states and le
     for (std::size_t g = 0; g < 3; ++g) {
         CHECK(asleep.bank.state(g).x == awake.bank.state(g).x);
         CHECK(asleep.bank.state(g).y == awake.bank.state(g).y);
-        CHECK(asleep.active.rings(g));
+        CHECK(asleep.active.modes().rings(g));
     }
     CHECK(asleep.active.blocks().none());
     CHECK(asleep.active.restRinging());
