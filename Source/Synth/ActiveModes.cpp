@@ -18,10 +18,7 @@ constexpr float smallestFade = 1e-6f;
 
 ActiveModes::ActiveModes(ModalBank& ownBank, BankOutput& ownOutput, SynthesisScratch& sharedScratch)
     : bank(ownBank), output(ownOutput), scratch(sharedScratch), activeBlocks(ownBank, ownOutput),
-      flags(ownBank.blockCount()) {
-    mixed.reserve(bank.size());
-    runs.reserve(bank.size());
-}
+      flags(ownBank) {}
 
 bool ActiveModes::holdsAboveTau() const noexcept {
     return std::any_of(bank.energies(), bank.energies() + bank.paddedSize(),
@@ -78,14 +75,14 @@ void ActiveModes::choose(std::int32_t allowance, std::int64_t grid) noexcept {
     output.fade(scratch.leaving, 1);
     output.fade(scratch.joining, -1);
     if (!scratch.leaving.empty() || !scratch.joining.empty())
-        listMixed();
+        flags.list(activeBlocks.list());
     retireBlocks(true, grid);
 }
 
 /// Activates the resting blocks that may hold a mode that belongs to the strongest ones.
 void ActiveModes::wakeContenders(std::int32_t allowance, std::int64_t grid) noexcept {
-    float weakest = mixedCount() < allowance ? 0 : largestEnergy;
-    for (const std::int32_t mode : mixed)
+    float weakest = flags.mixedCount() < allowance ? 0 : largestEnergy;
+    for (const std::int32_t mode : flags.mixed())
         weakest = std::min(weakest, bank.energies()[mode]);
     activeBlocks.wake(std::max(weakest, tauEnergy()), grid);
     countResting(tauEnergy());
@@ -115,14 +112,6 @@ void ActiveModes::selectStrongest(std::size_t maximum) noexcept {
         scratch.wanted[index(g) / modeBlock] |= bitOf(index(g));
 }
 
-void ActiveModes::listMixed() noexcept {
-    mixed.clear();
-    for (const std::int32_t number : activeBlocks.list())
-        appendModes(index(number), flags[index(number)].mixed, mixed);
-    findRuns(mixed, runs);
-    ++changes;
-}
-
 /// Lets blocks rest in which nothing is mixed, or even ringing ones.
 void ActiveModes::retireBlocks(bool evenRinging, std::int64_t grid) noexcept {
     const auto isDone = [&](std::size_t b) {
@@ -140,24 +129,20 @@ void ActiveModes::wake(std::int64_t grid) noexcept {
         countResting(tauEnergy());
 }
 
-/// Mixes the audible modes of `energies` above `threshold`. If the allowance is too small for all,
-/// takes the loudest.
-std::span<const ModeRun> ActiveModes::join(const float* energies,
-                                           float threshold,
-                                           const float* loudness,
+std::span<const ModeRun> ActiveModes::join(const Candidates& candidates,
                                            std::int32_t allowance,
                                            bool duringContact,
                                            std::int64_t grid) noexcept {
     if (allMixed())
         return {};
-    surveyAll(energies, threshold);
+    surveyAll(candidates.energies, candidates.threshold);
     scratch.joining.clear();
     for (std::size_t b = 0; b < bank.blockCount(); ++b) {
         const unsigned barred = flags[b].mixed | (duringContact ? flags[b].rings : 0u);
         appendModes(b, scratch.aboveTau[b] & ~barred, scratch.joining);
     }
-    keepLoudest(scratch.joining, loudness,
-                static_cast<std::size_t>(std::max(allowance - mixedCount(), 0)));
+    keepLoudest(scratch.joining, candidates.loudness,
+                static_cast<std::size_t>(std::max(allowance - flags.mixedCount(), 0)));
     std::ranges::sort(scratch.joining);
     if (scratch.joining.empty())
         return {};
@@ -169,7 +154,7 @@ std::span<const ModeRun> ActiveModes::join(const float* energies,
     // Modes that the budget had left out fade in from the next grid point on.
     output.fade(scratch.leaving, -1);
     findRuns(scratch.joining, scratch.joiningRuns);
-    listMixed();
+    flags.list(activeBlocks.list());
     chosenFor = noChoice;
     return scratch.joiningRuns;
 }
@@ -181,7 +166,7 @@ void ActiveModes::admit(std::size_t g, std::int64_t grid) noexcept {
         activeBlocks.bringUpToDate(b, grid);
         activeBlocks.activate(b);
     }
-    if (rings(g))
+    if (flags.rings(g))
         scratch.leaving.push_back(static_cast<std::int32_t>(g));
     else
         bank.silence(g);
@@ -217,12 +202,12 @@ void ActiveModes::listResting() noexcept {
 
 void ActiveModes::fadeInaudible(const ModeGroups& groups, std::int64_t grid) noexcept {
     scratch.leaving.clear();
-    for (const std::int32_t mode : mixed) {
+    for (const std::int32_t mode : flags.mixed()) {
         const std::size_t g = index(mode);
         if (groups.audible(g))
             continue;
         scratch.leaving.push_back(mode);
-        Flags& block = flags[g / modeBlock];
+        ModeFlags::Block& block = flags[g / modeBlock];
         block.mixed = static_cast<std::uint16_t>(block.mixed & ~bitOf(g));
         block.rings = static_cast<std::uint16_t>(block.rings & ~bitOf(g));
     }
@@ -230,41 +215,24 @@ void ActiveModes::fadeInaudible(const ModeGroups& groups, std::int64_t grid) noe
         return;
     output.fade(scratch.leaving, 1);
     chosenFor = noChoice;
-    listMixed();
+    flags.list(activeBlocks.list());
     retireBlocks(false, grid);
 }
 
 void ActiveModes::regroup(const ModeGroups& groups, std::int64_t grid) noexcept {
-    handOnFlags(groups);
+    flags.handOn(groups, scratch); // the fades need the old flags
     fadeChanges(groups.shares());
     bank.regroup(groups.size(), groups.shares(), scratch.states);
     output.findTubeParts(groups.starts());
     activeBlocks.restAll(grid);
-    for (std::size_t b = 0; b < flags.size(); ++b) {
+    for (std::size_t b = 0; b < flags.blockCount(); ++b) {
         flags[b] = {.rings = scratch.aboveTau[b], .mixed = scratch.wanted[b]};
         if ((flags[b].rings | flags[b].mixed) != 0)
             activeBlocks.activate(b);
     }
     chosenFor = noChoice;
     restingModes = 0;
-    listMixed();
-}
-
-/// Collects the flags of the new groups in `scratch`, because the fades need the old ones. A new
-/// group rings or is mixed if any old part of the group was.
-void ActiveModes::handOnFlags(const ModeGroups& groups) noexcept {
-    std::ranges::fill(scratch.aboveTau, std::uint16_t{0});
-    std::ranges::fill(scratch.wanted, std::uint16_t{0});
-    for (const ModeShare& taken : groups.shares()) {
-        const std::size_t from = index(taken.from);
-        const std::size_t to = index(taken.to);
-        if (!(rings(from) || isMixed(from)) || !groups.audible(to))
-            continue;
-        if (rings(from))
-            scratch.aboveTau[to / modeBlock] |= bitOf(to);
-        if (isMixed(from))
-            scratch.wanted[to / modeBlock] |= bitOf(to);
-    }
+    flags.list(activeBlocks.list());
 }
 
 /// Fades the changes, still with the old poles. Unmixed modes that join a mixed group fade in, and
@@ -272,7 +240,7 @@ void ActiveModes::handOnFlags(const ModeGroups& groups) noexcept {
 void ActiveModes::fadeChanges(std::span<const ModeShare> shares) noexcept {
     auto& fading = scratch.fadingShares;
     for (std::size_t g = 0; g < bank.size(); ++g)
-        fading[g] = isMixed(g) ? 1.0f : 0.0f;
+        fading[g] = flags.isMixed(g) ? 1.0f : 0.0f;
     for (const ModeShare& taken : shares)
         if (isSet(scratch.wanted[index(taken.to) / modeBlock], index(taken.to)))
             fading[index(taken.from)] -= static_cast<float>(taken.share);
@@ -286,14 +254,11 @@ void ActiveModes::fadeChanges(std::span<const ModeShare> shares) noexcept {
 }
 
 void ActiveModes::reset() noexcept {
-    std::ranges::fill(flags, Flags{});
+    flags.clear();
     activeBlocks.retire([](std::size_t) { return true; }, 0);
-    mixed.clear();
-    runs.clear();
     chosenFor = allModes;
     restingModes = 0;
     demanded = {};
-    ++changes;
 }
 
 } // namespace idiophone

@@ -4,14 +4,12 @@
 
 #include "Synth/ActiveBlocks.h"
 #include "Synth/BankOutput.h"
-#include "Synth/ModeBits.h"
-#include "Synth/ModeGroups.h"
+#include "Synth/ModeFlags.h"
 #include "Synth/QualityScaling.h"
 
 #include <cstdint>
 #include <limits>
 #include <span>
-#include <vector>
 
 namespace idiophone {
 
@@ -22,21 +20,17 @@ public:
     ActiveModes(ModalBank& bank, BankOutput& output, SynthesisScratch& scratch);
 
     const ActiveBlocks& blocks() const noexcept { return activeBlocks; }
-    std::span<const ModeRun> mixedRuns() const noexcept { return runs; }
-    std::int32_t mixedCount() const noexcept { return static_cast<std::int32_t>(mixed.size()); }
-    bool allMixed() const noexcept { return mixed.size() == bank.poles().audibleCount(); }
+    const ModeFlags& modes() const noexcept { return flags; }
+    std::span<const ModeRun> mixedRuns() const noexcept { return flags.runs(); }
+    bool allMixed() const noexcept { return flags.mixed().size() == bank.poles().audibleCount(); }
     /// Returns the amplitude of the active modes and the number of ringing ones that `survey`
     /// found.
     ModeDemand demand() const noexcept { return demanded; }
     /// Returns whether ringing modes rest because the budget leaves them out.
     bool restRinging() const noexcept { return restingModes > 0; }
-    /// Counts the changes of the mixed modes.
-    std::uint64_t version() const noexcept { return changes; }
-
-    bool isMixed(std::size_t g) const noexcept { return isSet(flags[g / modeBlock].mixed, g); }
-    bool rings(std::size_t g) const noexcept { return isSet(flags[g / modeBlock].rings, g); }
 
     double tau() const noexcept { return tauPascals; }
+    float tauEnergy() const noexcept { return static_cast<float>(tauPascals * tauPascals); }
     void setTau(double pascals) noexcept { tauPascals = pascals; }
     /// Returns whether any mode is above τ, audible or not. With other poles it may be audible.
     bool holdsAboveTau() const noexcept;
@@ -55,22 +49,20 @@ public:
     /// Stops counting resting modes as ringing, because they have fallen below τ.
     void forgetResting() noexcept { countResting(largestEnergy); }
 
-    /// Mixes the modes that increments of these energies [padded size] lift above τ, at most
-    /// `allowance` modes in all. During a contact, ringing modes that the budget left out cannot
-    /// join, as their forced part would step. Returns the modes that have joined, valid until the
-    /// next call on any resonator.
-    std::span<const ModeRun> joinStruck(const float* energies,
-                                        std::int32_t allowance,
-                                        bool duringContact,
-                                        std::int64_t grid) noexcept {
-        return join(energies, tauEnergy(), energies, allowance, duringContact, grid);
-    }
-    /// Does the same for all audible modes.
-    std::span<const ModeRun>
-    joinAll(std::int32_t allowance, bool duringContact, std::int64_t grid) noexcept {
-        return join(bank.poles().audibleWeights(), 0, bank.energies(), allowance, duringContact,
-                    grid);
-    }
+    /// Modes that could join the mix: those with `energies` [padded size] above the threshold, the
+    /// loudest by `loudness` first.
+    struct Candidates {
+        const float* energies;
+        float threshold;
+        const float* loudness;
+    };
+    /// Mixes audible candidates, at most `allowance` modes in all. During a contact, ringing modes
+    /// that the budget left out cannot join, as their forced part would step. Returns the modes
+    /// that have joined, valid until the next call on any resonator.
+    std::span<const ModeRun> join(const Candidates& candidates,
+                                  std::int32_t allowance,
+                                  bool duringContact,
+                                  std::int64_t grid) noexcept;
 
     /// Call it before adding to the states at a grid point.
     void bringRestingUpToDate(std::int64_t grid) noexcept {
@@ -92,43 +84,25 @@ public:
     void reset() noexcept;
 
 private:
-    /// The modes of one block, one bit each.
-    struct Flags {
-        std::uint16_t rings = 0;
-        std::uint16_t mixed = 0;
-    };
-
-    float tauEnergy() const noexcept { return static_cast<float>(tauPascals * tauPascals); }
     void retireBlocks(bool evenRinging, std::int64_t grid) noexcept;
     void wakeContenders(std::int32_t allowance, std::int64_t grid) noexcept;
     void countResting(float threshold) noexcept;
     void selectStrongest(std::size_t maximum) noexcept;
-    void listMixed() noexcept;
     EnergySurvey surveyAll(const float* energies, float threshold) noexcept;
-    std::span<const ModeRun> join(const float* energies,
-                                  float threshold,
-                                  const float* loudness,
-                                  std::int32_t allowance,
-                                  bool duringContact,
-                                  std::int64_t grid) noexcept;
     void admit(std::size_t g, std::int64_t grid) noexcept;
-    void handOnFlags(const ModeGroups& groups) noexcept;
     void fadeChanges(std::span<const ModeShare> shares) noexcept;
 
     ModalBank& bank;
     BankOutput& output;
     SynthesisScratch& scratch;
     ActiveBlocks activeBlocks;
-    std::vector<Flags> flags;        ///< of every block
-    std::vector<std::int32_t> mixed; ///< ascending
-    std::vector<ModeRun> runs;       ///< of `mixed`
+    ModeFlags flags;
     static constexpr std::int32_t noChoice = -1;
     static constexpr std::int32_t allModes = std::numeric_limits<std::int32_t>::max();
     std::int32_t chosenFor = allModes; ///< the allowance that decided the mixed modes
     std::int32_t restingModes = 0;     ///< ringing modes in resting blocks
     ModeDemand demanded;
     double tauPascals = 0; ///< at least the floor below which states become 0
-    std::uint64_t changes = 0;
 };
 
 } // namespace idiophone

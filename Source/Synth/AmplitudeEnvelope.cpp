@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <utility>
 
 namespace idiophone {
@@ -48,7 +47,7 @@ void AmplitudeEnvelope::clear() noexcept {
 }
 
 double AmplitudeEnvelope::amplitude() const noexcept {
-    return std::accumulate(bounds.begin(), bounds.end(), 0.0);
+    return (bounds[0] + bounds[1]) + (bounds[2] + bounds[3]);
 }
 
 } // namespace idiophone

@@ -12,6 +12,10 @@ namespace {
 /// The share of every slot while the budget suffices.
 constexpr std::int32_t unlimited = std::numeric_limits<std::int32_t>::max();
 
+/// An object with a share ranks as if it were this much louder. Otherwise objects of similar
+/// amplitude would take turns, and each turn costs two fades.
+constexpr double advantageOfShare = 2;
+
 } // namespace
 
 AwakeSlots::AwakeSlots(std::deque<ModalResonator>& ofSlots,
@@ -102,7 +106,7 @@ void AwakeSlots::listRinging(double tauPascals, bool periodBegins) noexcept {
         const double amplitude = envelope.amplitude();
         if (isAwake[slot] != 0 || amplitude > tauPascals) {
             ranked.push_back(static_cast<std::int32_t>(slot));
-            demands.push_back({amplitude, envelope.modesRinging()});
+            demands.push_back({amplitude * advantage(slot), envelope.modesRinging()});
             if (periodBegins)
                 envelope.fall();
         } else if (amplitude > 0) {
@@ -135,6 +139,7 @@ void AwakeSlots::limit() noexcept {
             return;
         mixed -= wanted(quietest);
         shares[quietest] = 0;
+        division.dropUpTo(least * advantageOfShare);
     }
 }
 
@@ -155,6 +160,10 @@ void AwakeSlots::report() noexcept {
     }
 }
 
+double AwakeSlots::advantage(std::size_t slot) const noexcept {
+    return shares[slot] > 0 ? advantageOfShare : 1;
+}
+
 std::int32_t AwakeSlots::ownAllowance(std::size_t slot) const noexcept {
     const std::int64_t unused = std::max<std::int64_t>(budget - mixedNow, 0);
     return std::max(statusOf[slot].share,
@@ -164,7 +173,9 @@ std::int32_t AwakeSlots::ownAllowance(std::size_t slot) const noexcept {
 StrikeAllowance AwakeSlots::strikeAllowance(std::size_t slot) const noexcept {
     if (division.sufficient())
         return {.modes = forceAllowance(slot)};
-    return {.modes = isAwake[slot] != 0 ? ownAllowance(slot) : 0, .ranking = &division};
+    return {.modes = isAwake[slot] != 0 ? ownAllowance(slot) : 0,
+            .ranking = &division,
+            .advantage = advantage(slot)};
 }
 
 std::int32_t AwakeSlots::forceAllowance(std::size_t slot) const noexcept {

@@ -50,6 +50,7 @@ private:
     void rank(const SynthesisSettings& settings, bool periodBegins) noexcept;
     void listRinging(double tauPascals, bool periodBegins) noexcept;
     void limit() noexcept;
+    double advantage(std::size_t slot) const noexcept;
     std::int32_t ownAllowance(std::size_t slot) const noexcept;
 
     std::deque<ModalResonator>& objects;

@@ -10,8 +10,9 @@ BankOutput::BankOutput(ModalBank& ownBank,
                        std::vector<float> sharesOfTube,
                        double sampleRateHz,
                        SynthesisScratch& sharedScratch)
-    : bank(ownBank), scratch(sharedScratch), fader(ownBank, sampleRateHz), sampleRate(sampleRateHz),
-      secondsPerCell(cellSamples / sampleRateHz), tubeShares(std::move(sharesOfTube)) {
+    : bank(ownBank), scratch(sharedScratch), fader(sharedScratch.fades, sampleRateHz),
+      sampleRate(sampleRateHz), secondsPerCell(cellSamples / sampleRateHz),
+      tubeShares(std::move(sharesOfTube)) {
     tubeParts.reserve(tubeShares.size());
 }
 

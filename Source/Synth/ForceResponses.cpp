@@ -113,7 +113,7 @@ void ForceResponses::blend(const ForcePlace& place,
 const ForceResponse& ForceResponses::responseAt(const ForcePoint& at,
                                                 const Listening& listening,
                                                 CachedResponses& known) noexcept {
-    const std::uint64_t now = version + active.version();
+    const std::uint64_t now = version + active.modes().version();
     const auto answers = [&](const ForceResponse& response) {
         return response.owner == this && response.version == now &&
                response.listening == listening && response.at == at &&

@@ -6,13 +6,13 @@ namespace {
 
 GroupStanding
 standing(const ModeGroups& groups, const ActiveModes& active, std::size_t g) noexcept {
-    if (active.isMixed(g))
+    if (active.modes().isMixed(g))
         return GroupStanding::sounding;
     if (!groups.inBand(g))
         return GroupStanding::outOfBand;
     if (groups.silenced(g))
         return GroupStanding::silenced;
-    return active.rings(g) ? GroupStanding::beyondBudget : GroupStanding::belowTau;
+    return active.modes().rings(g) ? GroupStanding::beyondBudget : GroupStanding::belowTau;
 }
 
 } // namespace

@@ -18,10 +18,6 @@ ModalBank::ModalBank(std::size_t capacity, std::size_t channelsReserved, double 
     std::iota(blockNumbers.begin(), blockNumbers.end(), 0);
 }
 
-ModeStates ModalBank::emptyStates() const {
-    return {energy.size(), channelCapacity};
-}
-
 StateIncrements ModalBank::emptyIncrements() const {
     return {energy.size(), channelCapacity};
 }

@@ -23,7 +23,6 @@ public:
     }
     const ModePoles& poles() const noexcept { return modes; }
     ModalPole pole(std::size_t g) const noexcept { return modes.pole(g); }
-    ModeStates emptyStates() const;          ///< allocates
     StateIncrements emptyIncrements() const; ///< allocates
 
     /// Number of channels in use, at most the capacity. New channels start as copies of the first.

@@ -223,15 +223,19 @@ bool ModalResonator::strike(const Strike& asked,
     if (!isPulse)
         contacts.computeImpulse();
     increments.start(isPulse ? -1 : 1, sampleInCell);
+    const float* loudness = increments.energiesAfter(seconds);
     std::int32_t allowance = allowed.modes;
     if (allowed.ranking != nullptr) {
-        envelope.add(bank.poles(), increments.energies());
-        allowance = std::max(allowance, allowed.ranking->allowance(envelope.amplitude()));
-        if (allowance == 0 && strikeAsleep(contact, isPulse))
+        envelope.add(bank.poles(), loudness);
+        allowance = std::max(allowance,
+                             allowed.ranking->allowance(envelope.amplitude() * allowed.advantage));
+        if (allowance == 0 && strikeAsleep(contact, isPulse)) {
+            contacts.startClick(contact, sizeNow, outputChannels, cellIndex, cell);
             return true;
+        }
     }
-    const auto joined =
-        active.joinStruck(increments.energies(), allowance, !contacts.empty(), cellIndex + 1);
+    const auto joined = active.join({increments.energies(), active.tauEnergy(), loudness},
+                                    allowance, !contacts.empty(), cellIndex + 1);
     contacts.join(joined);
     if (isPulse && !joined.empty() && !contacts.empty())
         contacts.compute(contact); // the other contacts used the scratch
@@ -274,7 +278,8 @@ bool ModalResonator::applyForce(const ForceCell& force,
         return false;
     prepareBank();
     widen(forces.begin(cellIndex, listening));
-    contacts.join(active.joinAll(allowance, !contacts.empty(), cellIndex + 1));
+    contacts.join(active.join({bank.poles().audibleWeights(), 0, bank.energies()}, allowance,
+                              !contacts.empty(), cellIndex + 1));
     forces.apply(force, cell);
     return true;
 }

@@ -24,6 +24,7 @@ struct StrikeAllowance {
     std::int32_t modes = 0; ///< whatever the amplitude
     /// If not null: as many as an object of its amplitude got at the last ranking.
     const BudgetShares* ranking = nullptr;
+    double advantage = 1; ///< factor of the amplitude in the ranking
 };
 
 /// Memory is reserved by the constructor; every other member is for the audio thread. The current
@@ -127,7 +128,7 @@ public:
         return static_cast<std::int32_t>(bank.poles().audibleCount());
     }
     /// Number of mixed modes, including those that strikes have added since `mix`.
-    std::int32_t modesMixed() const noexcept { return active.mixedCount(); }
+    std::int32_t modesMixed() const noexcept { return active.modes().mixedCount(); }
 
 private:
     void applySettings(const SynthesisSettings& settings) noexcept;

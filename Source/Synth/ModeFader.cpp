@@ -12,16 +12,15 @@ namespace {
 constexpr double fadeSeconds = 0.003;
 }
 
-ModeFader::ModeFader(const ModalBank& bank, double sampleRateHz) : states(bank.emptyStates()) {
-    runs.reserve(states.x[0].size());
+ModeFader::ModeFader(FadeRoom& sharedRoom, double sampleRateHz) : room(sharedRoom) {
     const double samples = std::max(1.0, fadeSeconds * sampleRateHz);
     const auto cells = static_cast<std::size_t>(std::ceil(samples / cellSamples));
-    window.resize(cells * cellSamples);
+    room.window.resize(cells * cellSamples);
     for (auto& tail : tails)
-        tail.resize(window.size());
-    for (std::size_t k = 0; k < window.size(); ++k) {
+        tail.resize(room.window.size());
+    for (std::size_t k = 0; k < room.window.size(); ++k) {
         const double part = std::min(static_cast<double>(k) / samples, 1.0);
-        window[k] = static_cast<float>(0.5 * (1 + std::cos(std::numbers::pi * part)));
+        room.window[k] = static_cast<float>(0.5 * (1 + std::cos(std::numbers::pi * part)));
     }
 }
 
@@ -35,22 +34,22 @@ void ModeFader::change(ModalBank& bank,
         for (std::size_t c = 0; c < channels; ++c) {
             const auto share = static_cast<double>(shares[k]);
             const ModalState state = bank.state(index(modes[k]), c);
-            states.set(index(modes[k]), c, {share * state.x, share * state.y});
+            room.states.set(index(modes[k]), c, {share * state.x, share * state.y});
         }
-    findRuns(modes, runs);
+    findRuns(modes, room.runs);
     alignas(64) CellSound cell;
-    for (std::size_t start = 0; start < window.size(); start += cellSamples) {
+    for (std::size_t start = 0; start < room.window.size(); start += cellSamples) {
         cell = {};
-        bank.renderFrom(states, runs, outputsOf(cell));
+        bank.renderFrom(room.states, room.runs, outputsOf(cell));
         for (std::size_t c = 0; c < channels; ++c)
             for (std::size_t k = 0; k < cellSamples; ++k)
-                tails[c][start + k] += window[start + k] * cell[c][k];
+                tails[c][start + k] += room.window[start + k] * cell[c][k];
     }
     // Later renders also move the modes between two runs. They must not decay into denormals.
     for (std::size_t c = 0; c < channels; ++c)
         for (const std::int32_t mode : modes)
-            states.set(index(mode), c, {});
-    remaining = window.size();
+            room.states.set(index(mode), c, {});
+    remaining = room.window.size();
 }
 
 void ModeFader::addCell(const ChannelOutputs& cell) noexcept {

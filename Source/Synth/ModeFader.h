@@ -13,11 +13,22 @@
 
 namespace idiophone {
 
+/// What the faders of one synthesiser share, so that it stays in the cache.
+struct FadeRoom {
+    FadeRoom(std::size_t modes, std::size_t channels) : states(modes, channels) {
+        runs.reserve(modes);
+    }
+
+    std::vector<float> window; ///< raised cosine from 1 to 0, in whole cells
+    ModeStates states;         ///< [G], 0 between two calls
+    std::vector<ModeRun> runs;
+};
+
 /// Memory is reserved by the constructor; every other member is for the audio thread.
 class ModeFader {
 public:
-    /// Works for modes of this bank.
-    ModeFader(const ModalBank& bank, double sampleRateHz);
+    /// All faders that share the room have one sample rate. It must outlive this object.
+    ModeFader(FadeRoom& room, double sampleRateHz);
 
     /// Fades out the given share of each mode from the next sample on, because the mode is no
     /// longer rendered. A share below 0 fades in: the mode is rendered in full from now on, and the
@@ -39,11 +50,9 @@ public:
     void reset() noexcept;
 
 private:
-    std::vector<float> window; ///< raised cosine from 1 to 0, in whole cells
+    FadeRoom& room;
     /// The rest of the fades in each channel, from its next sample.
     std::array<std::vector<float>, maximumChannels> tails;
-    ModeStates states;
-    std::vector<ModeRun> runs;
     std::size_t channels = 1;
     std::size_t remaining = 0; ///< samples of the tails that may not be zero
 };

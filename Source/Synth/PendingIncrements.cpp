@@ -28,6 +28,13 @@ void PendingIncrements::start(double sign, double at) noexcept {
                      {before.samples, sign * before.factor});
 }
 
+const float* PendingIncrements::energiesAfter(double contactSeconds) const noexcept {
+    if (contactSeconds == 0)
+        return energies();
+    increments.energiesAfter(bank, contactSeconds * output.sampleRateHz(), scratch.energiesAfter);
+    return scratch.energiesAfter.data();
+}
+
 void PendingIncrements::finish(double contactSeconds, double end) noexcept {
     increments.finish(bank, scratch.contact, scratch.groupResidues, beforeSample(end),
                       moveBy(contactSeconds));

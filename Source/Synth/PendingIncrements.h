@@ -26,6 +26,9 @@ public:
 
     bool pending() const noexcept { return move.has_value(); }
     const float* energies() const noexcept { return increments.energies.data(); }
+    /// Returns the energies that a contact will have left behind, from those at its start; 0 is an
+    /// impulse. They are valid until the next call on any resonator.
+    const float* energiesAfter(double contactSeconds) const noexcept;
 
     /// Sets the increments to the contact's states times `sign`, which hold at time `at`, moved to
     /// the next whole sample.

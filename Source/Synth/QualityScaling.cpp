@@ -1,8 +1,8 @@
 #include "Synth/QualityScaling.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
-#include <numeric>
 
 namespace idiophone {
 
@@ -75,14 +75,13 @@ void BudgetShares::divide(std::span<const ModeDemand> demands,
 void BudgetShares::shareByRank(std::span<const ModeDemand> demands,
                                double whole,
                                double slope) noexcept {
-    const auto isQuieter = [&](std::int32_t a, std::int32_t b) {
-        const double left = demands[static_cast<std::size_t>(a)].amplitude;
-        const double right = demands[static_cast<std::size_t>(b)].amplitude;
-        return left != right ? left < right : a > b;
-    };
-    unranked.resize(demands.size());
-    std::iota(unranked.begin(), unranked.end(), 0);
-    std::make_heap(unranked.begin(), unranked.end(), isQuieter);
+    unranked.clear();
+    for (const ModeDemand& demand : demands) {
+        const auto bits = std::bit_cast<std::uint32_t>(static_cast<float>(demand.amplitude));
+        const auto object = static_cast<std::uint32_t>(unranked.size());
+        unranked.push_back(std::uint64_t{bits} << 32 | ~object);
+    }
+    std::ranges::make_heap(unranked);
     std::ranges::fill(shareOf, 0);
 
     const Entitlement line = entitlement(demands.size(), whole, slope);
@@ -92,25 +91,23 @@ void BudgetShares::shareByRank(std::span<const ModeDemand> demands,
     auto left = static_cast<std::int32_t>(whole);
     std::int32_t unused = 0;
     while (left > 0 && !unranked.empty()) {
-        std::pop_heap(unranked.begin(), unranked.end(), isQuieter);
-        const std::int32_t object = unranked.back();
+        std::ranges::pop_heap(unranked);
+        const std::size_t object = ~static_cast<std::uint32_t>(unranked.back());
         unranked.pop_back();
-        const ModeDemand& demand = demands[static_cast<std::size_t>(object)];
         const double more = std::clamp(spare, 0.0, 1.0);
         spare -= more;
         const std::int32_t entitled =
             static_cast<std::int32_t>(line.wholeAt(ranks.size()) + more) + unused;
-        const std::int32_t available = std::min(std::max(entitled, fewestModes), left);
-        const std::int32_t share = std::min(available, demand.modes);
-        shareOf[static_cast<std::size_t>(object)] = share;
-        ranks.push_back({object, demand.amplitude, available});
+        const std::int32_t available = std::min(std::max(entitled, minimumModes), left);
+        const std::int32_t share = std::min(available, demands[object].modes);
+        shareOf[object] = share;
+        ranks.push_back({object, demands[object].amplitude, available});
         unused = std::max(entitled - share, 0);
         left -= share;
     }
     for (const Rank& rank : ranks) {
-        const auto object = static_cast<std::size_t>(rank.object);
-        const std::int32_t more = std::min(left, demands[object].modes - shareOf[object]);
-        shareOf[object] += more;
+        const std::int32_t more = std::min(left, demands[rank.object].modes - shareOf[rank.object]);
+        shareOf[rank.object] += more;
         left -= more;
     }
 }
@@ -119,6 +116,11 @@ void BudgetShares::reset() noexcept {
     suffices = true;
     shareOf.clear();
     ranks.clear();
+}
+
+void BudgetShares::dropUpTo(double amplitude) noexcept {
+    while (!ranks.empty() && ranks.back().amplitude <= amplitude)
+        ranks.pop_back();
 }
 
 std::int32_t BudgetShares::allowance(double amplitude) const noexcept {

@@ -14,9 +14,10 @@ struct ModeDemand {
     std::int32_t modes = 0; ///< number of modes that it could mix
 };
 
-/// A sounding object mixes at least this many modes as long as the budget lasts. Single modes of
-/// many objects would cost more and sound less like these objects.
-inline constexpr std::int32_t fewestModes = 4;
+/// A sounding object mixes at least this many modes as long as the budget lasts. One mode of each of
+/// four times as many objects would cost more and be further from the unscaled mix
+/// (docs/decisions/0006).
+inline constexpr std::int32_t minimumModes = 4;
 
 /// Returns the entitlement of rank r < n of n objects, in modes; see BudgetShares.
 double modeEntitlement(std::size_t rank, std::size_t objects, double budget, double slope) noexcept;
@@ -37,7 +38,7 @@ public:
     /// entitlement goes to the next rank, and what the last rank leaves goes to the loudest.
     ///
     /// Entitlements are rounded down. The whole modes that remain of ⌊Q⌋ go to the loudest, one
-    /// each. As long as Q lasts, no share is cut to less than `fewestModes`.
+    /// each. As long as Q lasts, no share is cut to less than `minimumModes`.
     void divide(std::span<const ModeDemand> demands, double budget, double slope) noexcept;
     /// Returns to an unlimited budget.
     void reset() noexcept;
@@ -49,10 +50,12 @@ public:
     /// Returns how many modes were available to the first object that is quieter than `amplitude`,
     /// or 0 if no quieter one has a share.
     std::int32_t allowance(double amplitude) const noexcept;
+    /// Takes in that objects up to an amplitude have lost their shares.
+    void dropUpTo(double amplitude) noexcept;
 
 private:
     struct Rank {
-        std::int32_t object = 0;
+        std::size_t object = 0;
         double amplitude = 0;
         std::int32_t available = 0; ///< modes
     };
@@ -61,8 +64,10 @@ private:
 
     bool suffices = true;
     std::vector<std::int32_t> shareOf;
-    std::vector<std::int32_t> unranked; ///< heap, the loudest first
-    std::vector<Rank> ranks;            ///< objects with a share
+    /// Heap of the others, the loudest first: the bits of the amplitude in single precision, then
+    /// ~object.
+    std::vector<std::uint64_t> unranked;
+    std::vector<Rank> ranks; ///< objects with a share
 };
 
 } // namespace idiophone

@@ -36,6 +36,24 @@ void StateIncrements::finish(const ModalBank& bank,
     bank.poles().heavy().finish(unit, residues, before, contact, bank.channels(), *this);
 }
 
+// The forced part is the same at both ends of a contact, so the increments there differ by the free
+// motion between them: |1 − e^{iωT}|² = 4 sin² (ωT/2), with the sine by Bhaskara's fraction.
+void StateIncrements::energiesAfter(const ModalBank& bank,
+                                    double contactSamples,
+                                    std::vector<float>& after) const noexcept {
+    const float* halfTurns = bank.poles().arrays().halfTurnsPerSample.data();
+    const auto half = static_cast<float>(contactSamples / 2);
+    for (std::size_t g = 0; g < bank.size(); ++g) {
+        const float turns = half * halfTurns[g];
+        const float rest = turns - static_cast<float>(static_cast<std::int32_t>(turns));
+        const float parabola = 4 * rest * (1 - rest);
+        const float twoSines = 8 * parabola / (5 - parabola);
+        after[g] = twoSines * twoSines * energies[g];
+    }
+    for (const HeavyMode& heavy : bank.poles().heavy().in(0, bank.size()))
+        after[heavy.mode] = energies[heavy.mode];
+}
+
 void StateIncrements::clear() noexcept {
     for (auto* arrays : {&x, &y})
         for (auto& array : *arrays)

@@ -5,6 +5,8 @@
 #include "Synth/ModeResidues.h"
 #include "Synth/ModeRun.h"
 
+#include <vector>
+
 namespace idiophone {
 
 class ModalBank;
@@ -42,6 +44,12 @@ struct StateIncrements {
                 const ModeResidues& residues,
                 const BeforeSample& before,
                 const IncrementMove& contact) noexcept;
+
+    /// Sets `after` [modes] to the energies that a contact will have left behind, from the
+    /// increments at its start. A light damping is ignored.
+    void energiesAfter(const ModalBank& bank,
+                       double contactSamples,
+                       std::vector<float>& after) const noexcept;
 
     /// Sets the increments, but not their energies, to 0.
     void clear() noexcept;

@@ -5,6 +5,7 @@
 
 #include "Synth/ForceResponse.h"
 #include "Synth/ModalBank.h"
+#include "Synth/ModeFader.h"
 #include "Synth/TubeOpening.h"
 
 #include <array>
@@ -23,12 +24,14 @@ struct SynthesisScratch {
 
     SynthesisScratch(std::size_t modes, std::size_t channels)
         : struckGains(modes), listeningGains(modes), modeResidues(modes), contact(paddedTo(modes)),
-          increments(paddedTo(modes), channels), states(paddedTo(modes), channels) {
+          increments(paddedTo(modes), channels), states(paddedTo(modes), channels),
+          fades(paddedTo(modes), channels) {
         const std::size_t padded = paddedTo(modes);
         for (std::size_t c = 0; c < channels; ++c)
             for (auto* residues : {&groupResidues[c], &startResidues[c], &endResidues[c]})
                 residues->resize(padded);
         nearResidues.resize(padded);
+        energiesAfter.resize(padded);
         aboveTau.resize(padded / modeBlock);
         wanted.resize(padded / modeBlock);
         for (CachedResponses& contactResponses : responses)
@@ -51,6 +54,7 @@ struct SynthesisScratch {
     ModeResidues groupResidues;                    ///< [G]
     ChannelResidues nearResidues;                  ///< [G]
     UnitContact contact;                           ///< [G]
+    std::vector<float> energiesAfter;              ///< [G] of a contact's increments
     StateIncrements increments;                    ///< [G] increments that are not kept
     ModeResidues startResidues; ///< [G] at a force's place at the start of a cell
     ModeResidues endResidues;   ///< [G] at the force's place at the end of the cell
@@ -74,6 +78,7 @@ struct SynthesisScratch {
     std::vector<ModeShare> groupShares;       ///< shares that the new groups take over
     std::vector<float> fadingShares;          ///< [G] of the old groups
     ModeStates states;                        ///< [G]
+    FadeRoom fades;
 };
 
 } // namespace idiophone

@@ -20,14 +20,14 @@ TEST_CASE("ActiveModes mixes the strongest modes of a share and fades the others
     parts.active.choose(4, 0);
     CHECK(parts.active.allMixed());
     CHECK(parts.output.fading());
-    const auto version = parts.active.version();
+    const auto version = parts.active.modes().version();
     parts.active.choose(2, 0);
-    CHECK(parts.active.mixedCount() == 2);
-    CHECK(!parts.active.isMixed(1));
-    CHECK(parts.active.isMixed(2));
-    CHECK(parts.active.isMixed(3));
-    CHECK(parts.active.rings(0));
-    CHECK(parts.active.version() > version);
+    CHECK(parts.active.modes().mixedCount() == 2);
+    CHECK(!parts.active.modes().isMixed(1));
+    CHECK(parts.active.modes().isMixed(2));
+    CHECK(parts.active.modes().isMixed(3));
+    CHECK(parts.active.modes().rings(0));
+    CHECK(parts.active.modes().version() > version);
 }
 
 TEST_CASE("A survey keeps the ringing modes as long as a contact or a force needs them") {
@@ -69,10 +69,10 @@ TEST_CASE("Blocks that the budget leaves out rest, and wake once they may hold a
     parts.ring(); // amplitudes 1 to 48
     active.choose(48, 0);
     active.choose(20, 0);
-    CHECK(active.mixedCount() == 20);
+    CHECK(active.modes().mixedCount() == 20);
     CHECK(active.blocks().list().size() == 2);
     CHECK(active.restRinging());
-    CHECK(active.rings(0));
+    CHECK(active.modes().rings(0));
     active.survey(ActiveModes::Change::any);
     CHECK(active.demand().modes == 48);
 
@@ -80,14 +80,14 @@ TEST_CASE("Blocks that the budget leaves out rest, and wake once they may hold a
     for (std::size_t g = modeBlock; g < 2 * modeBlock; ++g)
         parts.bank.setState(g, {0.5, 0});
     active.choose(20, 50);
-    CHECK(active.isMixed(28));
+    CHECK(active.modes().isMixed(28));
     active.reconsider();
     active.survey(ActiveModes::Change::any);
     active.choose(20, 50);
-    CHECK(!active.isMixed(28));
-    CHECK(active.isMixed(12));
-    CHECK(active.isMixed(15));
-    CHECK(active.mixedCount() == 20);
+    CHECK(!active.modes().isMixed(28));
+    CHECK(active.modes().isMixed(12));
+    CHECK(active.modes().isMixed(15));
+    CHECK(active.modes().mixedCount() == 20);
     CHECK(!active.blocks().contains(1));
     const double fallen =
         std::exp(-decayBound(parts.bank.pole(15)) * 50 * parts.output.cellSeconds());
@@ -104,7 +104,7 @@ TEST_CASE("Without a share all modes rest and still count as ringing until they 
     parts.active.choose(4, 0);
     parts.active.choose(0, 0);
     CHECK(parts.active.blocks().none());
-    CHECK(parts.active.mixedCount() == 0);
+    CHECK(parts.active.modes().mixedCount() == 0);
     CHECK(parts.active.restRinging());
     parts.active.survey(ActiveModes::Change::any);
     CHECK(parts.active.demand().modes == 4);
@@ -115,7 +115,7 @@ TEST_CASE("Without a share all modes rest and still count as ringing until they 
     parts.active.choose(0, 10);
     parts.active.forgetResting();
     CHECK(!parts.active.restRinging());
-    CHECK(!parts.active.rings(3));
+    CHECK(!parts.active.modes().rings(3));
 }
 
 TEST_CASE("Struck modes join within the allowance, the loudest first") {
@@ -124,13 +124,18 @@ TEST_CASE("Struck modes join within the allowance, the loudest first") {
     energies[0] = 4;
     energies[1] = 9;
     energies[2] = 1;
-    const auto joined = parts.active.joinStruck(energies.data(), 2, false, 1);
-    CHECK(parts.active.mixedCount() == 2);
-    CHECK(parts.active.isMixed(0));
-    CHECK(parts.active.isMixed(1));
+    const auto joined = parts.active.join(
+        {energies.data(), parts.active.tauEnergy(), energies.data()}, 2, false, 1);
+    CHECK(parts.active.modes().mixedCount() == 2);
+    CHECK(parts.active.modes().isMixed(0));
+    CHECK(parts.active.modes().isMixed(1));
     REQUIRE(joined.size() == 1);
     CHECK(joined[0].count == 2);
-    CHECK(parts.active.joinStruck(energies.data(), 2, false, 1).empty());
-    CHECK(!parts.active.joinAll(4, false, 1).empty());
+    CHECK(
+        parts.active.join({energies.data(), parts.active.tauEnergy(), energies.data()}, 2, false, 1)
+            .empty());
+    CHECK(!parts.active
+               .join({parts.bank.poles().audibleWeights(), 0, parts.bank.energies()}, 4, false, 1)
+               .empty());
     CHECK(parts.active.allMixed());
 }

@@ -105,7 +105,7 @@ TEST_CASE("The quietest objects sleep while the budget does not suffice") {
     CHECK(four.objects[0].modesMixed() == 4);
 }
 
-TEST_CASE("A strike wakes a sleeping object only if it is then louder than one with a share") {
+TEST_CASE("A strike wakes a sleeping object if it is then twice as loud as one with a share") {
     FourModesEach four(3);
     four.setBudget(8);
     four.cells(1);
@@ -116,6 +116,8 @@ TEST_CASE("A strike wakes a sleeping object only if it is then louder than one w
     four.strike(1, 0.5f);
     CHECK(four.awake() == Slots{0, 2});
     CHECK(four.objects[1].asleep());
+    four.strike(1, 2); // four modes of 0.5 + 0.5 + 2, against 2
+    CHECK(four.awake() == Slots{0, 2});
     four.strike(1, 5);
     CHECK(four.awake() == Slots{0, 1, 2});
     CHECK(four.objects[1].modesMixed() == 4);

@@ -13,7 +13,7 @@ struct Contacts : ResonatorParts {
     Contact held(double seconds) {
         Contact contact{.strike = unitStrike(seconds), .listening = {}, .startSample = 10};
         contacts.compute(contact);
-        active.joinAll(2, false, 1);
+        active.join({bank.poles().audibleWeights(), 0, bank.energies()}, 2, false, 1);
         contacts.hold(contact, active.mixedRuns());
         return contact;
     }

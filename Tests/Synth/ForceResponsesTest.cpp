@@ -22,7 +22,7 @@ pushed(ForceResponses& forces, std::int64_t cell, const Listening& listening = {
 TEST_CASE("A response is cached until it is invalidated or the mixed modes change") {
     ResonatorParts parts(ringingObject({440, 700}, 20));
     ForceResponses forces(parts.bank, parts.output, parts.active, parts.residues, parts.scratch);
-    parts.active.joinAll(1, false, 1);
+    parts.active.join({parts.bank.poles().audibleWeights(), 0, parts.bank.energies()}, 1, false, 1);
     const auto first = pushed(forces, 0);
     CHECK(first[10] != 0.0f);
     CHECK(forces.actedIn(0));
@@ -32,7 +32,7 @@ TEST_CASE("A response is cached until it is invalidated or the mixed modes chang
     CHECK(pushed(forces, 1) == first);
     CHECK(cached.version == version);
     CHECK(parts.scratch.responses[0][1].owner == nullptr);
-    parts.active.joinAll(2, false, 2);
+    parts.active.join({parts.bank.poles().audibleWeights(), 0, parts.bank.energies()}, 2, false, 2);
     CHECK(pushed(forces, 2) != first);
     forces.invalidate();
     pushed(forces, 3);
@@ -42,7 +42,7 @@ TEST_CASE("A response is cached until it is invalidated or the mixed modes chang
 TEST_CASE("A change of listening is interpolated over the cell") {
     ResonatorParts parts(ringingObject({440}, 20));
     ForceResponses forces(parts.bank, parts.output, parts.active, parts.residues, parts.scratch);
-    parts.active.joinAll(1, false, 1);
+    parts.active.join({parts.bank.poles().audibleWeights(), 0, parts.bank.energies()}, 1, false, 1);
     const auto before = pushed(forces, 0);
     const auto changing = pushed(forces, 1, {.nearGain = 2});
     const auto after = pushed(forces, 2, {.nearGain = 2});

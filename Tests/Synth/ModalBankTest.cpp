@@ -237,7 +237,7 @@ TEST_CASE("Regrouping keeps the total velocity, whether modes oscillate or not")
     const std::vector<double> eigenvalues{2.4e5, 2.6e5, 1e6, 4e6, 9e6};
     const PoleLaw heavy{.damping = {.fluidPerSecond = 1000}};
     ModalBank bank(5, 1, sampleRate);
-    ModeStates room = bank.emptyStates();
+    ModeStates room(bank.paddedSize(), 1);
     bank.movePoles(eigenvalues, heavy, 20, 23000);
     CHECK(isOscillating(bank.pole(0)) != isOscillating(bank.pole(1)));
     double velocity = 0;

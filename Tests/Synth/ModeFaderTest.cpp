@@ -16,7 +16,8 @@ TEST_CASE("A dropped mode fades out under a raised cosine of 3 ms and then is si
     const std::vector<double> eigenvalue{omega * omega};
     bank.movePoles(eigenvalue, {}, 20, 20000);
     bank.setState(0, {1, 0});
-    ModeFader fader(bank, sampleRate);
+    FadeRoom room(modeBlock, 1);
+    ModeFader fader(room, sampleRate);
     const std::vector<std::int32_t> mode{0};
     const std::vector<float> all{1}, none{-1};
     fader.change(bank, mode, all);

@@ -16,7 +16,8 @@ struct StruckAtRest : ResonatorParts {
     void strike(double at) {
         scratch.contact.setImpulse(bank.poles());
         increments.start(1, at);
-        active.joinStruck(increments.energies(), 3, false, 1);
+        active.join({increments.energies(), active.tauEnergy(), increments.energies()}, 3, false,
+                    1);
     }
 
     /// Returns the sum of `response` over the modes.
@@ -83,7 +84,9 @@ TEST_CASE("Increments of a whole contact sound like its pulse after its end") {
     const double contactSeconds = contactSamples / struck.sampleRateHz;
     struck.scratch.contact.setForced(struck.bank.poles(), {.contactSeconds = contactSeconds});
     struck.increments.start(-1, start);
-    struck.active.joinStruck(struck.increments.energies(), 3, false, 1);
+    struck.active.join(
+        {struck.increments.energies(), struck.active.tauEnergy(), struck.increments.energies()}, 3,
+        false, 1);
     struck.increments.finish(contactSeconds, start + contactSamples);
     std::array<float, cellSamples> cell{};
     struck.increments.soundAndKeep(24, cell);
@@ -94,6 +97,20 @@ TEST_CASE("Increments of a whole contact sound like its pulse after its end") {
         });
         CHECK(std::abs(double(cell[k]) - expected) < 1e-5);
     }
+}
+
+TEST_CASE("Energies after a contact are known from its start") {
+    StruckAtRest struck;
+    constexpr double start = 3.5, contactSamples = 20; // the third mode swings 2.08 times
+    const double contactSeconds = contactSamples / struck.sampleRateHz;
+    struck.scratch.contact.setForced(struck.bank.poles(), {.contactSeconds = contactSeconds});
+    struck.increments.start(-1, start);
+    const float* after = struck.increments.energiesAfter(contactSeconds);
+    struck.increments.finish(contactSeconds, start + contactSamples);
+    struck.increments.joinAsleep(24, 1);
+    for (std::size_t g = 0; g < 3; ++g)
+        CHECK(std::abs(std::sqrt(double(after[g] / struck.bank.energies()[g])) - 1) < 0.03);
+    CHECK(struck.increments.energiesAfter(0) == struck.increments.energies());
 }
 
 TEST_CASE("Increments that join a sleeping object move its resting states and leave them at rest") {
@@ -110,7 +127,7 @@ TEST_CASE("Increments that join a sleeping object move its resting states and le
     for (std::size_t g = 0; g < 3; ++g) {
         CHECK(asleep.bank.state(g).x == awake.bank.state(g).x);
         CHECK(asleep.bank.state(g).y == awake.bank.state(g).y);
-        CHECK(asleep.active.rings(g));
+        CHECK(asleep.active.modes().rings(g));
     }
     CHECK(asleep.active.blocks().none());
     CHECK(asleep.active.restRinging());

@@ -103,6 +103,9 @@ TEST_CASE("An allowance is what the first quieter object with a share had availa
     CHECK(division.allowance(2.5) == 4);
     CHECK(division.allowance(2) == 0);
     CHECK(division.allowance(0.5) == 0);
+    division.dropUpTo(2);
+    CHECK(division.allowance(2.5) == 0);
+    CHECK(division.allowance(100) == 8);
 }
 
 TEST_CASE("Shares use the whole budget and never exceed it") {

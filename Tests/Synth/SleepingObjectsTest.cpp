@@ -1,4 +1,5 @@
 #include "ModalReference.h"
+#include "Support/RigidBall.h"
 
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
@@ -133,6 +134,29 @@ TEST_CASE("Strikes in a crowd never mix more than the budget in the cells that f
     synthesiser.setSettings(settings);
     render(synthesiser, {}, 60);
     CHECK(synthesiser.silent());
+}
+
+TEST_CASE("The click of a sleeping object sounds") {
+    const SynthesiserSlot ball = slotOf(rigidBall(0.01, 7000));
+    const TimedStrike loud{3, strikeOf(1), 0};
+    const TimedStrike quiet{400.25, strikeOf(1e-4f, 0.3e-3), 1};
+    const auto play = [&](const std::vector<TimedStrike>& strikes, double budget) {
+        Synthesiser synthesiser({loudAndQuiet()[0], ball}, sampleRate);
+        SynthesisSettings settings = exactSettings();
+        settings.modeBudget = budget;
+        settings.radiation = 1;
+        synthesiser.setSettings(settings);
+        const auto sound = render(synthesiser, strikes, 12);
+        CHECK(synthesiser.status()[1].modesMixed == 0);
+        return sound;
+    };
+    const auto click = play({quiet}, allModes);
+    CHECK(std::ranges::max(click) > 0);
+    auto both = play({loud, quiet}, 2);
+    const auto one = play({loud}, 2);
+    for (std::size_t n = 0; n < both.size(); ++n)
+        both[n] -= one[n];
+    CHECK(differenceDb(both, click, 0) < -60);
 }
 
 TEST_CASE("A force wakes the object that it presses on") {
