@@ -5,6 +5,7 @@
 #include "Scene/Collisions.h"
 #include "Scene/ContactReader.h"
 #include "Scene/SurfaceShape.h"
+#include "Scene/TouchWorld.h"
 
 #include <BulletCollision/CollisionDispatch/btInternalEdgeUtility.h>
 #include <algorithm>
@@ -79,28 +80,6 @@ private:
     }
 };
 
-/// Gives bodies boxes that are as large as their contacts reach. Bullet's are 2 cm larger, so that
-/// heaps of small bodies have many pairs that do not touch and never sleep.
-class World final : public btDiscreteDynamicsWorld {
-public:
-    using btDiscreteDynamicsWorld::btDiscreteDynamicsWorld;
-
-    void updateAabbs() override {
-        for (int k = 0; k < m_nonStaticRigidBodies.size(); ++k) {
-            auto* body = m_nonStaticRigidBodies[k];
-            if (!body->isActive())
-                continue;
-            const auto& shape = *body->getCollisionShape();
-            const double reach = shape.getContactBreakingThreshold(gContactBreakingThreshold);
-            btVector3 lowest, highest;
-            shape.getAabb(body->getWorldTransform(), lowest, highest);
-            const btVector3 margin(reach, reach, reach);
-            getBroadphase()->setAabb(body->getBroadphaseHandle(), lowest - margin, highest + margin,
-                                     getDispatcher());
-        }
-    }
-};
-
 /// Sets the values that Bullet has once for the process. Several worlds may start at once.
 bool setGlobals() {
     gContactAddedCallback = adjustContact;
@@ -145,8 +124,8 @@ struct RigidWorld::Implementation {
     Collisions configuration;
     PairLimit dispatcher;
     btDbvtBroadphase broadphase;
-    btSequentialImpulseConstraintSolver solver;
-    World world;
+    TouchSolver solver;
+    TouchWorld world;
     std::vector<std::unique_ptr<btRigidBody>> bodies; ///< null without one, or after removal
     std::vector<BodyInStep> inStep;                   ///< by body
     ContactReader reader;
@@ -195,6 +174,7 @@ std::size_t RigidWorld::addAbsent() {
 
 void RigidWorld::remove(std::size_t body) {
     auto& rigid = implementation->bodies[body];
+    implementation->world.wakeBeside(*rigid);
     implementation->world.removeRigidBody(rigid.get());
     rigid.reset();
 }

@@ -1,5 +1,6 @@
 #include "Scene/RingCollision.h"
 
+#include "Scene/RelativeCircle.h"
 #include "Scene/RingShape.h"
 
 #include <BulletCollision/CollisionDispatch/btCollisionObjectWrapper.h>
@@ -22,6 +23,17 @@ RoundRing ringIn(const btCollisionObjectWrapper& body, const btTransform& from) 
     ring.pose = from * body.getWorldTransform() * ring.pose;
     return ring;
 }
+
+constexpr std::size_t samples = 24; // of a circle, to find contacts between them
+
+const auto directions = [] {
+    std::array<Direction, samples> all;
+    for (std::size_t k = 0; k < samples; ++k) {
+        const double angle = 2 * std::numbers::pi * static_cast<double>(k) / samples;
+        all[k] = {std::cos(angle), std::sin(angle)};
+    }
+    return all;
+}();
 
 /// An algorithm with up to four contacts, which last from step to step.
 class RingAlgorithm : public btCollisionAlgorithm {
@@ -50,6 +62,15 @@ protected:
         result.refreshContactPoints();
     }
 
+    /// A ring that touches at several points does not roll.
+    void dropRolling() const {
+        int touching = 0;
+        for (int k = 0; k < contacts->getNumContacts(); ++k)
+            touching += contacts->getContactPoint(k).getDistance() < 0 ? 1 : 0;
+        for (int k = 0; k < contacts->getNumContacts() && touching > 1; ++k)
+            contacts->getContactPoint(k).m_combinedRollingFriction = 0;
+    }
+
     btPersistentManifold* contacts;
 };
 
@@ -69,21 +90,22 @@ public:
             one.sectionRadius + other.sectionRadius + contacts->getContactBreakingThreshold();
         if (areApart(one, other, reach))
             return;
-        std::array<double, samples> distances{};
+        const RelativeCircle circle(one, other);
+        std::array<double, samples> squares{};
         for (std::size_t k = 0; k < samples; ++k)
-            distances[k] = distanceAt(one, other, turn * static_cast<double>(k));
-        const double farthest = reach + turn / 2 * one.radius; // of a sample beside a contact
-        for (std::size_t k = 0; k < samples; ++k)
-            if (distances[k] < farthest && distances[k] <= distances[(k + 1) % samples] &&
-                distances[k] <= distances[(k + samples - 1) % samples])
-                touch(one, other, minimumNear(one, other, turn * static_cast<double>(k)), *result);
+            squares[k] = circle.squaredDistance(directions[k]);
+        const double farthest = reach + std::numbers::pi / samples * one.radius; // of a sample
+        for (std::size_t k = 0; k < samples; ++k) {
+            const auto next = (k + 1) % samples, last = (k + samples - 1) % samples;
+            if (squares[k] < farthest * farthest && squares[k] <= squares[next] &&
+                squares[k] <= squares[last])
+                touch(one, other, circle.minimumBetween(directions[last], directions[next]),
+                      *result);
+        }
+        dropRolling();
     }
 
 private:
-    static constexpr std::size_t samples = 24;
-    static constexpr double turn = 2 * std::numbers::pi / samples;
-    static constexpr int bisections = 16; // to a micrometre on a ring of 0.1 m
-
     static bool areApart(const RoundRing& one, const RoundRing& other, double reach) {
         const btVector3 between = other.centre() - one.centre();
         return between.length() > one.radius + other.radius + reach ||
@@ -91,27 +113,11 @@ private:
                std::abs(between.dot(other.axis())) > one.extentAlong(other.axis()) + reach;
     }
 
-    static double distanceAt(const RoundRing& one, const RoundRing& other, double angle) {
-        const auto point = one.at(std::cos(angle), std::sin(angle));
-        return point.distance(other.nearest(point));
-    }
-
-    /// Returns the angle on `one` near another angle at which the distance is smallest.
-    static double minimumNear(const RoundRing& one, const RoundRing& other, double angle) {
-        double low = angle - turn, high = angle + turn;
-        for (int k = 0; k < bisections; ++k) {
-            const double middle = (low + high) / 2;
-            const double cosine = std::cos(middle), sine = std::sin(middle);
-            const auto point = one.at(cosine, sine);
-            const auto along = one.pose.getBasis() * btVector3(-sine, cosine, 0);
-            ((point - other.nearest(point)).dot(along) < 0 ? low : high) = middle;
-        }
-        return (low + high) / 2;
-    }
-
-    static void
-    touch(const RoundRing& one, const RoundRing& other, double angle, btManifoldResult& result) {
-        const auto point = one.at(std::cos(angle), std::sin(angle));
+    static void touch(const RoundRing& one,
+                      const RoundRing& other,
+                      const Direction& direction,
+                      btManifoldResult& result) {
+        const auto point = one.at(direction.cosine, direction.sine);
         const auto nearest = other.nearest(point);
         const double distance = point.distance(nearest);
         const btVector3 normal =
@@ -178,6 +184,7 @@ public:
         refresh(*result);
         if (!isFar)
             touch(ring, nearest, body.getWorldTransform(), *result);
+        dropRolling();
     }
 
     void getAllContactManifolds(btManifoldArray& all) override {
@@ -194,7 +201,7 @@ private:
         double height(const btVector3& point) const { return normal.dot(point) - offset; }
     };
 
-    /// A ring that tilts less than this share of its radius touches at four fixed points.
+    /// A ring that tilts less than this share of its radius touches at three fixed points.
     static constexpr double flatShare = 2e-4;
 
     void dropCapsules() {
@@ -216,7 +223,7 @@ private:
         });
     }
 
-    /// Adds the lowest point and three of four fixed points, or all four if the ring lies flat.
+    /// Adds the lowest point and two of three fixed points, or all three if the ring lies flat.
     void touch(const RoundRing& ring,
                const Face& face,
                const btTransform& worldFromBody,
@@ -224,10 +231,10 @@ private:
         const btVector3 down = face.normal * -1 * ring.pose.getBasis(); // in the ring's coordinates
         const double slope = std::hypot(down.x(), down.y());
         const bool isFlat = slope < flatShare;
-        const double half = std::sqrt(0.5);
-        for (const auto& [cosine, sine] : {std::array{1.0, 0.0}, std::array{0.0, 1.0},
-                                           std::array{-1.0, 0.0}, std::array{0.0, -1.0}})
-            if (isFlat || cosine * down.x() + sine * down.y() < half * slope)
+        const double sine60 = std::sqrt(0.75);
+        for (const auto& [cosine, sine] :
+             {std::array{1.0, 0.0}, std::array{-0.5, sine60}, std::array{-0.5, -sine60}})
+            if (isFlat || cosine * down.x() + sine * down.y() < slope / 2)
                 touchAt(ring.at(cosine, sine), ring.sectionRadius, face, worldFromBody, result);
         if (!isFlat)
             touchAt(ring.at(down.x() / slope, down.y() / slope), ring.sectionRadius, face,

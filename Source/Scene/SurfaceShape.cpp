@@ -4,6 +4,7 @@
 
 #include <BulletCollision/CollisionDispatch/btCollisionObjectWrapper.h>
 #include <BulletCollision/CollisionDispatch/btManifoldResult.h>
+#include <BulletCollision/NarrowPhaseCollision/btVoronoiSimplexSolver.h>
 #include <algorithm>
 #include <limits>
 
@@ -20,8 +21,7 @@ SurfaceShape::SurfaceShape(btTriangleMesh& triangles, const Mesh& surface)
       slabs(tree.nodes().size()) {
     const auto nodes = tree.nodes();
     const auto corner = [&](std::size_t node, int k) -> Eigen::Vector3d {
-        const auto face = static_cast<Eigen::Index>(nodes[node].face);
-        return mesh.vertices.row(mesh.faces(face, k));
+        return corners(nodes[node].face).row(k);
     };
     // From the leaves to the root, because a node's descendants follow it.
     for (std::size_t node = nodes.size(); node-- > 0;) {
@@ -47,7 +47,8 @@ SurfaceShape::SurfaceShape(btTriangleMesh& triangles, const Mesh& surface)
 }
 
 /// Returns whether the body is farther from a node than a contact reaches: beside its slab, or in
-/// the direction of its box.
+/// the direction of its box or face. The slab of a face is thin, but endless: the planes of faces
+/// around a ball in a bowl pass close to it.
 bool SurfaceShape::isApart(std::size_t node) const {
     const auto farthest = [this](const Eigen::Vector3d& direction) {
         const btVector3 own = toBullet(direction) * near->pose.getBasis();
@@ -60,14 +61,34 @@ bool SurfaceShape::isApart(std::size_t node) const {
     if ((middle > slab.high && -farthest(-slab.normal) > slab.high) ||
         (middle < slab.low && farthest(slab.normal) < slab.low))
         return true;
-    const auto& box = tree.nodes()[node].box;
-    const Eigen::Vector3d towards = centre.cwiseMax(box.min()).cwiseMin(box.max()) - centre;
-    const double distance = towards.norm();
+    const auto& [box, after, face, isLeaf] = tree.nodes()[node];
+    const Eigen::Vector3d nearest =
+        isLeaf ? nearestOnFace(face, centre) : centre.cwiseMax(box.min()).cwiseMin(box.max());
+    const double distance = (nearest - centre).norm();
     if (!(distance > 0))
         return false;
-    const Eigen::Vector3d direction = towards / distance;
-    return farthest(direction) <
-           direction.dot(box.center()) - direction.cwiseAbs().dot(box.sizes()) / 2;
+    const Eigen::Vector3d direction = (nearest - centre) / distance;
+    const double begins =
+        isLeaf ? (corners(face) * direction).minCoeff()
+               : direction.dot(box.center()) - direction.cwiseAbs().dot(box.sizes()) / 2;
+    return farthest(direction) < begins;
+}
+
+Eigen::Vector3d SurfaceShape::nearestOnFace(std::size_t face, const Eigen::Vector3d& point) const {
+    const Eigen::Matrix3d all = corners(face);
+    const auto corner = [&](int k) { return toBullet(Eigen::Vector3d(all.row(k))); };
+    btSubSimplexClosestResult result;
+    btVoronoiSimplexSolver().closestPtPointTriangle(toBullet(point), corner(0), corner(1),
+                                                    corner(2), result);
+    return toEigen(result.m_closestPointOnSimplex);
+}
+
+/// Returns the corners in rows.
+Eigen::Matrix3d SurfaceShape::corners(std::size_t face) const {
+    Eigen::Matrix3d rows;
+    for (int k = 0; k < 3; ++k)
+        rows.row(k) = mesh.vertices.row(mesh.faces(static_cast<Eigen::Index>(face), k));
+    return rows;
 }
 
 void SurfaceShape::processAllTriangles(btTriangleCallback* callback,
@@ -89,11 +110,11 @@ void SurfaceShape::processAllTriangles(btTriangleCallback* callback,
             continue;
         if (isForBody)
             workDone += microsecondsOfFace;
-        const auto face = static_cast<Eigen::Index>(node.face);
-        btVector3 corners[3];
+        const Eigen::Matrix3d rows = corners(node.face);
+        btVector3 all[3];
         for (int k = 0; k < 3; ++k)
-            corners[k] = toBullet(Eigen::Vector3d(mesh.vertices.row(mesh.faces(face, k))));
-        callback->processTriangle(corners, 0, static_cast<int>(face));
+            all[k] = toBullet(Eigen::Vector3d(rows.row(k)));
+        callback->processTriangle(all, 0, static_cast<int>(node.face));
     }
 }
 

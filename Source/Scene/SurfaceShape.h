@@ -42,6 +42,8 @@ private:
     };
 
     bool isApart(std::size_t node) const;
+    Eigen::Vector3d nearestOnFace(std::size_t face, const Eigen::Vector3d& point) const;
+    Eigen::Matrix3d corners(std::size_t face) const;
 
     Mesh mesh;
     BoxTree tree;

@@ -1,9 +1,11 @@
 // Tests rings that touch planes, faces and other rings.
+#include "Scene/RelativeCircle.h"
 #include "Scene/TestBodies.h"
 
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
+#include <random>
 
 using namespace idiophone;
 using namespace idiophone::test;
@@ -122,4 +124,62 @@ TEST_CASE("Two rings that meet edge to edge in one plane exchange their speeds")
     CHECK_THAT(std::abs(impacts[0].pointMetres.x()), WithinAbs(radius + sectionRadius, 2e-3));
     CHECK_THAT(world.motion(first).velocity.x(), WithinAbs(0, 0.01));
     CHECK_THAT(world.motion(second).velocity.x(), WithinAbs(speed, 0.01));
+}
+
+TEST_CASE("A ring sleeps while a ball rolls inside it, and wakes as the ball touches it") {
+    const double ballRadius = 0.004, speed = 0.05;
+    RigidWorld world({groundKind(), ringKind(), ballKind(ballRadius)}, stepsPerSecond, gravity);
+    world.add(0, at({0, 0, 0}));
+    const auto ring = world.add(1, at({0, 0, sectionRadius}));
+    const auto ball =
+        world.add(2, at({0, 0, ballRadius}, {speed, 0, 0}, {0, speed / ballRadius, 0}));
+    run(world, 0.75); // the ball meets the ring at 0.8 s
+    CHECK(world.motion(ring).velocity.norm() == 0);
+    CHECK(world.motion(ring).spin.norm() == 0);
+    CHECK(world.motion(ball).velocity.x() > 0.9 * speed);
+    const double before = world.centre(ring).x();
+    run(world, 0.25);
+    CHECK(world.centre(ring).x() > before);
+}
+
+TEST_CASE("A ring on a ring that is removed falls, although both slept") {
+    RigidWorld world({groundKind({.restitution = 0}), ringKind({.restitution = 0})}, stepsPerSecond,
+                     gravity);
+    world.add(0, at({0, 0, 0}));
+    const auto lower = world.add(1, at({0, 0, sectionRadius}));
+    const auto upper = world.add(1, at({0, 0, 3 * sectionRadius}));
+    run(world, 1);
+    REQUIRE(world.motion(upper).velocity.norm() == 0);
+    world.remove(lower);
+    run(world, 0.5);
+    CHECK_THAT(world.centre(upper).z(), WithinAbs(sectionRadius, 1e-4));
+}
+
+TEST_CASE("The nearest place of two circles is nearer than every place beside it") {
+    std::mt19937 random(4);
+    std::uniform_real_distribution<double> part(-1, 1);
+    const auto anyRing = [&] {
+        const btVector3 axis(part(random), part(random), part(random));
+        return RoundRing{.pose = btTransform(btQuaternion(axis, 3 * part(random)),
+                                             btVector3(part(random), part(random), part(random))),
+                         .radius = 1.5 + part(random)};
+    };
+    for (int pair = 0; pair < 200; ++pair) {
+        const RelativeCircle circle(anyRing(), anyRing());
+        const auto at = [](double degrees) {
+            const double angle = degrees * std::numbers::pi / 180;
+            return Direction{std::cos(angle), std::sin(angle)};
+        };
+        double nearest = 0; // in degrees
+        for (double degrees = 0; degrees < 360; degrees += 1)
+            if (circle.squaredDistance(at(degrees)) < circle.squaredDistance(at(nearest)))
+                nearest = degrees;
+        const auto found = circle.minimumBetween(at(nearest - 7), at(nearest + 7));
+        INFO(pair << ", near " << nearest << " degrees");
+        CHECK(circle.squaredDistance(found) <= circle.squaredDistance(at(nearest)));
+        for (const double beside : {-0.01, 0.01}) {
+            const double angle = std::atan2(found.sine, found.cosine) * 180 / std::numbers::pi;
+            CHECK(circle.squaredDistance(found) < circle.squaredDistance(at(angle + beside)));
+        }
+    }
 }

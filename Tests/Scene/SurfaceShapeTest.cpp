@@ -111,5 +111,7 @@ TEST_CASE("A body in a bowl finds all faces that it can touch, and leaves out mo
         found += touchable.size();
     }
     CHECK(found > 100);
-    CHECK(2 * found < possible);
+    // Within reach lies a disc of 8.5 mm radius, in the box some 62 x 62 mm. The faces at the
+    // disc's edge count, so that of edges of 6.6 mm a seventh of the faces is left.
+    CHECK(5 * found < possible);
 }
