@@ -49,7 +49,7 @@ Result<SceneTally> renderScene(const std::shared_ptr<const SceneAssets>& assets,
     const double lastSeconds =
         std::max(assets->scene().seconds, song.empty() ? 0 : song.back().seconds);
     WorkTeam team(threads);
-    SceneSimulation motion(assets, {.notes = notesOf(song)});
+    SceneSimulation motion(assets, {.notes = notesOf(song), .team = &team});
     if (auto bounded = boundedSlots(motion.slots(), inQuotes(assets->scene().name), "bodies");
         !bounded)
         return tl::unexpected(bounded.error());

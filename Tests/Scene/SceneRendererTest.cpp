@@ -19,7 +19,7 @@ struct Rendered {
 Rendered
 render(const std::shared_ptr<const SceneAssets>& assets, double seconds, unsigned threads) {
     WorkTeam team(threads);
-    SceneSimulation motion(assets);
+    SceneSimulation motion(assets, {.team = &team});
     SceneRenderer renderer(motion, *assets, nullptr, assets->scene().parameters, rateHz, team);
     Rendered rendered;
     while (static_cast<double>(rendered.left.size()) < seconds * rateHz) {
