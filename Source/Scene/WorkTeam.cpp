@@ -1,13 +1,38 @@
 #include "Scene/WorkTeam.h"
 
 #include <algorithm>
+#include <hwy/cache_control.h>
 
 namespace idiophone {
 namespace {
 
-constexpr int pollsBeforeSleep = 2000; // about a millisecond
+constexpr int pollsBeforeYield = 2000;  // about 0.1 ms
+constexpr int yieldsBeforeSleep = 2000; // about a millisecond
 constexpr std::size_t batchesOfThread = 32;
 constexpr unsigned maximumOfCores = 4; // more threads would mostly wait
+
+/// Waits for a short time without giving the core away, then lets others run between the polls.
+/// Returns false after `yields` of them.
+template <class Condition>
+bool pollUntil(Condition condition, int yields) {
+    for (int poll = 0; poll < pollsBeforeYield; ++poll) {
+        if (condition())
+            return true;
+        hwy::Pause();
+    }
+    for (int poll = 0; poll < yields; ++poll) {
+        if (condition())
+            return true;
+        std::this_thread::yield();
+    }
+    return false;
+}
+
+template <class Condition>
+void waitUntil(Condition condition) {
+    while (!pollUntil(condition, yieldsBeforeSleep)) {
+    }
+}
 
 } // namespace
 
@@ -44,8 +69,7 @@ void WorkTeam::runBoth(const std::function<void()>& other, const std::function<v
         if (task.exchange(nullptr) != nullptr)
             other();
         else
-            while (!isTaskDone)
-                std::this_thread::yield();
+            waitUntil([this] { return isTaskDone.load(); });
     };
     try {
         own();
@@ -71,8 +95,7 @@ void WorkTeam::runAll(std::size_t count, const Item& handle) {
     runItems(0);
     // A visitor enters before it looks whether the loop is open, so that none reads it after this.
     loop.isOpen = false;
-    while (loop.visitors > 0)
-        std::this_thread::yield();
+    waitUntil([this] { return loop.visitors == 0; });
 }
 
 void WorkTeam::runItems(std::size_t thread) {
@@ -87,9 +110,8 @@ void WorkTeam::work(std::size_t thread) {
         const auto before = wakes.load(); // a later wake ends the wait at once
         if (takeTask() || visitLoop(thread))
             continue;
-        for (int poll = 0; poll < pollsBeforeSleep && wakes == before; ++poll)
-            std::this_thread::yield();
-        wakes.wait(before);
+        if (!pollUntil([&] { return wakes != before; }, yieldsBeforeSleep))
+            wakes.wait(before);
     }
 }
 
