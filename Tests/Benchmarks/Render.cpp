@@ -11,7 +11,7 @@
 namespace idiophone {
 namespace {
 
-constexpr int replays = 5;
+constexpr int replays = 8;
 constexpr std::size_t cellsOfFrame = 7; // 10.2 ms
 
 /// The hundred rings, as `idiophone scene` moves and sounds them.
