@@ -29,10 +29,10 @@ public:
         int collidesWith = ~0; ///< groups; both kinds must include the other's
     };
 
-    /// The maximum number of pairs of nearby bodies, and of nearby body parts (a ring has several).
-    /// Each pair takes memory, about a gigabyte at the maximum. A heap of thousands of bodies has
-    /// as many pairs, as do 300 bodies in one place. A hundred rings have 1300 pairs of bodies and
-    /// 4400 of parts.
+    /// The maximum number of pairs of nearby bodies, and of nearby body parts (a flat ring has
+    /// several). Each pair takes memory, about a gigabyte at the maximum. A heap of thousands of
+    /// bodies has as many pairs, as do 300 bodies in one place. A hundred rings have 560 pairs of
+    /// bodies and 660 of parts.
     static constexpr int maximumPairs = 50'000;
 
     /// `team` outlives it and shares the collisions, with the same results. It may be null.

@@ -34,6 +34,18 @@ class Render(ConsoleTest):
                 with self.subTest(preset=preset, block_size=size):
                     self.assertEqual(output.read_bytes(), expected.read_bytes())
 
+    def test_a_note_of_a_scene_preset_is_as_loud_as_other_presets_and_does_not_clip(self):
+        song = self.song(note(0, 66, 100))
+        scenes = [p["name"] for p in self.json("presets") if p["keyMap"]["kind"] == "scene"]
+        self.assertGreaterEqual(len(scenes), 6)
+        for preset in scenes:
+            report, _ = self.render(song, "--seconds", 10, "--set", "limiter=0", preset=preset)
+            with self.subTest(preset=preset):
+                # A single die is fainter: a roll of dice adds up.
+                delta = 4 if preset == "Dice on Rosewood" else 1.5
+                self.assertAlmostEqual(report["integrated_lufs"], -26, delta=delta)
+                self.assertLess(report["peak_dbfs"], 1)
+
     def test_the_room_decays_fully_in_any_block_size(self):
         song = self.song([tempo(0, 500000)] + note(0, 84, 127))
         dry, _ = self.render(song)

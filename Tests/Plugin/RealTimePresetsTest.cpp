@@ -109,7 +109,9 @@ TEST_CASE("No factory preset allocates, locks or calls the system, whatever note
     }
 }
 
-TEST_CASE("Strikes and contacts of a scene do not allocate, lock or call the system") {
+TEST_CASE(
+    "Strikes and contacts of a scene do not allocate or lock, and call the system only to wake "
+    "the worker") {
     if (!realTimeTrapWorks())
         SKIP("the trap needs Linux with glibc and no sanitizer");
     WatchedHost host(480);

@@ -1,5 +1,5 @@
-// The audio callback does not allocate, lock or call the system. Other tests here prove that the
-// trap catches each of these.
+// The audio callback does not allocate, lock or call the system, except that a stage may wake its
+// worker. Other tests here prove that the trap catches each of these.
 #include "Plugin/WatchedHost.h"
 
 #include <catch2/catch_test_macros.hpp>
@@ -14,8 +14,10 @@
 
 // Declare the functions that the trap watches. Other systems may lack them.
 #if defined(__linux__) && defined(__GLIBC__)
+#include <linux/futex.h>
 #include <pthread.h>
 #include <semaphore.h>
+#include <sys/syscall.h>
 #endif
 
 using namespace idiophone;
@@ -155,6 +157,15 @@ TEST_CASE("The real-time trap catches planted system calls in a callback") {
     CHECK(systemCalls([] { ::close(::open("/dev/null", O_WRONLY)); }) > 0);
     std::atomic<int> number{0};
     CHECK(systemCalls([&] { number.notify_all(); }) == 0); // no thread waits, so no call
+#if defined(__linux__)
+    const auto futex = [](int operation) {
+        std::uint32_t word = 0;
+        ::syscall(SYS_futex, &word, operation, 1, nullptr, nullptr, 0);
+    };
+    CHECK(systemCalls([&] { futex(FUTEX_WAIT_PRIVATE); }) > 0);
+    CHECK(systemCalls([&] { futex(FUTEX_WAKE_PRIVATE); }) == 0);
+    CHECK(plantedIn(processor, [&] { futex(FUTEX_WAKE_PRIVATE); }).wakes > 0);
+#endif
     const auto written = systemCalls([] { ::write(-1, "", 0); });
     CHECK(written > 0);
 }

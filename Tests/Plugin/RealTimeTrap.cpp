@@ -11,9 +11,11 @@
 #include <ctime>
 #include <cxxabi.h>
 #include <dlfcn.h>
+#include <linux/futex.h>
 #include <pthread.h>
 #include <semaphore.h>
 #include <sys/prctl.h>
+#include <sys/syscall.h>
 #include <ucontext.h>
 #include <utility>
 
@@ -29,7 +31,7 @@ struct Watch {
     volatile bool active = false;
     volatile char systemCallsBlocked = 0; ///< read by the kernel at each system call
     bool dispatching = false;
-    int allocations = 0, locks = 0, systemCalls = 0;
+    int allocations = 0, locks = 0, systemCalls = 0, wakes = 0;
     const char* first = nullptr;
     int firstSystemCall = -1;
     std::size_t maximumBytes = SIZE_MAX; ///< limit of one allocation
@@ -72,10 +74,14 @@ int lockCall(Function*& function, const char* name, Arguments... arguments) {
 // watched code behaves as usual. Sees only the first call of each watch.
 void onSystemCall(int, siginfo_t* info, void* context) {
     watch.systemCallsBlocked = 0;
-    note(&Watch::systemCalls, "a system call");
-    if (watch.firstSystemCall < 0)
-        watch.firstSystemCall = info->si_syscall;
     auto& registers = static_cast<ucontext_t*>(context)->uc_mcontext.gregs;
+    if (info->si_syscall == SYS_futex && (registers[REG_RSI] & FUTEX_CMD_MASK) == FUTEX_WAKE) {
+        ++watch.wakes;
+    } else {
+        note(&Watch::systemCalls, "a system call");
+        if (watch.firstSystemCall < 0)
+            watch.firstSystemCall = info->si_syscall;
+    }
     constexpr int systemCallInstructionBytes = 2;
     registers[REG_RIP] -= systemCallInstructionBytes;
     registers[REG_RAX] = info->si_syscall;
@@ -211,7 +217,7 @@ bool systemCallTrapWorks() {
 
 void beginRealTimeWatch() {
     const bool blocks = dispatchSystemCalls();
-    watch.allocations = watch.locks = watch.systemCalls = 0;
+    watch.allocations = watch.locks = watch.systemCalls = watch.wakes = 0;
     watch.first = nullptr;
     watch.firstSystemCall = -1;
     watch.active = true;
@@ -224,6 +230,7 @@ RealTimeFaults endRealTimeWatch() {
     RealTimeFaults faults{.allocations = watch.allocations,
                           .locks = watch.locks,
                           .systemCalls = watch.systemCalls,
+                          .wakes = watch.wakes,
                           .first = watch.first == nullptr ? "" : watch.first};
     if (watch.firstSystemCall >= 0)
         faults.first += " (system call " + std::to_string(watch.firstSystemCall) + ")";

@@ -15,6 +15,7 @@ struct RealTimeFaults {
     /// a function's static variable.
     int locks = 0;
     int systemCalls = 0;
+    int wakes = 0;     ///< futex calls that wake a thread and do not wait: no faults on a stage
     std::string first; ///< names the first fault
 
     bool none() const { return allocations + locks + systemCalls == 0; }

@@ -25,6 +25,8 @@ public:
         CHECK(faults.locks == 0);
         if (systemCallTrapWorks()) // system calls have their own test, which is skipped elsewhere
             CHECK(faults.systemCalls == 0);
+        if (!hasHadStage)
+            CHECK(faults.wakes == 0); // only a stage has a worker
         loudestSample = std::max(loudestSample, view.getMagnitude(0, samples));
     }
 
@@ -36,7 +38,9 @@ public:
 
     void choose(int program) {
         what = processor.getProgramName(program).toStdString();
+        hasHadStage = processor.view().stage.hasStage();
         processor.setCurrentProgram(program); // while the former sound rings
+        hasHadStage = hasHadStage || processor.view().stage.hasStage();
         loudestSample = 0;
     }
 
@@ -51,6 +55,7 @@ public:
     float loudestSample = 0;
 
 private:
+    bool hasHadStage = false; ///< now or before the last choice
     juce::AudioBuffer<float> buffer;
 };
 
