@@ -10,8 +10,8 @@ namespace idiophone {
 class WorkTeam;
 
 /// Gives Bullet its usual pairs up to a maximum number: pairs of nearby bodies and of their nearby
-/// parts. Threads share the pairs of rings that have met before. Contacts that begin and end enter
-/// the list in the order of the pairs, so that Bullet solves them as without a team.
+/// parts. Threads share the pairs with a ring that have met before. Contacts that begin and end
+/// enter the list in the order of the pairs, so that Bullet solves them as without a team.
 class PairLimit final : public btOverlapFilterCallback, public btCollisionDispatcher {
 public:
     /// `sharingTeam` outlives it. It may be null.
