@@ -1,13 +1,12 @@
 #include "Scene/WorkTeam.h"
 
 #include <algorithm>
-#include <hwy/cache_control.h>
 
 namespace idiophone {
 namespace {
 
-constexpr int pollsBeforeYield = 2000;  // about 0.1 ms
-constexpr int yieldsBeforeSleep = 2000; // about a millisecond
+constexpr int pollsBeforeYield = 50'000; // about 0.05 ms
+constexpr int yieldsBeforeSleep = 2000;  // about a millisecond
 constexpr std::size_t batchesOfThread = 32;
 constexpr unsigned maximumOfCores = 4; // more threads would mostly wait
 
@@ -15,11 +14,9 @@ constexpr unsigned maximumOfCores = 4; // more threads would mostly wait
 /// Returns false after `yields` of them.
 template <class Condition>
 bool pollUntil(Condition condition, int yields) {
-    for (int poll = 0; poll < pollsBeforeYield; ++poll) {
+    for (int poll = 0; poll < pollsBeforeYield; ++poll)
         if (condition())
             return true;
-        hwy::Pause();
-    }
     for (int poll = 0; poll < yields; ++poll) {
         if (condition())
             return true;
