@@ -135,14 +135,20 @@ def tau(figures):
             f"{100 * figures['saved']:.0f} % of the mode-seconds.")
 
 
-def rings(figures):
-    figure, axes = plt.subplots()
+def rings(figures, rendered):
+    """The paper's Figure 8, with the frames of `rendered` if the same run has them."""
+    figure, axes = plt.subplots(figsize=(7, 4.6))
     for curve in figures["curves"]:
-        rates = curve["frames_per_second"]
-        axes.semilogy([0.01 * (k + 0.5) for k in range(len(rates))], rates, label=curve["name"])
+        axes.semilogy(*over_time(curve, 0.01), label=curve["name"])
+    for curve, style in zip(rendered["curves"] if rendered else (), (":", "--")):
+        axes.semilogy(*over_time(curve, curve["frame_seconds"]), "k" + style, linewidth=1,
+                      label=f"motion and sound of the falling rings, {curve['name']}")
+    axes.axhline(100, color="gray", linewidth=0.8)
+    axes.text(0.01, 103, "real time", color="gray", fontsize=7, va="bottom")
+    axes.set_xlim(0, 0.01 * len(figures["curves"][0]["frames_per_second"]))
     axes.set_xlabel("s (strikes within the first second)")
     axes.set_ylabel("audio frames of 1/100 s a second")
-    axes.legend(fontsize=7)
+    axes.legend(fontsize=7, ncols=2, loc="lower center", bbox_to_anchor=(0.5, 1))
     save(figure, "rings")
     rows = [(c["name"], f"{c['mean_frames_per_second']:.0f}",
              "" if k == 0 else f"{c['factor']:.2f}") for k, c in enumerate(figures["curves"])]
@@ -155,6 +161,19 @@ def rings(figures):
             f"loop with 3N modes, {figures['naive_over_everything']:.0f} times its loop with the "
             f"audible ones. Rate in the slowest tenth of a second over the mean, while strikes "
             f"occur: {figures['slowest_tenth_over_mean']:.2f}.")
+
+
+def over_time(curve, frame_seconds):
+    rates = curve["frames_per_second"]
+    return [frame_seconds * (k + 0.5) for k in range(len(rates))], rates
+
+
+def render(figures):
+    rows = [(c["name"], digits(c["mean_frames_per_second"]),
+             digits(100 / c["mean_frames_per_second"])) for c in figures["curves"]]
+    return (table(("threads", "audio frames a second", "of real time"), rows) +
+            f"\n\nTwo cores over one: {figures['two_cores_over_one']:.2f}. Of "
+            f"{figures['samples']:,} samples, {figures['differing_samples']} differ.")
 
 
 def scale(figures):
@@ -247,11 +266,13 @@ def main():
         text, "machine", f"Measured on: {machine}SIMD target {build['simd_target']}, compiler "
                          f"{build['compiler']}.")
     text = replace_between_markers(text, "goals", goals(document))
-    for draw in (kernel, callback, plugin, force, memory, tau, rings, scale, scenes,
+    measured = document["benchmarks"]
+    for draw in (kernel, callback, plugin, force, memory, tau, rings, scale, scenes, render,
                  xylophone, compression):
-        if draw.__name__ in document["benchmarks"]:
+        if draw.__name__ in measured:
+            more = (measured.get("render"),) if draw is rings else ()
             text = replace_between_markers(text, draw.__name__,
-                                           draw(document["benchmarks"][draw.__name__]))
+                                           draw(measured[draw.__name__], *more))
     page.write_text(text)
 
 

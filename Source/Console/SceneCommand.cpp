@@ -30,6 +30,7 @@ struct SceneOptions {
     std::filesystem::path statistics;
     std::filesystem::path impulses;
     std::filesystem::path head;
+    unsigned threads = 0;
     bool json = false;
 };
 
@@ -183,7 +184,7 @@ Result<void> perform(const SceneOptions& options) {
     auto recording = Recording::start(options.format, values);
     if (!recording)
         return tl::unexpected(recording.error());
-    const auto tally = renderScene(*assets, head, *song, values, **recording);
+    const auto tally = renderScene(*assets, head, *song, values, options.threads, **recording);
     if (!tally)
         return tl::unexpected(tally.error());
     if (!options.impulses.empty())
@@ -209,6 +210,11 @@ void addScene(CLI::App& program, Action& chosen) {
                         "A SOFA file of a measured head (default: a sphere)");
     addRecordingOptions(*command, options->format);
     addParameterAssignments(*command, options->assignments);
+    command
+        ->add_option(
+            "--threads", options->threads,
+            "Threads that move and sound the bodies (default: one for each core, at most 4)")
+        ->check(numberBetween(1, 64));
     command
         ->add_option("--stats", options->statistics,
                      "The JSON file to write statistics of each frame to")

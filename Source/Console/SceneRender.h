@@ -34,11 +34,13 @@ struct SceneTally {
 inline constexpr double sceneFrameSeconds = 0.01;
 
 /// Renders up to the recording's length, or else to silence after everything has ended. `head`: the
-/// listener's measured head at the recording's sample rate; null selects a sphere.
+/// listener's measured head at the recording's sample rate; null selects a sphere. `threads`: 0 for
+/// one on each core; the result does not depend on them.
 Result<SceneTally> renderScene(const std::shared_ptr<const SceneAssets>& assets,
                                const std::shared_ptr<const HeadResponses>& head,
                                std::span<const SongEvent> song,
                                const ParameterValues& parameters,
+                               unsigned threads,
                                Recording& recording);
 
 } // namespace idiophone

@@ -4,6 +4,8 @@
 #include "Scene/CollisionShape.h"
 #include "Scene/Collisions.h"
 #include "Scene/ContactReader.h"
+#include "Scene/PairLimit.h"
+#include "Scene/SharedSolver.h"
 #include "Scene/SurfaceShape.h"
 #include "Scene/TouchWorld.h"
 
@@ -48,38 +50,6 @@ bool adjustContact(btManifoldPoint& point,
     return true;
 }
 
-/// Gives Bullet its usual pairs up to a maximum number: pairs of nearby bodies and of their nearby
-/// parts.
-class PairLimit final : public btOverlapFilterCallback, public btCollisionDispatcher {
-public:
-    explicit PairLimit(btCollisionConfiguration* configuration)
-        : btCollisionDispatcher(configuration) {
-        setNearCallback(collide);
-    }
-
-    bool needBroadphaseCollision(btBroadphaseProxy* first,
-                                 btBroadphaseProxy* second) const override {
-        if ((first->m_collisionFilterGroup & second->m_collisionFilterMask) == 0 ||
-            (second->m_collisionFilterGroup & first->m_collisionFilterMask) == 0)
-            return false;
-        isReached = isReached || bodies.getNumOverlappingPairs() >= RigidWorld::maximumPairs;
-        return !isReached;
-    }
-
-    btHashedOverlappingPairCache bodies;
-    mutable bool isReached = false; // mutable: Bullet calls a const function
-
-private:
-    static void collide(btBroadphasePair& pair,
-                        btCollisionDispatcher& dispatcher,
-                        const btDispatcherInfo& how) {
-        auto& limit = static_cast<PairLimit&>(dispatcher);
-        limit.isReached = limit.isReached || limit.getNumManifolds() >= RigidWorld::maximumPairs;
-        if (!limit.isReached)
-            defaultNearCallback(pair, dispatcher, how);
-    }
-};
-
 /// Sets the values that Bullet has once for the process. Several worlds may start at once.
 bool setGlobals() {
     gContactAddedCallback = adjustContact;
@@ -91,10 +61,13 @@ bool setGlobals() {
 } // namespace
 
 struct RigidWorld::Implementation {
-    Implementation(std::vector<Kind> allKinds, double stepsPerSecond, double gravity)
-        : kinds(std::move(allKinds)), stepSeconds(1 / stepsPerSecond), dispatcher(&configuration),
-          broadphase(&dispatcher.bodies), world(&dispatcher, &broadphase, &solver, &configuration),
-          reader(stepSeconds, gravity) {
+    Implementation(std::vector<Kind> allKinds,
+                   double stepsPerSecond,
+                   double gravity,
+                   WorkTeam* team)
+        : kinds(std::move(allKinds)), stepSeconds(1 / stepsPerSecond),
+          dispatcher(&configuration, team), broadphase(&dispatcher.bodies), solver(team),
+          world(&dispatcher, &broadphase, &solver, &configuration), reader(stepSeconds, gravity) {
         [[maybe_unused]] static const bool areSet = setGlobals();
         dispatcher.bodies.setOverlapFilterCallback(&dispatcher);
         for (const auto& kind : kinds)
@@ -124,7 +97,7 @@ struct RigidWorld::Implementation {
     Collisions configuration;
     PairLimit dispatcher;
     btDbvtBroadphase broadphase;
-    TouchSolver solver;
+    SharedSolver solver;
     TouchWorld world;
     std::vector<std::unique_ptr<btRigidBody>> bodies; ///< null without one, or after removal
     std::vector<BodyInStep> inStep;                   ///< by body
@@ -133,9 +106,10 @@ struct RigidWorld::Implementation {
 
 RigidWorld::RigidWorld(std::vector<Kind> kinds,
                        double stepsPerSecond,
-                       double gravityMetresPerSecond2)
+                       double gravityMetresPerSecond2,
+                       WorkTeam* team)
     : implementation(std::make_unique<Implementation>(
-          std::move(kinds), stepsPerSecond, gravityMetresPerSecond2)) {}
+          std::move(kinds), stepsPerSecond, gravityMetresPerSecond2, team)) {}
 
 RigidWorld::~RigidWorld() = default;
 

@@ -11,6 +11,8 @@
 
 namespace idiophone {
 
+class WorkTeam;
+
 struct BodyMotion {
     Eigen::Isometry3d pose = Eigen::Isometry3d::Identity(); ///< from mesh coordinates to the world
     Eigen::Vector3d velocity = Eigen::Vector3d::Zero();     ///< of the centre of mass, in m/s
@@ -33,7 +35,11 @@ public:
     /// bodies and 660 of parts.
     static constexpr int maximumPairs = 50'000;
 
-    RigidWorld(std::vector<Kind> kinds, double stepsPerSecond, double gravityMetresPerSecond2);
+    /// `team` outlives it and shares the collisions, with the same results. It may be null.
+    RigidWorld(std::vector<Kind> kinds,
+               double stepsPerSecond,
+               double gravityMetresPerSecond2,
+               WorkTeam* team = nullptr);
     ~RigidWorld();
 
     /// Adds a body from the next step on and returns its number. Numbers count from 0 and are not

@@ -10,6 +10,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <typeinfo>
 
 namespace idiophone {
 namespace {
@@ -197,7 +198,6 @@ private:
     struct Face {
         btVector3 normal;
         double offset;
-
         double height(const btVector3& point) const { return normal.dot(point) - offset; }
     };
 
@@ -291,6 +291,10 @@ RingCollisions::CreateCollisionAlgorithm(btCollisionAlgorithmConstructionInfo& i
         (isSecond && RingOnFaces::hasFaces(*first->getCollisionShape())))
         return makeAlgorithm<RingOnFaces>(info, *first, *second, usual);
     return usual.CreateCollisionAlgorithm(info, first, second);
+}
+
+bool isOfRings(const btCollisionAlgorithm& algorithm) {
+    return typeid(algorithm) == typeid(RingPair) || typeid(algorithm) == typeid(RingOnFaces);
 }
 
 } // namespace idiophone

@@ -21,4 +21,8 @@ private:
     btDefaultCollisionConfiguration& configuration;
 };
 
+/// Returns whether `RingCollisions` made an algorithm that handles a ring in closed form. Several
+/// threads may collide several such pairs, because they write only to their own contacts.
+bool isOfRings(const btCollisionAlgorithm& algorithm);
+
 } // namespace idiophone

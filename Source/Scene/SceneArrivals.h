@@ -11,6 +11,8 @@
 
 namespace idiophone {
 
+class WorkTeam;
+
 struct SceneNote {
     double seconds = 0; ///< ≥ 0
     int note = 0;       ///< MIDI, 0 to 127
@@ -30,6 +32,8 @@ struct SimulationSetup {
     double maximumWork = std::numeric_limits<double>::infinity();
     /// Set by another thread to stop the simulation. May be null.
     const std::atomic<bool>* isStopped = nullptr;
+    /// Shares the collisions, with the same results. May be null.
+    WorkTeam* team = nullptr;
 };
 
 /// The slot of bodies without modes.

@@ -30,7 +30,7 @@ Error crowdedFault(const Scene& scene) {
 SceneSimulation::SceneSimulation(std::shared_ptr<const SceneAssets> playedAssets,
                                  SimulationSetup wanted)
     : assets(std::move(playedAssets)), scene(assets->scene()), setup(std::move(wanted)),
-      rigid(kindsOf(*assets), scene.stepsPerSecond, scene.gravityMetresPerSecond2),
+      rigid(kindsOf(*assets), scene.stepsPerSecond, scene.gravityMetresPerSecond2, setup.team),
       arrivals(arrivalsOf(*assets, setup)), kicks(scene.kicks),
       slotPlaces(arrivals.roleOfSlot.size(), Eigen::Vector3d::Zero()),
       slotPoses(arrivals.roleOfSlot.size()), tracker(assets, rigid.stepSeconds()) {

@@ -86,4 +86,45 @@ void TouchSolver::convertContacts(btPersistentManifold** pairs,
     rows.resizeNoInitialize(kept);
 }
 
+void TouchSolver::solveGroupCacheFriendlySplitImpulseIterations(btCollisionObject**,
+                                                                int,
+                                                                btPersistentManifold**,
+                                                                int,
+                                                                btTypedConstraint**,
+                                                                int,
+                                                                const btContactSolverInfo& how,
+                                                                btIDebugDraw*) {
+    const auto& rows = m_tmpSolverContactConstraintPool;
+    bool isChanged = true;
+    for (int iteration = 0; isChanged && iteration < how.m_numIterations; ++iteration) {
+        isChanged = false;
+        for (int k = 0; k < rows.size(); ++k)
+            if (rows[k].m_rhsPenetration != 0)
+                isChanged = push(rows[k]) || isChanged;
+    }
+}
+
+/// Returns whether the bodies' velocities change.
+bool TouchSolver::push(const btSolverConstraint& row) {
+    auto& one = m_tmpSolverBodyPool[row.m_solverBodyIdA];
+    auto& other = m_tmpSolverBodyPool[row.m_solverBodyIdB];
+    btScalar change = row.m_rhsPenetration - btScalar(row.m_appliedPushImpulse) * row.m_cfm;
+    change -= (row.m_contactNormal1.dot(one.internalGetPushVelocity()) +
+               row.m_relpos1CrossNormal.dot(one.internalGetTurnVelocity())) *
+              row.m_jacDiagABInv;
+    change -= (row.m_contactNormal2.dot(other.internalGetPushVelocity()) +
+               row.m_relpos2CrossNormal.dot(other.internalGetTurnVelocity())) *
+              row.m_jacDiagABInv;
+    const btScalar before = row.m_appliedPushImpulse;
+    const btScalar after = before + change;
+    if (after < row.m_lowerLimit)
+        change = row.m_lowerLimit - before;
+    row.m_appliedPushImpulse = after < row.m_lowerLimit ? row.m_lowerLimit : after;
+    one.internalApplyPushImpulse(row.m_contactNormal1 * one.internalGetInvMass(),
+                                 row.m_angularComponentA, change);
+    other.internalApplyPushImpulse(row.m_contactNormal2 * other.internalGetInvMass(),
+                                   row.m_angularComponentB, change);
+    return change != 0;
+}
+
 } // namespace idiophone

@@ -28,8 +28,19 @@ protected:
     void convertContacts(btPersistentManifold** pairs,
                          int count,
                          const btContactSolverInfo& how) override;
+    /// Pushes bodies apart as Bullet does, but without the counter that all solvers share.
+    void solveGroupCacheFriendlySplitImpulseIterations(btCollisionObject**,
+                                                       int,
+                                                       btPersistentManifold**,
+                                                       int,
+                                                       btTypedConstraint**,
+                                                       int,
+                                                       const btContactSolverInfo& how,
+                                                       btIDebugDraw*) override;
 
 private:
+    bool push(const btSolverConstraint& row);
+
     std::vector<btPersistentManifold*> touching;
 };
 

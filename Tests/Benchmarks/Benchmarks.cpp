@@ -30,6 +30,7 @@ std::span<const NamedBenchmark> namedBenchmarks() {
         NamedBenchmark{"rings", "A hundred rings on a table: audio frames per second", benchRings},
         NamedBenchmark{"scale", "10, 100 and 1000 bodies under one budget", benchScale},
         NamedBenchmark{"scenes", "Motion of the factory scenes against real time", benchScenes},
+        NamedBenchmark{"render", "A rendered scene on two cores against one", benchRender},
         NamedBenchmark{"xylophone", "A song as a share of one core", benchXylophone},
         NamedBenchmark{"compression", "Modes and level error of the factory objects",
                        benchCompression}};

@@ -61,6 +61,8 @@ Result<BenchSection> benchRings(const BenchContent&);
 Result<BenchSection> benchScale(const BenchContent&);
 /// Compares the time to move the bodies of the factory scenes with real time.
 Result<BenchSection> benchScenes(const BenchContent&);
+/// Compares two cores with one for a rendered scene, in time and bits.
+Result<BenchSection> benchRender(const BenchContent&);
 /// Measures a song's share of one core.
 Result<BenchSection> benchXylophone(const BenchContent&);
 /// Compares modes and level before and after compression.

@@ -112,6 +112,18 @@ class Benchmarks(ConsoleTest):
                                     scene["motion_over_real_time"])
             self.assertGreater(scene["impacts"], 0)
 
+    def test_two_cores_render_the_samples_of_one(self):
+        document = self.bench("render")
+        figures = document["benchmarks"]["render"]
+        self.assertEqual(figures["differing_samples"], 0)
+        self.assertGreater(figures["samples"], 2 * 44100 * figures["seconds"])
+        one, two = figures["curves"]
+        self.assertAlmostEqual(two["mean_frames_per_second"] / one["mean_frames_per_second"],
+                               figures["two_cores_over_one"])
+        for curve in one, two:
+            seconds = curve["frame_seconds"] * len(curve["frames_per_second"])
+            self.assertAlmostEqual(seconds, figures["seconds"], delta=0.02)
+
     def test_the_song_benchmark_plays_the_xylophone(self):
         figures = self.bench("xylophone", "--song", SONG)["benchmarks"]["xylophone"]
         self.assertGreater(figures["strikes"], 100)

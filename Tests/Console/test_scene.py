@@ -119,6 +119,19 @@ class Scenes(ConsoleTest):
         file = self.scene()
         self.assertEqual(self.perform(file)[1].left, self.perform(file, name="again.wav")[1].left)
 
+    def test_the_number_of_threads_does_not_change_the_file(self):
+        for scene, seconds in ("A hundred rings", 1.4), ("Shells in a room", 1):
+            files = []
+            for threads in (1, 2, 5):
+                report, _ = self.perform(scene, "--threads", threads, "--seconds", seconds)
+                files.append((self.folder / "scene.wav").read_bytes())
+                self.assertGreater(report["impacts"], 0)
+            self.assertEqual(files[0], files[1])
+            self.assertEqual(files[0], files[2])
+        for threads in 0, 65, 1.5:
+            self.refuse("scene", scene, "-o", self.folder / "none.wav", "--threads", threads,
+                        naming="--threads")
+
     def test_modes_beyond_the_budget_are_counted(self):
         report, _ = self.perform(self.scene(), "--set", "budget=16")
         self.assertGreater(max(report["modes_dropped"]), 0)
