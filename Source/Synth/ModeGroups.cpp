@@ -111,7 +111,7 @@ void ModeGroups::takeOver(std::size_t groups) noexcept {
 }
 
 bool ModeGroups::inBand(std::size_t g) const noexcept {
-    return soundsAt(current.law.pole(groupEigenvalues[g]), sampleRate);
+    return soundsAt({.stiffness = current.law.stiffness(groupEigenvalues[g])}, sampleRate);
 }
 
 std::span<const std::uint8_t> ModeGroups::silences() const noexcept {
