@@ -35,6 +35,11 @@ CellRenderer::CellRenderer(const Instrument& played,
     strategy->layOut(remains, synth.slotCount());
 }
 
+void CellRenderer::prepare(const ParameterValues& values) {
+    synth.setSettings(synthesisSettings(values));
+    synth.settle();
+}
+
 void CellRenderer::turnMotor(const ParameterValues& values,
                              double beatsPerMinute,
                              std::optional<double> songTurns,

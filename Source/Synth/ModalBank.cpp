@@ -77,14 +77,15 @@ void ModalBank::movePoles(std::span<const double> referenceEigenvalues,
                           double highestHz,
                           std::span<const ModeDamping> dampings,
                           std::span<const std::uint8_t> silenced) noexcept {
+    const bool hadHeavy = modes.hadHeavy();
     modes.set(law, referenceEigenvalues, dampings);
-    for (std::size_t g = 0; g < size(); ++g) {
+    modes.update({lowestHz, highestHz}, silenced);
+    for (std::size_t g = 0; g < size() && (hadHeavy || modes.hadHeavy()); ++g) {
         const ModalPole former = modes.formerPole(g), moved = pole(g);
         if (energy[g] > 0 && isOscillating(moved) != isOscillating(former))
             for (std::size_t c = 0; c < channelCount; ++c)
                 states.set(g, c, stateOf(moved, motionOf(former, state(g, c))));
     }
-    modes.update({lowestHz, highestHz}, silenced);
     modes.heavy().measure(0, size(), states, channelCount, energy);
 }
 

@@ -56,15 +56,14 @@ void ModePoles::update(const AudibleBand& band, std::span<const std::uint8_t> si
     const PolesFound found = coefficientsOfPoles(coefficients, paddedSize(), secondsPerSample, band,
                                                  audibles.data(), resonancesHz.data());
     resonanceCount = found.resonances;
-    if (!std::ranges::is_sorted(resonances())) // a live thickness may change the order
-        std::ranges::sort(std::span(resonancesHz).first(resonanceCount));
     std::fill(audibles.begin() + static_cast<std::ptrdiff_t>(count), audibles.end(), 0.0f);
     for (std::size_t g = 0; g < silenced.size(); ++g)
         if (silenced[g] != 0)
             audibles[g] = 0;
     audibleModes = static_cast<std::size_t>(
         std::count(audibles.begin(), audibles.begin() + static_cast<std::ptrdiff_t>(count), 1.0f));
-    for (std::size_t g = 0; g < count && !found.allOscillate; ++g)
+    foundHeavy = !found.allOscillate;
+    for (std::size_t g = 0; g < count && foundHeavy; ++g)
         if (!isOscillating(pole(g))) {
             heavyModes.add(g, pole(g));
             coefficients.velocityShare[g] = 0;

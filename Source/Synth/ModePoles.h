@@ -30,8 +30,8 @@ public:
     }
     std::size_t audibleCount() const noexcept { return audibleModes; }
     const float* audibleWeights() const noexcept { return audibles.data(); } ///< 1 or 0
-    /// Frequencies of lightly damped modes within the band in Hz, ascending, silenced or not. A
-    /// contact time must keep clear of them.
+    /// Frequencies of lightly damped modes within the band in Hz, silenced or not. A contact time
+    /// must keep clear of them.
     std::span<const double> resonances() const noexcept {
         return std::span(resonancesHz).first(resonanceCount);
     }
@@ -42,6 +42,8 @@ public:
         return {coefficients.subBlockRe.data() + first, coefficients.subBlockIm.data() + first,
                 coefficients.cellRe.data() + first, coefficients.cellIm.data() + first};
     }
+    /// Returns whether the last `update` found heavy modes.
+    bool hadHeavy() const noexcept { return foundHeavy; }
     const HeavyModes& heavy() const noexcept { return heavyModes; }
     HeavyModes& heavy() noexcept { return heavyModes; }
 
@@ -83,6 +85,7 @@ private:
     std::size_t resonanceCount = 0;
     std::vector<char> isPrepared; ///< of every block
     HeavyModes heavyModes;
+    bool foundHeavy = false;
 };
 
 } // namespace idiophone
