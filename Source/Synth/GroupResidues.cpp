@@ -1,11 +1,33 @@
 #include "Synth/GroupResidues.h"
 
 #include "Synth/AllFinite.h"
+#include "Synth/PhasorKernel.h"
 #include "Synth/PointShapes.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace idiophone {
+
+namespace {
+
+/// RadiationTable::weightsAt, with SIMD between two ratios.
+void readWeights(const RadiationTable& table,
+                 std::size_t direction,
+                 double ratio,
+                 std::span<std::complex<float>> modeWeights) noexcept {
+    const auto& ratios = table.frequencyRatios;
+    const auto above = std::ranges::lower_bound(ratios, ratio);
+    if (above == ratios.begin() || above == ratios.end() || *above == ratio)
+        return table.weightsAt(direction, ratio, modeWeights);
+    const double below = *(above - 1);
+    const auto share = static_cast<float>(std::log(ratio / below) / std::log(*above / below));
+    const auto row = direction * ratios.size() + static_cast<std::size_t>(above - ratios.begin());
+    const auto* const to = table.weights.data() + row * modeWeights.size();
+    phasorsBetween(to - modeWeights.size(), to, share, modeWeights);
+}
+
+} // namespace
 
 GroupResidues::GroupResidues(const ModalObject& modalObject,
                              ModeGroups& ownGroups,
@@ -132,12 +154,12 @@ void GroupResidues::findRadiation(std::int32_t direction) noexcept {
     const RadiationTable& table = object.radiation;
     auto& [first, second] = weights;
     if (direction >= 0) {
-        table.weightsAt(static_cast<std::size_t>(direction), weightsRatio, first);
+        readWeights(table, static_cast<std::size_t>(direction), weightsRatio, first);
         second = first;
     } else {
-        table.weightsAt(0, weightsRatio, first);
-        table.weightsAt(std::min<std::size_t>(table.directions.size(), maximumChannels) - 1,
-                        weightsRatio, second);
+        readWeights(table, 0, weightsRatio, first);
+        readWeights(table, std::min<std::size_t>(table.directions.size(), maximumChannels) - 1,
+                    weightsRatio, second);
     }
     if (ofPairs)
         for (auto* channel : {&first, &second})
