@@ -35,8 +35,9 @@ CellRenderer::CellRenderer(const Instrument& played,
     strategy->layOut(remains, synth.slotCount());
 }
 
-void CellRenderer::prepare(const ParameterValues& values) {
+void CellRenderer::prepare(const ParameterValues& values, const KeyState& keys) {
     synth.setSettings(synthesisSettings(values));
+    updateDampers(values, keys);
     synth.settle();
 }
 

@@ -69,7 +69,7 @@ public:
 
     /// Returns whether modes may have to form other groups. A sounding object keeps its groups,
     /// with new poles, until `letRegroup`.
-    bool wantsToRegroup() const noexcept { return groups.areOutdated(); }
+    bool wantsToRegroup() const noexcept { return controlsChanged || groups.areOutdated(); }
     /// Lets the next `beginCell` group the modes anew. A strike on a silent object does so itself
     /// while `SynthesisScratch::modesToRegroup` lasts.
     void letRegroup() noexcept { mayRegroup = true; }

@@ -17,15 +17,17 @@ public:
     /// Gives every slot a turn in this cell and the next ones.
     void restart() noexcept { waiting = slots; }
 
-    /// Calls `visit(slot)`, which returns the number of modes that it regroups.
+    /// Calls `visit(slot)`, which returns the number of modes that it regroups, and returns their
+    /// sum.
     template <class Visit>
-    void give(Visit visit) noexcept {
+    std::size_t give(Visit visit) noexcept {
         std::size_t modes = 0;
         for (std::size_t k = 0; k < slotsPerCell && waiting > 0 && modes < modesPerCell; ++k) {
             modes += visit(next);
             next = (next + 1) % slots;
             --waiting;
         }
+        return modes;
     }
 
 private:

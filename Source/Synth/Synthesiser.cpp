@@ -76,9 +76,12 @@ void Synthesiser::setSettings(const SynthesisSettings& settings) noexcept {
 }
 
 void Synthesiser::settle() noexcept {
-    implementation->isSettled = true;
-    for (ModalResonator& object : implementation->objects)
-        object.settle(implementation->settings);
+    auto& all = *implementation;
+    all.isSettled = true;
+    all.settingsChanged = false;
+    for (ModalResonator& object : all.objects)
+        object.settle(all.settings);
+    all.slots->letAllSleep();
 }
 
 template <class Value>
@@ -99,7 +102,16 @@ void Synthesiser::setDamping(std::size_t slot, double dampingPerSecond) noexcept
 }
 
 void Synthesiser::setFrequencyRatio(std::size_t slot, double ratio) noexcept {
-    implementation->set(slot, &ModalResonator::setFrequencyRatio, ratio);
+    auto& all = *implementation;
+    if (slot >= slotCount())
+        return;
+    ModalResonator& object = all.objects[slot];
+    object.setFrequencyRatio(ratio);
+    if (!object.hasNewControls())
+        return;
+    all.turns->restart();
+    if (!object.silent()) // a silent object follows in its turn, or when it is struck
+        all.slots->wake(slot);
 }
 
 double Synthesiser::frequencyRatio(std::size_t slot) const noexcept {
@@ -140,7 +152,6 @@ void Synthesiser::mixInto(CellOf cellOf) noexcept {
         settle();
     if (all.settingsChanged)
         all.turns->restart();
-    all.scratch->modesToRegroup = RegroupTurns::modesPerCell;
     all.scratch->tubesNow = all.scratch->tubes.start;
     all.slots->beginCell(all.settings, std::exchange(all.settingsChanged, false));
     for (const std::int32_t number : all.slots->list()) {
@@ -149,7 +160,7 @@ void Synthesiser::mixInto(CellOf cellOf) noexcept {
     }
     all.scratch->tubesNow = all.scratch->tubes.end;
     all.slots->report();
-    all.turns->give([&all](std::size_t slot) -> std::size_t {
+    const std::size_t given = all.turns->give([&all](std::size_t slot) -> std::size_t {
         ModalResonator& object = all.objects[slot];
         if (!object.wantsToRegroup())
             return 0;
@@ -157,6 +168,8 @@ void Synthesiser::mixInto(CellOf cellOf) noexcept {
         all.slots->wake(slot);
         return object.modeCount();
     });
+    all.scratch->modesToRegroup =
+        std::int64_t{RegroupTurns::modesPerCell} - static_cast<std::int64_t>(given);
 }
 
 /// Lets an action on an existing slot take place in the current cell.
@@ -192,6 +205,8 @@ bool Synthesiser::applyForce(std::size_t slot,
                              const CellOutput& cell) noexcept {
     auto& all = *implementation;
     return slot < slotCount() && all.act(slot, [&](ModalResonator& object) {
+        if (object.silent())
+            object.catchUp(all.settings);
         return object.applyForce(force, all.slots->forceAllowance(slot), cell);
     });
 }
