@@ -18,9 +18,11 @@ double oneNorm(const Eigen::SparseMatrix<double>& lower) {
 
 } // namespace
 
-ShiftedFactor::ShiftedFactor(const VibrationModel& model, const WorkControl& control)
-    : model_(model), control_(control),
-      factor_(model.stiffness.cwiseAbs() + model.mass.cwiseAbs(), model.rowsPerVertex),
+ShiftedFactor::ShiftedFactor(const VibrationModel& model,
+                             const WorkControl& control,
+                             unsigned threads)
+    : model_(model), control_(control), threads_(threads),
+      factor_(model.stiffness.cwiseAbs() + model.mass.cwiseAbs(), model.rowsPerVertex, threads),
       norm_(oneNorm(model.stiffness) / model.mass.diagonal().minCoeff()) {}
 
 bool ShiftedFactor::factorise(double shift) {
