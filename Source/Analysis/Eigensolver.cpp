@@ -19,8 +19,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr Index denseUpTo = 400;      ///< rows; dense solves are faster below
-constexpr unsigned usefulThreads = 8; ///< more would wait for the memory and for the last fronts
+constexpr Index denseUpTo = 400; ///< rows; dense solves are faster below
 constexpr double workLimitBytes = 3e9;
 constexpr double countingShare = 0.05; ///< share of the counting phase in the progress
 /// A slice costs about three factorisations, and about 7 n products per mode for each mode in its
@@ -59,9 +58,8 @@ EigenBlock solveDense(const VibrationModel& model) {
 class BandSolver {
 public:
     BandSolver(const VibrationModel& model, const FrequencyBand& band, const WorkControl& control)
-        : model_(model), space_(model.mass),
-          factor_(model, control, std::min(threadsOrAll(band.threads), usefulThreads)), band_(band),
-          control_(control) {}
+        : model_(model), space_(model.mass), factor_(model, control, threadsOrAll(band.threads)),
+          band_(band), control_(control) {}
 
     EigenBlock solve();
     Index zeroModes() const { return zeroModes_; }

@@ -14,7 +14,7 @@ namespace idiophone {
 class ShiftedFactor {
 public:
     /// Keeps references to the model and to the control. Orders the matrices once for all shifts.
-    /// At most `threads` work, with the same result for any number.
+    /// At most `threads`, up to 8, work, with the same result for any number.
     ShiftedFactor(const VibrationModel& model, const WorkControl& control, unsigned threads = 1);
 
     /// Factorises at σ. If the pivots there are too small for accuracy, moves the shift away from
