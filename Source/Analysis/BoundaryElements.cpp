@@ -20,7 +20,7 @@ using Matrix = Eigen::Matrix<std::complex<float>, Eigen::Dynamic, Eigen::Dynamic
 
 /// A part of the velocity with less than this share of its energy is left out.
 constexpr double negligibleEnergy = 1e-10;
-constexpr Index rowsAtOnce = 32;
+constexpr Index rowsAtOnce = 96;
 
 /// The edge of equilateral triangles with the same number and area. With a much larger edge, the
 /// errors of N would dominate K at low frequencies, because N converges slowest.
@@ -40,12 +40,13 @@ std::vector<int> targetsOf(const SharedUnknowns& unknowns, const SurfaceOrbits& 
 
 /// The part of the solution that transforms by one character of the symmetry.
 struct BoundaryElements::CharacterSystem {
-    Eigen::RowVectorXcd character; ///< [G]
-    std::vector<Index> modes;      ///< indices of the velocities that contain this part
-    std::vector<bool> isSilent;    ///< [orbits] where this part is zero by symmetry
-    Eigen::MatrixXcd slopes;       ///< [orbits×modes] q
-    Matrix matrix;                 ///< [n×n]
-    Eigen::MatrixXcd rightSide;    ///< [n×modes]
+    Eigen::RowVectorXcd character;  ///< [G]
+    std::vector<Index> modes;       ///< indices of the velocities that contain this part
+    std::vector<bool> isSilent;     ///< [orbits] where this part is zero by symmetry
+    Eigen::MatrixXd realParts;      ///< [orbits×modes] of the velocity
+    Eigen::MatrixXd imaginaryParts; ///< [orbits×modes], or empty if the character is real
+    Matrix matrix;                  ///< [n×n]
+    Eigen::MatrixXcd rightSide;     ///< [n×modes]
 };
 
 BoundaryElements::BoundaryElements(const Mesh& surface,
@@ -79,31 +80,36 @@ std::vector<bool> BoundaryElements::silentOrbits(const Eigen::RowVectorXcd& char
 }
 
 std::vector<BoundaryElements::CharacterSystem>
-BoundaryElements::systemsFor(const Eigen::MatrixXd& normalVelocities, double waveNumber) const {
+BoundaryElements::systemsFor(const Eigen::MatrixXd& normalVelocities) const {
     const Index order = symmetryOrder(), modes = normalVelocities.cols();
-    const Complex slopeOfVelocity(0, -waveNumber * airImpedancePaSPerM);
     const Eigen::RowVectorXd energies = normalVelocities.colwise().squaredNorm();
     std::vector<CharacterSystem> systems;
     for (Index row = 0; row < order; ++row) {
         CharacterSystem system;
         system.character = symmetry_.characters.row(row);
-        Eigen::MatrixXcd parts = Eigen::MatrixXcd::Zero(orbitCount(), modes);
+        const bool isReal = system.character.imag().cwiseAbs().maxCoeff() < 1e-12;
+        Eigen::MatrixXd real = Eigen::MatrixXd::Zero(orbitCount(), modes);
+        Eigen::MatrixXd imaginary = Eigen::MatrixXd::Zero(isReal ? 0 : orbitCount(), modes);
         for (Index element = 0; element < order; ++element) {
             const auto& images = symmetry_.images[element];
             const Complex share = std::conj(system.character(element)) / static_cast<double>(order);
             for (Index orbit = 0; orbit < orbitCount(); ++orbit) {
-                const int first = orbits_.firsts[orbit];
-                parts.row(orbit) += share * normalVelocities.row(images[first]);
+                const int image = images[orbits_.firsts[orbit]];
+                real.row(orbit) += share.real() * normalVelocities.row(image);
+                if (!isReal)
+                    imaginary.row(orbit) += share.imag() * normalVelocities.row(image);
             }
         }
         for (Index mode = 0; mode < modes; ++mode)
-            if (static_cast<double>(order) * parts.col(mode).squaredNorm() >
+            if (static_cast<double>(order) *
+                    (real.col(mode).squaredNorm() + imaginary.col(mode).squaredNorm()) >
                 negligibleEnergy * energies(mode))
                 system.modes.push_back(mode);
         if (system.modes.empty())
             continue;
         system.isSilent = silentOrbits(system.character);
-        system.slopes = slopeOfVelocity * parts(Eigen::all, system.modes);
+        system.realParts = real(Eigen::all, system.modes);
+        system.imaginaryParts = imaginary(Eigen::all, system.modes);
         system.matrix = Matrix::Zero(unknownCount(), unknownCount());
         system.rightSide = Eigen::MatrixXcd::Zero(unknownCount(), system.modes.size());
         systems.push_back(std::move(system));
@@ -115,7 +121,7 @@ Result<void> BoundaryElements::assemble(double waveNumber,
                                         std::vector<CharacterSystem>& systems,
                                         const WorkControl& control) const {
     const double coupling = std::min(1 / waveNumber, largestCouplingMetres_);
-    const Complex beta(0, -coupling);
+    const Complex beta(0, -coupling), slopeOfVelocity(0, -waveNumber * airImpedancePaSPerM);
     const auto count = static_cast<Index>(systems.size());
     Eigen::MatrixXcd characters(symmetryOrder(), count);
     for (Index s = 0; s < count; ++s)
@@ -130,8 +136,13 @@ Result<void> BoundaryElements::assemble(double waveNumber,
             return cancellation();
         const auto rows = std::span(unknowns_.collocations)
                               .subspan(first, std::min(rowsAtOnce, equations - first));
+        // The equations of an unknown follow each other, and their sources are summed.
+        std::vector<Index> unknowns;
         for (std::size_t r = 0; r < rows.size(); ++r) {
             const auto [target, share] = rows[r];
+            const bool isNew = unknowns.empty() || unknowns.back() != unknownOf(target);
+            if (isNew)
+                unknowns.push_back(unknownOf(target));
             rows_.fill(static_cast<std::size_t>(first) + r, waveNumber, coupling, row);
             const Eigen::MatrixXcd ofPressure =
                 share * (arranged(row.pressureReal) * characters +
@@ -141,8 +152,9 @@ Result<void> BoundaryElements::assemble(double waveNumber,
                          Complex(0, 1) * (arranged(row.slopeImaginary) * characters));
             for (Index s = 0; s < count; ++s) {
                 auto& system = systems[s];
-                auto source = slopes[s].row(r);
-                source.setZero();
+                auto source = slopes[s].row(std::ssize(unknowns) - 1);
+                if (isNew)
+                    source.setZero();
                 if (system.isSilent[target])
                     continue;
                 auto equation = system.matrix.row(unknownOf(target));
@@ -150,15 +162,18 @@ Result<void> BoundaryElements::assemble(double waveNumber,
                     if (!system.isSilent[orbit])
                         equation(unknownOf(orbit)) += Matrix::Scalar(ofPressure(orbit, s));
                 equation(unknownOf(target)) += static_cast<float>(share / 2);
-                source = ofSlope.col(s).transpose();
+                source += ofSlope.col(s).transpose();
                 source(target) -= share * beta / 2.0;
             }
         }
         for (Index s = 0; s < count; ++s) {
             auto& system = systems[s];
-            const Eigen::MatrixXcd sources = slopes[s].topRows(std::ssize(rows)) * system.slopes;
-            for (std::size_t r = 0; r < rows.size(); ++r)
-                system.rightSide.row(unknownOf(rows[r].orbit)) += sources.row(r);
+            const auto used = slopes[s].topRows(std::ssize(unknowns));
+            Eigen::MatrixXcd sources = used * system.realParts;
+            if (system.imaginaryParts.size() > 0)
+                sources += Complex(0, 1) * (used * system.imaginaryParts);
+            for (std::size_t u = 0; u < unknowns.size(); ++u)
+                system.rightSide.row(unknowns[u]) += slopeOfVelocity * sources.row(u);
         }
     }
     // Unknowns without an equation become 0.
@@ -172,7 +187,7 @@ Result<void> BoundaryElements::assemble(double waveNumber,
 Result<Eigen::MatrixXcd> BoundaryElements::surfacePressures(double waveNumber,
                                                             const Eigen::MatrixXd& normalVelocities,
                                                             const WorkControl& control) const {
-    auto systems = systemsFor(normalVelocities, waveNumber);
+    auto systems = systemsFor(normalVelocities);
     if (const auto assembled = assemble(waveNumber, systems, control); !assembled)
         return tl::unexpected(assembled.error());
     Eigen::MatrixXcd pressures = Eigen::MatrixXcd::Zero(faceCount(), normalVelocities.cols());

@@ -85,8 +85,7 @@ private:
     Eigen::MatrixXd cosines(const Eigen::MatrixXd& directions) const;
     /// [orbits] true where a field with this character is zero by symmetry.
     std::vector<bool> silentOrbits(const Eigen::RowVectorXcd& character) const;
-    std::vector<CharacterSystem> systemsFor(const Eigen::MatrixXd& normalVelocities,
-                                            double waveNumber) const;
+    std::vector<CharacterSystem> systemsFor(const Eigen::MatrixXd& normalVelocities) const;
     Result<void> assemble(double waveNumber,
                           std::vector<CharacterSystem>& systems,
                           const WorkControl& control) const;

@@ -21,7 +21,8 @@ struct DenseProduct {
     Index cRow;
 };
 
-/// Adds the product with the best code for this processor, always the same.
+/// Adds the product with the best code for this processor, always the same. AVX2 and AVX-512 give
+/// the same bits.
 void addProduct(const DenseProduct& product);
 
 } // namespace idiophone

@@ -10,7 +10,7 @@
 namespace idiophone::kernels {
 
 using Index = DenseProduct::Index;
-using Packet = Eigen::internal::find_best_packet<double, 4>::type;
+using Packet = Eigen::internal::find_best_packet<double, 8>::type;
 constexpr int packetSize = Eigen::internal::unpacket_traits<Packet>::size;
 constexpr int tileSums = 8; ///< packets: many hide the latency of sums, few fit the registers
 
@@ -66,8 +66,9 @@ inline void addProduct(const DenseProduct& o) {
     Index column = 0;
     for (; column + 8 <= o.columns; column += 8)
         columnTile<8 / packetSize>(o, column);
-    for (; column + 4 <= o.columns; column += 4)
-        columnTile<4 / packetSize>(o, column);
+    if constexpr (packetSize <= 4)
+        for (; column + 4 <= o.columns; column += 4)
+            columnTile<4 / packetSize>(o, column);
     for (; column < o.columns; ++column)
         singleColumn(o, column);
 }

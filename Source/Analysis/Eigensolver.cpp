@@ -2,6 +2,7 @@
 
 #include "Analysis/BlockLanczos.h"
 #include "Analysis/MassSpace.h"
+#include "Analysis/Parallel.h"
 #include "Analysis/ShiftedFactor.h"
 
 #include <Eigen/Eigenvalues>
@@ -57,8 +58,8 @@ EigenBlock solveDense(const VibrationModel& model) {
 class BandSolver {
 public:
     BandSolver(const VibrationModel& model, const FrequencyBand& band, const WorkControl& control)
-        : model_(model), space_(model.mass), factor_(model, control), band_(band),
-          control_(control) {}
+        : model_(model), space_(model.mass), factor_(model, control, threadsOrAll(band.threads)),
+          band_(band), control_(control) {}
 
     EigenBlock solve();
     Index zeroModes() const { return zeroModes_; }

@@ -13,6 +13,7 @@ struct FrequencyBand {
     double lowestHz = lowestAnalysedHz;
     double highestHz = highestAnalysedHz;
     Eigen::Index maximumModes = maximumAnalysedModes; ///< more than this in the band is an error
+    unsigned threads = 0; ///< maximum, with the same result for any; 0: the machine's, up to 8
 };
 
 /// M modes of n degrees of freedom.

@@ -1,5 +1,7 @@
 #include "Analysis/EliminationTree.h"
 
+#include "Analysis/NestedDissection.h"
+
 #include <Eigen/OrderingMethods>
 #include <algorithm>
 #include <iterator>
@@ -9,6 +11,9 @@ namespace idiophone {
 namespace {
 
 using Pattern = Eigen::SparseMatrix<double>;
+
+constexpr Eigen::Index minimumDegreeUpTo =
+    6000; ///< unknowns; nested dissection gains nothing below
 
 std::vector<int> inverse(const std::vector<int>& order) {
     std::vector<int> place(order.size());
@@ -140,7 +145,8 @@ EliminationTree eliminationTree(const Eigen::SparseMatrix<double>& places, int b
     const Pattern transposed = places.transpose();
     const Pattern symmetric = places.cwiseAbs() + transposed.cwiseAbs();
     EliminationTree tree;
-    tree.original = minimumDegreeOrder(symmetric);
+    tree.original = symmetric.cols() > minimumDegreeUpTo ? nestedDissectionOrder(symmetric)
+                                                         : minimumDegreeOrder(symmetric);
     std::vector<int> ordered;
     for (const int i : postorder(parents(symmetric, tree.original)))
         ordered.push_back(tree.original[i]);

@@ -21,9 +21,10 @@ struct EliminationTree {
     std::vector<Supernode> supernodes; ///< children before parents
 };
 
-/// Orders a symmetric matrix by approximate minimum degree. `places` [n×n] has an entry wherever
-/// the matrix has one, in either triangle and on the diagonal. `blockSize` is the number of matrix
-/// rows per unknown. Supernodes of wide unknowns merge less readily.
+/// Orders a symmetric matrix by approximate minimum degree, a large one by nested dissection.
+/// `places` [n×n] has an entry wherever the matrix has one, in either triangle and on the diagonal.
+/// `blockSize` is the number of matrix rows per unknown. Supernodes of wide unknowns merge less
+/// readily.
 EliminationTree eliminationTree(const Eigen::SparseMatrix<double>& places, int blockSize);
 
 } // namespace idiophone

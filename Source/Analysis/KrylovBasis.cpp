@@ -1,6 +1,7 @@
 #include "Analysis/KrylovBasis.h"
 
 #include "Analysis/DenseKernels.h"
+#include "Analysis/Parallel.h"
 
 #include <algorithm>
 
@@ -10,11 +11,18 @@ namespace {
 using Eigen::Index;
 
 constexpr Index stripRows = 128; ///< rows of all blocks per step; the other operand stays cached
+constexpr Index chunkRows = 32 * stripRows; ///< a task of a thread
 
+/// Calls `step(chunk, row, rows)` for each strip of each chunk of rows.
 template <class Step>
-void forStrips(Index rows, const Step& step) {
-    for (Index row = 0; row < rows; row += stripRows)
-        step(row, std::min(stripRows, rows - row));
+void forStrips(Index rows, unsigned threads, const Step& step) {
+    inParallel(static_cast<std::size_t>((rows + chunkRows - 1) / chunkRows), threads,
+               [&](std::size_t chunk, unsigned) {
+                   const Index first = static_cast<Index>(chunk) * chunkRows;
+                   const Index end = std::min(rows, first + chunkRows);
+                   for (Index row = first; row < end; row += stripRows)
+                       step(chunk, row, std::min(stripRows, end - row));
+               });
 }
 
 } // namespace
@@ -26,9 +34,12 @@ void KrylovBasis::append(Vectors block) {
 
 void KrylovBasis::projectOut(const Vectors& image, Vectors& block) const {
     const Index w = block.cols();
-    Vectors shares = Vectors::Zero(size_, w);
-    forStrips(block.rows(), [&](Index row, Index rows) {
-        double* share = shares.data();
+    std::vector<Vectors> ofChunks(
+        static_cast<std::size_t>((block.rows() + chunkRows - 1) / chunkRows));
+    forStrips(block.rows(), threads_, [&](std::size_t chunk, Index row, Index rows) {
+        if (ofChunks[chunk].size() == 0)
+            ofChunks[chunk].setZero(size_, w);
+        double* share = ofChunks[chunk].data();
         for (const auto& own : blocks_) {
             const Index m = own.cols();
             addProduct(
@@ -36,6 +47,9 @@ void KrylovBasis::projectOut(const Vectors& image, Vectors& block) const {
             share += m * w;
         }
     });
+    Vectors shares = Vectors::Zero(size_, w);
+    for (const Vectors& own : ofChunks)
+        shares += own;
     addTo(block, -1, shares);
 }
 
@@ -47,7 +61,7 @@ Vectors KrylovBasis::combinations(const Vectors& coefficients) const {
 
 void KrylovBasis::addTo(Vectors& sums, double factor, const Vectors& coefficients) const {
     const Index w = sums.cols();
-    forStrips(sums.rows(), [&](Index row, Index rows) {
+    forStrips(sums.rows(), threads_, [&](std::size_t, Index row, Index rows) {
         const double* coefficient = coefficients.data();
         for (const auto& own : blocks_) {
             const Index m = own.cols();

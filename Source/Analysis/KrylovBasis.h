@@ -10,6 +10,9 @@ namespace idiophone {
 /// M-orthonormal blocks of vectors [n×w]. Each has its own memory, so that appending moves none.
 class KrylovBasis {
 public:
+    /// At most `threads` work, with the same result for any number.
+    explicit KrylovBasis(unsigned threads = 1) : threads_(threads) {}
+
     Eigen::Index size() const { return size_; } ///< in vectors
     const Vectors& last() const { return blocks_.back(); }
 
@@ -25,6 +28,7 @@ public:
 private:
     void addTo(Vectors& sums, double factor, const Vectors& coefficients) const;
 
+    unsigned threads_;
     std::vector<Vectors> blocks_;
     Eigen::Index size_ = 0;
 };

@@ -3,6 +3,7 @@
 #include "Analysis/Air.h"
 #include "Analysis/BoundaryElements.h"
 #include "Analysis/ClosedSurface.h"
+#include "Analysis/Parallel.h"
 #include "Analysis/RadiationTasks.h"
 
 #include <algorithm>
@@ -12,7 +13,6 @@
 #include <iterator>
 #include <numbers>
 #include <span>
-#include <thread>
 #include <utility>
 
 namespace idiophone {
@@ -132,20 +132,16 @@ Result<void> solveAll(std::vector<RadiationTask>& tasks,
                       const Hearing& hearing,
                       unsigned threads,
                       const WorkControl& control) {
-    std::atomic<std::size_t> next = 0, done = 0;
-    const auto work = [&](const WorkControl& own) {
-        for (std::size_t task = next++; task < tasks.size() && !own.isCancelled(); task = next++) {
-            solve(tasks[task], hearing, own);
-            own.report(static_cast<double>(++done) / static_cast<double>(tasks.size()),
-                       "Computing radiation");
-        }
-    };
-    {
-        std::vector<std::jthread> others;
-        for (unsigned thread = 1; thread < threads && thread < tasks.size(); ++thread)
-            others.emplace_back([&] { work(control.quiet()); });
-        work(control);
-    }
+    std::atomic<std::size_t> done = 0;
+    const WorkControl quiet = control.quiet();
+    inParallel(tasks.size(), threads, [&](std::size_t task, unsigned worker) {
+        if (control.isCancelled())
+            return;
+        const WorkControl& own = worker == 0 ? control : quiet;
+        solve(tasks[task], hearing, own);
+        own.report(static_cast<double>(++done) / static_cast<double>(tasks.size()),
+                   "Computing radiation");
+    });
     if (control.isCancelled())
         return cancellation();
     return {};
@@ -163,7 +159,7 @@ unsigned threadsFor(const BoundaryElements& elements, unsigned threads) {
     const auto unknowns = static_cast<double>(elements.unknownCount());
     const double bytes = 8 * unknowns * unknowns * static_cast<double>(elements.symmetryOrder());
     const auto most = static_cast<unsigned>(std::clamp(maximumMatrixBytes / bytes, 1.0, 1024.0));
-    return std::clamp(threads == 0 ? std::thread::hardware_concurrency() : threads, 1U, most);
+    return std::min(threadsOrAll(threads), most);
 }
 
 } // namespace

@@ -1,9 +1,12 @@
 #include "Analysis/ShiftedFactor.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace idiophone {
 namespace {
+
+constexpr unsigned usefulThreads = 8; ///< more would wait for the memory and for the last fronts
 
 double oneNorm(const Eigen::SparseMatrix<double>& lower) {
     Eigen::VectorXd sums = Eigen::VectorXd::Zero(lower.cols());
@@ -18,9 +21,11 @@ double oneNorm(const Eigen::SparseMatrix<double>& lower) {
 
 } // namespace
 
-ShiftedFactor::ShiftedFactor(const VibrationModel& model, const WorkControl& control)
-    : model_(model), control_(control),
-      factor_(model.stiffness.cwiseAbs() + model.mass.cwiseAbs(), model.rowsPerVertex),
+ShiftedFactor::ShiftedFactor(const VibrationModel& model,
+                             const WorkControl& control,
+                             unsigned threads)
+    : model_(model), control_(control), threads_(std::min(threads, usefulThreads)),
+      factor_(model.stiffness.cwiseAbs() + model.mass.cwiseAbs(), model.rowsPerVertex, threads_),
       norm_(oneNorm(model.stiffness) / model.mass.diagonal().minCoeff()) {}
 
 bool ShiftedFactor::factorise(double shift) {

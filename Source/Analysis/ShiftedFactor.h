@@ -14,13 +14,15 @@ namespace idiophone {
 class ShiftedFactor {
 public:
     /// Keeps references to the model and to the control. Orders the matrices once for all shifts.
-    ShiftedFactor(const VibrationModel& model, const WorkControl& control);
+    /// At most `threads`, up to 8, work, with the same result for any number.
+    ShiftedFactor(const VibrationModel& model, const WorkControl& control, unsigned threads = 1);
 
     /// Factorises at σ. If the pivots there are too small for accuracy, moves the shift away from
     /// zero, by at most about 1 %. Does nothing if σ is unchanged. Returns false if that fails or
     /// if cancelled. Not thread-safe.
     bool factorise(double shift);
 
+    unsigned threads() const { return threads_; }
     double shift() const { return shift_; }
     /// An upper bound on the order of magnitude of the stiffest eigenvalue: ‖K‖₁ over the minimum
     /// diagonal mass.
@@ -43,6 +45,7 @@ private:
 
     const VibrationModel& model_;
     const WorkControl& control_;
+    unsigned threads_;
     SupernodalLdlt factor_;
     double shift_ = 0, asked_ = 0;
     bool isDone_ = false;

@@ -98,8 +98,10 @@ Result<BodyModel>
 solidBody(const Mesh& surface, const SolidBodySettings& settings, const WorkControl& control) {
     const MeshCheck check = checkMesh(surface, control.cancelled);
     const double wall = check.meanThicknessMetres;
-    const double wanted = targetEdgeMetres(settings.law, settings.material.densityKgPerM3,
-                                           settings.maxFrequencyHz, wall);
+    // A narrower band would get elements as long as its waves, which bend well but twist stiffly.
+    const double wanted =
+        targetEdgeMetres(settings.law, settings.material.densityKgPerM3,
+                         std::max(settings.maxFrequencyHz, highestAnalysedHz), wall);
     const double edge = std::max(wanted, budgetEdgeMetres(check, settings.elementBudget));
     const double given = meanEdgeLengthMetres(surface);
     BodyModel body;

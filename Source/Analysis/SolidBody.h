@@ -14,13 +14,15 @@ struct SolidBodySettings {
     Material material;
     ElasticLaw law; ///< of the material, in the body's axes
     double maxFrequencyHz = highestAnalysedHz;
-    int elementBudget = 8000; ///< approximate; wider bands get coarser tetrahedra
+    int elementBudget = 8000; ///< approximate; large bodies get coarser tetrahedra
 };
 
-/// Remeshes the surface if its triangles are much coarser or finer than the elements need. Edges
-/// over 40° are kept. The band ends where three elements span the shortest wavelength.
-/// Precondition: `surface` is as repairMesh leaves it, and its MeshCheck says that it is solid.
-/// Errors, each one sentence: those of remesh and tetrahedralise, `cancelledMessage`.
+/// The elements suit the default band at least, within the budget, so that the ten lowest modes of
+/// bars and plates are within 0.5 % of converged ones in any band. Remeshes the surface if
+/// its triangles are much coarser or finer than the elements need. Edges over 40° are kept. The
+/// band ends where three elements span the shortest wavelength. Precondition: `surface` is as
+/// repairMesh leaves it, and its MeshCheck says that it is solid. Errors, each one sentence: those
+/// of remesh and tetrahedralise, `cancelledMessage`.
 Result<BodyModel>
 solidBody(const Mesh& surface, const SolidBodySettings& settings, const WorkControl& control = {});
 

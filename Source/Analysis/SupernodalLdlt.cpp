@@ -1,10 +1,12 @@
 #include "Analysis/SupernodalLdlt.h"
 
 #include "Analysis/DenseKernels.h"
+#include "Analysis/Parallel.h"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 
 namespace idiophone {
@@ -13,9 +15,10 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 
-constexpr Index panelColumns = 48;    ///< eliminated before the rest of a front is updated
-constexpr Index solvedTogether = 8;   ///< maximum number of right-hand sides
-constexpr Index streamsTogether = 16; ///< columns of L read together, as prefetching allows
+constexpr Index panelColumns = 48;       ///< eliminated before the rest of a front is updated
+constexpr Index solvedTogether = 8;      ///< maximum number of right-hand sides
+constexpr Index streamsTogether = 16;    ///< columns of L read together, as prefetching allows
+constexpr double entriesPerThread = 3e5; ///< of L; a thread takes as long to start as to read them
 
 /// Returns a matrix with an entry for each block that has one.
 Eigen::SparseMatrix<double> blockPlaces(const Eigen::SparseMatrix<double>& lower, int blockSize) {
@@ -31,23 +34,25 @@ Eigen::SparseMatrix<double> blockPlaces(const Eigen::SparseMatrix<double>& lower
     return places;
 }
 
-/// C −= A Bᵀ in the lower triangle of C and a little above it.
-void subtractProduct(Eigen::Ref<MatrixXd> c,
-                     const Eigen::Ref<const MatrixXd>& a,
-                     const Eigen::Ref<const MatrixXd>& b) {
-    constexpr Index strip = 16;
-    for (Index j = 0; j < c.cols(); j += strip)
-        addProduct({std::min(strip, c.cols() - j), c.rows() - j, a.cols(), -1, b.data() + j, 1,
-                    b.outerStride(), a.data() + j, a.outerStride(), &c(j, j), c.outerStride()});
+unsigned threadsFor(Index entries, unsigned threads) {
+    return static_cast<double>(entries) < 2 * entriesPerThread ? 1 : threads;
 }
 
 } // namespace
 
-SupernodalLdlt::SupernodalLdlt(const Eigen::SparseMatrix<double>& lower, int blockSize)
-    : blockSize_(blockSize), tree_(eliminationTree(blockPlaces(lower, blockSize), blockSize)),
-      order_(lower.rows()), columns_(tree_.supernodes.size()), updates_(tree_.supernodes.size()),
-      placeInFront_(tree_.original.size(), -1), axes_(blockSize, lower.rows()),
-      pivots_(blockSize, lower.rows() / blockSize) {
+struct SupernodalLdlt::Progress {
+    FrontalMatrices fronts;
+    std::atomic<Index> negativePivots = 0;
+    std::atomic<LdltOutcome> outcome = LdltOutcome::done;
+};
+
+SupernodalLdlt::SupernodalLdlt(const Eigen::SparseMatrix<double>& lower,
+                               int blockSize,
+                               unsigned threads)
+    : blockSize_(blockSize), threads_(threads),
+      tree_(eliminationTree(blockPlaces(lower, blockSize), blockSize)),
+      parts_(treeParts(tree_, blockSize)), order_(lower.rows()), columns_(tree_.supernodes.size()),
+      axes_(blockSize, lower.rows()), pivots_(blockSize, lower.rows() / blockSize) {
     for (Index row = 0; row < lower.rows(); ++row)
         order_.indices()(row) =
             tree_.place[row / blockSize] * blockSize + static_cast<int>(row % blockSize);
@@ -55,69 +60,76 @@ SupernodalLdlt::SupernodalLdlt(const Eigen::SparseMatrix<double>& lower, int blo
 
 LdltOutcome SupernodalLdlt::factorise(const Eigen::SparseMatrix<double>& lower,
                                       const std::function<bool()>& stop) {
-    negativePivots_ = 0;
     Eigen::SparseMatrix<double> permuted(lower.rows(), lower.cols());
     permuted.selfadjointView<Eigen::Lower>() =
         lower.selfadjointView<Eigen::Lower>().twistedBy(order_);
-    std::ranges::fill(updates_, MatrixXd());
-    MatrixXd front;
-    for (std::size_t s = 0; s < tree_.supernodes.size(); ++s) {
-        const auto& node = tree_.supernodes[s];
-        const Index wide = Index{node.width} * blockSize_;
-        const Index size = wide + static_cast<Index>(node.below.size()) * blockSize_;
-        front.setZero(size, size);
-        assemble(node, permuted, front);
-        const Index panel = panelColumns / blockSize_ * blockSize_;
-        for (Index column = 0; column < wide; column += panel) {
-            if (stop())
-                return LdltOutcome::stopped;
-            const Index width = std::min(panel, wide - column);
-            if (!eliminate(node.first * blockSize_ + column,
-                           front.bottomRightCorner(size - column, size - column), width))
-                return LdltOutcome::singular;
-        }
-        columns_[s] = front.leftCols(wide);
-        for (Index row = 0; row < wide; row += blockSize_) {
-            auto before = columns_[s].block(row, 0, blockSize_, row);
-            before =
-                (axes_.middleCols(node.first * blockSize_ + row, blockSize_).transpose() * before)
-                    .eval();
-        }
-        updates_[s] = front.bottomRightCorner(size - wide, size - wide);
+    Progress progress{.fronts = {tree_, blockSize_, permuted}};
+    const std::function<bool()> never = [] { return false; };
+    {
+        std::vector<FrontalMatrices::Workspace> workspaces(threads_);
+        inParallel(parts_.parts.size(), threads_, [&](std::size_t part, unsigned worker) {
+            auto& work = workspaces[worker];
+            const auto [first, root] = parts_.parts[part];
+            for (std::size_t s = first; s <= root; ++s) {
+                auto front = progress.fronts.assemble(s, work);
+                if (!eliminateFront(s, front, 1, progress, worker == 0 ? stop : never))
+                    return;
+                progress.fronts.push(s, front, work);
+            }
+            progress.fronts.keepRoot(root, work);
+        });
     }
-    return LdltOutcome::done;
+    FrontalMatrices::Workspace work;
+    for (const std::size_t s : parts_.above) {
+        if (progress.outcome != LdltOutcome::done)
+            break;
+        auto front = progress.fronts.assemble(s, work);
+        if (eliminateFront(s, front, threads_, progress, stop))
+            progress.fronts.keep(s, front);
+    }
+    negativePivots_ = progress.negativePivots;
+    return progress.outcome;
 }
 
-void SupernodalLdlt::assemble(const Supernode& node,
-                              const Eigen::SparseMatrix<double>& permuted,
-                              MatrixXd& front) {
-    const int b = blockSize_;
-    for (int i = 0; i < node.width; ++i)
-        placeInFront_[node.first + i] = i * b;
-    for (int i = 0; i < static_cast<int>(node.below.size()); ++i)
-        placeInFront_[node.below[i]] = (node.width + i) * b;
-    for (Index column = 0; column < Index{node.width} * b; ++column)
-        for (Eigen::SparseMatrix<double>::InnerIterator e(permuted, node.first * b + column); e;
-             ++e)
-            front(placeInFront_[e.row() / b] + e.row() % b, column) = e.value();
-    for (const int child : node.children) {
-        const auto& rows = tree_.supernodes[child].below;
-        const auto blocks = static_cast<Index>(rows.size());
-        for (Index j = 0; j < blocks; ++j)
-            for (Index i = j; i < blocks; ++i)
-                front.block(placeInFront_[rows[i]], placeInFront_[rows[j]], b, b) +=
-                    updates_[child].block(i * b, j * b, b, b);
-        updates_[child] = MatrixXd();
+/// Eliminates a supernode's columns and keeps them. Returns false if the factorisation has ended.
+bool SupernodalLdlt::eliminateFront(std::size_t s,
+                                    FrontalMatrices::Front& front,
+                                    unsigned threads,
+                                    Progress& progress,
+                                    const std::function<bool()>& stop) {
+    const auto& node = tree_.supernodes[s];
+    const Index wide = Index{node.width} * blockSize_, size = front.rows();
+    const Index panel = panelColumns / blockSize_ * blockSize_;
+    for (Index column = 0; column < wide; column += panel) {
+        if (stop())
+            progress.outcome = LdltOutcome::stopped;
+        if (progress.outcome != LdltOutcome::done)
+            return false;
+        const Index width = std::min(panel, wide - column);
+        if (!eliminate(node.first * blockSize_ + column,
+                       front.bottomRightCorner(size - column, size - column), width, threads,
+                       progress)) {
+            progress.outcome = LdltOutcome::singular;
+            return false;
+        }
     }
+    columns_[s] = front.leftCols(wide);
+    for (Index row = 0; row < wide; row += blockSize_) {
+        auto before = columns_[s].block(row, 0, blockSize_, row);
+        before = (axes_.middleCols(node.first * blockSize_ + row, blockSize_).transpose() * before)
+                     .eval();
+    }
+    return true;
 }
 
 /// Eliminates the first `width` columns of the rest of a front, whose rows start at `first`.
-bool SupernodalLdlt::eliminate(Index first, Eigen::Ref<MatrixXd> left, Index width) {
+bool SupernodalLdlt::eliminate(
+    Index first, Eigen::Ref<MatrixXd> left, Index width, unsigned threads, Progress& progress) {
     const Index b = blockSize_, size = left.rows();
     MatrixXd unscaled(size, width); // L D; L stays in `left`
     for (Index j = 0; j < width; j += b) {
         const Index rest = size - j - b;
-        if (!diagonalisePivot(first + j, left.block(j, j, b, b)))
+        if (!diagonalisePivot(first + j, left.block(j, j, b, b), progress))
             return false;
         auto column = unscaled.block(j + b, j, rest, b);
         column.noalias() =
@@ -131,16 +143,16 @@ bool SupernodalLdlt::eliminate(Index first, Eigen::Ref<MatrixXd> left, Index wid
     }
     const Index rest = size - width;
     subtractProduct(left.bottomRightCorner(rest, rest), left.bottomLeftCorner(rest, width),
-                    unscaled.bottomRows(rest));
+                    unscaled.bottomRows(rest), threads);
     return true;
 }
 
-bool SupernodalLdlt::diagonalisePivot(Index first, const Block& pivot) {
+bool SupernodalLdlt::diagonalisePivot(Index first, const Block& pivot, Progress& progress) {
     const Eigen::SelfAdjointEigenSolver<Block> eigen(pivot); // reads the lower triangle
     const auto& values = eigen.eigenvalues();
     if (!values.allFinite() || (values.array() == 0).any())
         return false;
-    negativePivots_ += (values.array() < 0).count();
+    progress.negativePivots += (values.array() < 0).count();
     axes_.middleCols(first, blockSize_) = eigen.eigenvectors();
     pivots_.col(first / blockSize_) = values;
     return true;
@@ -149,10 +161,8 @@ bool SupernodalLdlt::diagonalisePivot(Index first, const Block& pivot) {
 double SupernodalLdlt::products() const {
     double sum = 0;
     for (const auto& node : tree_.supernodes)
-        for (int i = 0; i < node.width; ++i)
-            sum += std::pow(
-                static_cast<double>(node.width - i) + static_cast<double>(node.below.size()), 2);
-    return sum * std::pow(blockSize_, 3) / 2;
+        sum += productsOf(node);
+    return sum * std::pow(blockSize_, 3);
 }
 
 double SupernodalLdlt::entries() const {
@@ -178,19 +188,62 @@ void SupernodalLdlt::solve(Vectors& right) const {
 }
 
 void SupernodalLdlt::solvePermuted(Vectors& x) const {
-    std::size_t tallest = 0;
+    const Index b = blockSize_, w = x.cols();
+    Index tallest = 0;
     for (const auto& node : tree_.supernodes)
-        tallest = std::max(tallest, node.below.size());
-    Vectors below(static_cast<Index>(tallest) * blockSize_, x.cols());
-    for (std::size_t s = 0; s < tree_.supernodes.size(); ++s)
-        eliminateFrom(x, below, s);
+        tallest = std::max(tallest, std::ssize(node.below));
+    std::vector<Vectors> below(threads_), outside(parts_.parts.size());
+    const auto belowOf = [&](unsigned worker) -> Vectors& {
+        if (below[worker].size() == 0)
+            below[worker].resize(tallest * b, w);
+        return below[worker];
+    };
+    // Each part sums what it subtracts from the rows above it.
+    inParallel(parts_.parts.size(), threads_, [&](std::size_t part, unsigned worker) {
+        const auto [first, root] = parts_.parts[part];
+        const auto& top = tree_.supernodes[root];
+        const int end = top.first + top.width;
+        outside[part].setZero(std::ssize(top.below) * b, w);
+        for (std::size_t s = first; s <= root; ++s) {
+            const auto& rows = tree_.supernodes[s].below;
+            Vectors& products = belowOf(worker);
+            eliminateFrom(x, products, s, 1);
+            auto place = top.below.begin();
+            for (std::size_t i = 0; i < rows.size(); ++i) {
+                const auto own = products.middleRows(static_cast<Index>(i) * b, b);
+                if (rows[i] < end) {
+                    x.middleRows(rows[i] * b, b) -= own;
+                } else {
+                    place = std::lower_bound(place, top.below.end(), rows[i]);
+                    outside[part].middleRows((place - top.below.begin()) * b, b) += own;
+                }
+            }
+        }
+    });
+    const auto subtract = [&](const std::vector<int>& rows, const Vectors& products) {
+        for (std::size_t i = 0; i < rows.size(); ++i)
+            x.middleRows(rows[i] * b, b) -= products.middleRows(static_cast<Index>(i) * b, b);
+    };
+    for (std::size_t part = 0; part < parts_.parts.size(); ++part)
+        subtract(tree_.supernodes[parts_.parts[part].root].below, outside[part]);
+    for (const std::size_t s : parts_.above) {
+        eliminateFrom(x, belowOf(0), s, threads_);
+        subtract(tree_.supernodes[s].below, below[0]);
+    }
     x.array().colwise() /= pivots_.reshaped().array();
-    for (std::size_t s = tree_.supernodes.size(); s-- > 0;)
-        substituteInto(x, below, s);
+    for (auto s = parts_.above.rbegin(); s != parts_.above.rend(); ++s)
+        substituteInto(x, belowOf(0), *s, threads_);
+    inParallel(parts_.parts.size(), threads_, [&](std::size_t part, unsigned worker) {
+        for (std::size_t s = parts_.parts[part].root + 1; s-- > parts_.parts[part].first;)
+            substituteInto(x, belowOf(worker), s, 1);
+    });
 }
 
-/// Solves a supernode's rows with L and subtracts them from the rows below.
-void SupernodalLdlt::eliminateFrom(Vectors& x, Vectors& below, std::size_t s) const {
+/// Solves a supernode's rows with L and sets `below` to their products with the rows below.
+void SupernodalLdlt::eliminateFrom(Vectors& x,
+                                   Vectors& below,
+                                   std::size_t s,
+                                   unsigned threads) const {
     const auto& node = tree_.supernodes[s];
     const auto& l = columns_[s];
     const Index b = blockSize_, wide = l.cols(), under = l.rows() - wide, w = x.cols();
@@ -200,22 +253,29 @@ void SupernodalLdlt::eliminateFrom(Vectors& x, Vectors& below, std::size_t s) co
         addProduct({b, w, row, -1, &l(row, 0), 1, l.rows(), own, w, own + row * w, w});
     }
     below.topRows(under).setZero();
-    for (Index column = 0; column < wide; column += streamsTogether)
-        addProduct({under, w, std::min(streamsTogether, wide - column), 1, &l(0, column) + wide, 1,
-                    l.rows(), own + column * w, w, below.data(), w});
-    for (std::size_t i = 0; i < node.below.size(); ++i)
-        x.middleRows(node.below[i] * b, b) -= below.middleRows(static_cast<Index>(i) * b, b);
+    divideRows(under, threadsFor(under * wide, threads), [&](Index first, Index rows) {
+        for (Index column = 0; column < wide; column += streamsTogether)
+            addProduct({rows, w, std::min(streamsTogether, wide - column), 1,
+                        l.data() + column * l.rows() + wide + first, 1, l.rows(), own + column * w,
+                        w, below.data() + first * w, w});
+    });
 }
 
 /// Solves a supernode's rows with Lᵀ; the rows below are known.
-void SupernodalLdlt::substituteInto(Vectors& x, Vectors& below, std::size_t s) const {
+void SupernodalLdlt::substituteInto(Vectors& x,
+                                    Vectors& below,
+                                    std::size_t s,
+                                    unsigned threads) const {
     const auto& node = tree_.supernodes[s];
     const auto& l = columns_[s];
     const Index b = blockSize_, wide = l.cols(), under = l.rows() - wide, w = x.cols();
     double* own = x.data() + node.first * b * w;
     for (std::size_t i = 0; i < node.below.size(); ++i)
         below.middleRows(static_cast<Index>(i) * b, b) = x.middleRows(node.below[i] * b, b);
-    addProduct({wide, w, under, -1, l.data() + wide, l.rows(), 1, below.data(), w, own, w});
+    divideRows(wide, threadsFor(under * wide, threads), [&](Index first, Index rows) {
+        addProduct({rows, w, under, -1, l.data() + first * l.rows() + wide, l.rows(), 1,
+                    below.data(), w, own + first * w, w});
+    });
     for (Index row = wide - b; row >= 0; row -= b) {
         const Index later = wide - row - b;
         addProduct({b, w, later, -1, &l(0, row) + row + b, l.rows(), 1, own + (row + b) * w, w,

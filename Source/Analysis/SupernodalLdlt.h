@@ -3,8 +3,9 @@
 // and cannot be stopped; Eigen's works on single entries.
 #pragma once
 
-#include "Analysis/EliminationTree.h"
+#include "Analysis/FrontalMatrices.h"
 #include "Analysis/MassSpace.h"
+#include "Analysis/TreeParts.h"
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
@@ -19,13 +20,18 @@ enum class LdltOutcome { done, singular, stopped };
 /// eliminated together in a dense matrix. So nearly all work is products of dense matrices. Pivots
 /// are the B × B blocks, applied through their eigenvectors. They are as large as possible without
 /// exchanging blocks. No pivot is inverted, because an inverse loses digits.
+///
+/// Independent subtrees ("parts") go to several threads, then the supernodes above them one by one,
+/// each divided among the threads. The order of additions does not depend on their number.
 class SupernodalLdlt {
 public:
     /// Orders and analyses the pattern of a lower triangle [n×n]. n is a multiple of the block
     /// size, 1 … 6.
-    SupernodalLdlt(const Eigen::SparseMatrix<double>& lower, int blockSize);
+    /// At most `threads` work, with the same result for any number.
+    SupernodalLdlt(const Eigen::SparseMatrix<double>& lower, int blockSize, unsigned threads = 1);
 
-    /// Factorises a matrix with this pattern or part of it. Calls `stop` regularly.
+    /// Factorises a matrix with this pattern or part of it. Calls `stop` regularly, from
+    /// the caller's thread.
     LdltOutcome factorise(const Eigen::SparseMatrix<double>& lower,
                           const std::function<bool()>& stop);
 
@@ -43,25 +49,34 @@ public:
 
 private:
     using Block = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 6, 6>;
+    /// The state of one factorisation, which all threads share.
+    struct Progress;
 
-    void assemble(const Supernode& node,
-                  const Eigen::SparseMatrix<double>& permuted,
-                  Eigen::MatrixXd& front);
-    bool eliminate(Eigen::Index first, Eigen::Ref<Eigen::MatrixXd> left, Eigen::Index width);
-    bool diagonalisePivot(Eigen::Index first, const Block& pivot);
+    bool eliminateFront(std::size_t s,
+                        FrontalMatrices::Front& front,
+                        unsigned threads,
+                        Progress& progress,
+                        const std::function<bool()>& stop);
+    bool eliminate(Eigen::Index first,
+                   Eigen::Ref<Eigen::MatrixXd> left,
+                   Eigen::Index width,
+                   unsigned threads,
+                   Progress& progress);
+    bool diagonalisePivot(Eigen::Index first, const Block& pivot, Progress& progress);
+
     void solvePermuted(Vectors& x) const;
-    void eliminateFrom(Vectors& x, Vectors& below, std::size_t s) const;
-    void substituteInto(Vectors& x, Vectors& below, std::size_t s) const;
+    void eliminateFrom(Vectors& x, Vectors& below, std::size_t s, unsigned threads) const;
+    void substituteInto(Vectors& x, Vectors& below, std::size_t s, unsigned threads) const;
     void turn(double* rows, Eigen::Index w, Eigen::Index first, bool into) const;
 
     int blockSize_;
+    unsigned threads_;
     EliminationTree tree_;
+    TreeParts parts_;
     Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> order_;
     std::vector<Eigen::MatrixXd>
         columns_; ///< each supernode's part of L; its top is a unit lower triangle
-    std::vector<Eigen::MatrixXd> updates_; ///< update matrix of each supernode for its parent
-    std::vector<int> placeInFront_;        ///< first row of each block of unknowns in the front
-    Eigen::MatrixXd axes_, pivots_;        ///< of each pivot: [B × n] and [B × blocks]
+    Eigen::MatrixXd axes_, pivots_; ///< of each pivot: [B × n] and [B × blocks]
     Eigen::Index negativePivots_ = 0;
 };
 

@@ -1,6 +1,8 @@
 #include "Analysis/Eigensolver.h"
 
+#include "Analysis/QuadraticTetrahedra.h"
 #include "Analysis/SpringMassModel.h"
+#include "Analysis/TetMesh.h"
 #include "Analysis/TwoLayerShell.h"
 #include "Geometry/ParametricMesh.h"
 #include "TestMaterials.h"
@@ -159,5 +161,23 @@ TEST_CASE("A solve stops at the next step after cancellation, and progress never
         CHECK(last >= cancelAt);
         CHECK(reportsAfter == 0);
         CHECK_FALSE(fell);
+    }
+}
+
+TEST_CASE("Modes have the same bits on one thread and on several") {
+    const auto mesh =
+        tetrahedralise(boxMesh({0.2, 0.16, 0.12}, {12, 10, 8}), {.targetEdgeMetres = 0.017});
+    REQUIRE(mesh);
+    const auto model = quadraticTetrahedra(*mesh, elasticLaw(referenceWood()), 1000);
+    REQUIRE(model.stiffness.rows() > 18000); // enough for parts on several threads
+    const auto one = solveModes(model, {.lowestHz = 20, .highestHz = 16000, .threads = 1});
+    REQUIRE(one);
+    CHECK(one->eigenvalues.size() > 10);
+    for (const unsigned threads : {2U, 3U}) {
+        const auto several =
+            solveModes(model, {.lowestHz = 20, .highestHz = 16000, .threads = threads});
+        REQUIRE(several);
+        CHECK(several->eigenvalues == one->eigenvalues);
+        CHECK(several->shapes == one->shapes);
     }
 }

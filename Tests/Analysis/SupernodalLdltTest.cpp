@@ -131,3 +131,26 @@ TEST_CASE("A factorisation can be stopped at any time and repeated") {
     REQUIRE(factor.factorise(lower, never) == LdltOutcome::done);
     CHECK(factor.negativePivots() == negative);
 }
+
+TEST_CASE("Several threads factorise and solve to the same bits as one") {
+    const auto lower = lattice(110, 3, 0.5);
+    SupernodalLdlt one(lower, 3, 1), several(lower, 3, GENERATE(2u, 5u));
+    REQUIRE(one.factorise(lower, never) == LdltOutcome::done);
+    REQUIRE(several.factorise(lower, never) == LdltOutcome::done);
+    CHECK(several.negativePivots() == one.negativePivots());
+    const Vectors right = fixedRandomBlock(lower.rows(), GENERATE(4, 8), 5);
+    Vectors x = right, y = right;
+    one.solve(x);
+    several.solve(y);
+    CHECK(x == y);
+    const Eigen::SparseMatrix<double> full = lower.selfadjointView<Eigen::Lower>();
+    CHECK((full * x - right).norm() < 1e-8 * right.norm());
+}
+
+TEST_CASE("A factorisation on several threads can be stopped and repeated") {
+    const auto lower = lattice(110, 3, 0.5);
+    SupernodalLdlt factor(lower, 3, 2);
+    int count = 0;
+    CHECK(factor.factorise(lower, [&] { return ++count == 3; }) == LdltOutcome::stopped);
+    CHECK(factor.factorise(lower, never) == LdltOutcome::done);
+}

@@ -151,6 +151,7 @@ void solve(const fs::path& folder) {
     VibrationModel model{.stiffness = readMatrix(folder, "stiffness"),
                          .mass = readMatrix(folder, "mass")};
     FrequencyBand band;
+    band.threads = 1; // as SciPy
     Eigen::Index rows = 0;
     std::ifstream(folder / "band.txt") >> rows >> model.rowsPerVertex >> band.lowestHz >>
         band.highestHz;
