@@ -33,8 +33,8 @@ public:
     Synthesiser(const Synthesiser&) = delete;
     Synthesiser& operator=(const Synthesiser&) = delete;
 
-    /// Takes effect at the next `beginCell`. Later changes regroup the modes of some slots in each
-    /// cell (RegroupTurns.h); until then a slot keeps its groups, with new poles.
+    /// Takes effect at the next `beginCell`. After the first cell a change regroups the modes of a
+    /// few slots in each cell; until its turn a slot keeps its groups, with new poles.
     void setSettings(const SynthesisSettings& settings) noexcept;
     /// Applies the settings to all slots at once, groups included, as the first cell does
     /// otherwise. Takes time with the number of modes.
