@@ -8,6 +8,9 @@ namespace idiophone {
 
 namespace {
 
+// ω_d² > 0.01 λ keeps the ratio of s to the motion below 10.
+constexpr double oscillatingShare = 0.99;
+
 // Near critical damping the two terms diverge. Widening the gap of the roots to a tenth of α keeps
 // a true bound, because sinh(βt)/β grows with β.
 constexpr double minimumGap = 0.1;
@@ -42,11 +45,12 @@ Propagator heavilyDamped(const ModalPole& pole, double seconds) noexcept {
 } // namespace
 
 ModalPole PoleLaw::pole(double referenceEigenvalue, const ModeDamping& mode) const noexcept {
-    const double lambda = stiffness(referenceEigenvalue);
-    const double ofMaterial = mode.scale * damping.perSecond(lambda);
+    // The limits, far outside the audible range, keep extreme settings from overflowing.
+    const double stiffness = std::clamp(eigenvalueRatio * referenceEigenvalue, 1e-6, 1e18);
+    const double ofMaterial = mode.scale * damping.perSecond(stiffness);
     const double extra =
         mode.extraPerSecond > 0 ? 2 * mode.extraPerSecond * std::sqrt(eigenvalueRatio) : 0;
-    return {lambda, std::clamp(ofMaterial + extra, 0.0, largestDamping)};
+    return {stiffness, std::clamp(ofMaterial + extra, 0.0, 1e12)};
 }
 
 // λ − α² − ω² rises with λ while α² < λ/2. The law has no power of λ above the first, so its double
@@ -75,6 +79,10 @@ double stiffnessSoundingAt(double dampedFrequency,
         stiffness = next;
     }
     return stiffness;
+}
+
+bool isOscillating(const ModalPole& pole) noexcept {
+    return pole.damping * pole.damping < 4 * oscillatingShare * pole.stiffness;
 }
 
 double naturalFrequencyHz(const ModalPole& pole) noexcept {

@@ -46,10 +46,7 @@ bool ModeGroups::requestSilenced(std::span<const std::uint8_t> silenced) noexcep
 }
 
 void ModeGroups::set(const GroupConditions& wanted) noexcept {
-    const bool differs = differFrom(wanted);
-    behind = behind || differs;
-    outdated = outdated || differs;
-    mixesKinds = mixesKinds || silencesChange;
+    behind = behind || differFrom(wanted);
     eigenvaluesAreBehind = eigenvaluesAreBehind ||
                            wanted.thicknessRatio != current.thicknessRatio ||
                            wanted.imperfection != current.imperfection;
@@ -59,38 +56,24 @@ void ModeGroups::set(const GroupConditions& wanted) noexcept {
 }
 
 bool ModeGroups::follow() noexcept {
-    behind = outdated = mixesKinds = false;
-    groupedLaw = current.law;
-    if (eigenvaluesAreBehind)
-        moveModes();
+    behind = false;
+    if (eigenvaluesAreBehind) {
+        for (std::size_t mode = 0; mode < modeEigenvalues.size(); ++mode)
+            modeEigenvalues[mode] = object.eigenvalueAt(mode, current.thicknessRatio);
+        splitPairs(modePairs, current.imperfection, modeEigenvalues);
+    }
     const std::size_t groups =
         groupModes(modeEigenvalues, current.law, current.compression, scratch.groupStarts,
                    modeDampings, silencedModes, object.gains);
     const bool same =
         groups == count &&
         std::ranges::equal(starts().first(groups), std::span(scratch.groupStarts).first(groups));
-    if (!same) {
+    if (!same)
         findShares(groups);
-        count = groups;
-        std::copy_n(scratch.groupStarts.begin(), groups + 1, groupStarts.begin());
-    }
-    if (std::exchange(eigenvaluesAreBehind, false) || !same)
-        computeValues();
+    if (!same || eigenvaluesAreBehind)
+        takeOver(groups);
+    eigenvaluesAreBehind = false;
     return !same;
-}
-
-void ModeGroups::keep() noexcept {
-    behind = false;
-    if (!std::exchange(eigenvaluesAreBehind, false))
-        return;
-    moveModes();
-    computeValues();
-}
-
-void ModeGroups::moveModes() noexcept {
-    for (std::size_t mode = 0; mode < modeEigenvalues.size(); ++mode)
-        modeEigenvalues[mode] = object.eigenvalueAt(mode, current.thicknessRatio);
-    splitPairs(modePairs, current.imperfection, modeEigenvalues);
 }
 
 /// Divides a group's state among its modes by their mean-square shapes, as if the object had been
@@ -114,10 +97,12 @@ void ModeGroups::findShares(std::size_t groups) noexcept {
     }
 }
 
-/// Computes the values of each group from its modes.
-void ModeGroups::computeValues() noexcept {
+/// Takes over the new groups and computes the values of each.
+void ModeGroups::takeOver(std::size_t groups) noexcept {
     lostSharesLaw.reset();
-    for (std::size_t g = 0; g < count; ++g) {
+    count = groups;
+    std::copy_n(scratch.groupStarts.begin(), groups + 1, groupStarts.begin());
+    for (std::size_t g = 0; g < groups; ++g) {
         const auto weights = ofGroup<double>(g, *modeWeights);
         groupEigenvalues[g] = mergedEigenvalue(ofGroup<double>(g, modeEigenvalues), weights);
         if (!modeDampings.empty())
@@ -126,7 +111,7 @@ void ModeGroups::computeValues() noexcept {
 }
 
 bool ModeGroups::inBand(std::size_t g) const noexcept {
-    return soundsAt({.stiffness = current.law.stiffness(groupEigenvalues[g])}, sampleRate);
+    return soundsAt(current.law.pole(groupEigenvalues[g]), sampleRate);
 }
 
 std::span<const std::uint8_t> ModeGroups::silences() const noexcept {
@@ -148,7 +133,7 @@ void ModeGroups::merge(std::span<const std::complex<float>> modes,
         for (std::size_t g = 0; g < count; ++g)
             set(g, modes[g]);
     } else {
-        if (lostSharesLaw != groupedLaw)
+        if (lostSharesLaw != current.law)
             findLostShares();
         std::span<const float> shares(lostShares);
         for (std::size_t g = 0; g < count; ++g) {
@@ -162,13 +147,11 @@ void ModeGroups::merge(std::span<const std::complex<float>> modes,
 }
 
 void ModeGroups::findLostShares() noexcept {
-    lostSharesLaw = groupedLaw;
+    lostSharesLaw = current.law;
     std::span<float> shares(lostShares);
     for (std::size_t g = 0; g < count; ++g) {
         const auto eigenvaluesOfModes = ofGroup<double>(g, modeEigenvalues);
-        if (eigenvaluesOfModes.size() == 1)
-            continue;
-        idiophone::findLostShares(eigenvaluesOfModes, groupedLaw, shares,
+        idiophone::findLostShares(eigenvaluesOfModes, current.law, shares,
                                   ofGroup<ModeDamping>(g, modeDampings));
         shares = shares.subspan(pairsOf(eigenvaluesOfModes.size()));
     }

@@ -69,7 +69,7 @@ void StateIncrements::gather(const ModalBank& bank,
                      bank.channels(), *this);
 }
 
-void StateIncrements::sound(ModalBank& bank,
+void StateIncrements::sound(const ModalBank& bank,
                             std::span<const ModeRun> runs,
                             std::size_t subBlockCount,
                             const ChannelOutputs& outputs,
@@ -77,7 +77,6 @@ void StateIncrements::sound(ModalBank& bank,
                             const ChannelOutputs& partOutputs) const noexcept {
     if (runs.empty())
         return;
-    bank.prepare(runs);
     const ModePoles& poles = bank.poles();
     SubBlockStates ahead;
     const std::size_t last = index(runs.back().first + runs.back().count);
