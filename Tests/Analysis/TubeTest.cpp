@@ -225,8 +225,9 @@ TEST_CASE("Only the bar's part of a decay rate follows the material, not the tub
     auto soft = bar({200});
     soft.material.damping.fluidPerSecond = 80;
     const auto hard = withTube(bar({200}), 0.005), softer = withTube(soft, 0.005);
+    REQUIRE(hard.modeCount() == 2);
     for (const auto* object : {&hard, &softer})
-        for (std::size_t mode = 0; mode < 2; ++mode) {
+        for (std::size_t mode = 0; mode < object->modeCount(); ++mode) {
             CHECK(object->decaysPerSecond[mode] > 0);
             CHECK(object->extraDecaysPerSecond[mode] >= 0);
         }

@@ -31,7 +31,8 @@ class Benchmarks(ConsoleTest):
 
     def test_a_budget_limits_the_modes_of_any_number_of_bodies(self):
         document = self.bench("scale")
-        self.assertEqual([goal["met"] for goal in document["goals"]], [True] * 3)
+        self.assertEqual([goal["met"] for goal in document["goals"]
+                          if "modes mixed" in goal["name"]], [True] * 3)
         few, some, many = document["benchmarks"]["scale"]["crowds"]
         self.assertGreater(many["unscaled"]["modes_mixed_mean"],
                            8 * some["unscaled"]["modes_mixed_mean"])
