@@ -102,7 +102,7 @@ Nodes Dissection::separatorOf(const Nodes& nodes) {
     for (const int node : nodes)
         match_[node] = -1;
     ++round_;
-    // What a vain search visited leads nowhere later either.
+    // After a search without success its nodes stay visited, because later ones would end there.
     for (const int node : nodes)
         if (mark_[node] == 0 && findPartner(node))
             ++round_;

@@ -12,7 +12,6 @@
 #include <utility>
 
 namespace idiophone {
-
 namespace {
 
 /// Within the band shorter contacts equal impulses, and their force would alias.
@@ -216,7 +215,6 @@ bool ModalResonator::strike(const Strike& asked,
     widen(listening.farShare);
     double& seconds = contact.strike.durationSeconds;
     seconds = isPulse ? contactSecondsClearOf(bank.poles().resonances(), seconds) : 0;
-
     if (!(isPulse ? contacts.compute(contact)
                   : residues.compute(asked.point, asked.impulseNewtonSeconds, listening)))
         return false;
@@ -229,10 +227,8 @@ bool ModalResonator::strike(const Strike& asked,
         envelope.add(bank.poles(), loudness);
         allowance = std::max(allowance,
                              allowed.ranking->allowance(envelope.amplitude() * allowed.advantage));
-        if (allowance == 0 && strikeAsleep(contact, isPulse)) {
-            contacts.startClick(contact, sizeNow, outputChannels, cellIndex, cell);
+        if (allowance == 0 && strikeAsleep(contact, cell))
             return true;
-        }
     }
     const auto joined = active.join({increments.energies(), active.tauEnergy(), loudness},
                                     allowance, !contacts.empty(), cellIndex + 1);
@@ -257,16 +253,17 @@ bool ModalResonator::strike(const Strike& asked,
     return true;
 }
 
-/// Adds the strike to the resting states if it ends in this cell.
-bool ModalResonator::strikeAsleep(const Contact& contact, bool isPulse) noexcept {
+/// Adds the strike to the resting states, and its click to the cell, if it ends in this cell.
+bool ModalResonator::strikeAsleep(const Contact& contact, const CellOutput& cell) noexcept {
     const double seconds = contact.strike.durationSeconds;
     const double end = contact.startSample + seconds * output.sampleRateHz();
     if (!idle() || end > cellSamples)
         return false;
-    if (isPulse)
+    if (seconds > 0)
         increments.finish(seconds, end);
     increments.joinAsleep(firstSampleFrom(end), cellIndex + 1);
     measure();
+    contacts.startClick(contact, sizeNow, outputChannels, cellIndex, cell);
     return true;
 }
 
@@ -297,7 +294,7 @@ void ModalResonator::reset() noexcept {
 void ModalResonator::report(SoundingGroups& report, std::int64_t cell) const noexcept {
     reportGroups(groups, active, cell, report);
     if (bankIsOld)
-        std::fill_n(report.amplitudes.begin(), report.count, 0.0f);
+        std::ranges::fill(report.amplitudes, 0.0f);
 }
 
 } // namespace idiophone

@@ -137,7 +137,7 @@ private:
     void request(Value& requested, const Value& wanted) noexcept;
     void prepareBank() noexcept;
     void widen(double farShare) noexcept;
-    bool strikeAsleep(const Contact& contact, bool isPulse) noexcept;
+    bool strikeAsleep(const Contact& contact, const CellOutput& cell) noexcept;
 
     std::int64_t cellIndex = -1; ///< the current cell
     bool controlsChanged = true;

@@ -13,7 +13,7 @@
 
 namespace idiophone {
 
-/// What the faders of one synthesiser share, so that it stays in the cache.
+/// Memory that the faders of one synthesiser share, so that it stays in the cache.
 struct FadeRoom {
     FadeRoom(std::size_t modes, std::size_t channels) : states(modes, channels) {
         runs.reserve(modes);
