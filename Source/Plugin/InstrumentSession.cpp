@@ -11,7 +11,7 @@ namespace idiophone {
 namespace {
 
 constexpr const char* pauseSentence =
-    "The host has paused the instrument: strikes in the window are silent until it goes on.";
+    "Strikes in the window are silent: the host has paused, or no audio device is open.";
 
 } // namespace
 
