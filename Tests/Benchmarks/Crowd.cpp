@@ -76,8 +76,7 @@ Result<BenchSection> benchCrowd(const BenchContent& content) {
     section.figures["reset_s"] = reset.resetSeconds;
     section.figures["cell_s"] = reset.cellSeconds;
     section.goals.push_back({"crowd: reset of struck objects over a cell of their sound",
-                             reset.resetSeconds / reset.cellSeconds, BenchGoal::Kind::atMost,
-                             0.25});
+                             reset.resetSeconds / reset.cellSeconds, BenchGoal::Kind::atMost, 0.1});
 
     CellStrikes strikes(crowds.back());
     const double pending = costInCrowd(section, "pending strikes", [&](std::size_t count) {
@@ -87,7 +86,7 @@ Result<BenchSection> benchCrowd(const BenchContent& content) {
         strikes.clear();
     });
     section.goals.push_back(
-        {"crowd: a pending strike of 1024 over one of 64", pending, BenchGoal::Kind::atMost, 4});
+        {"crowd: a pending strike of 1024 over one of 64", pending, BenchGoal::Kind::atMost, 2});
 
     std::array<juce::MidiBuffer, crowds.size()> blocks;
     const juce::uint8 dump[]{1, 2, 3};
@@ -102,7 +101,7 @@ Result<BenchSection> benchCrowd(const BenchContent& content) {
                 benchmark::DoNotOptimize(piece->length);
         });
     section.goals.push_back({"crowd: a system exclusive message of 1024 over one of 64", exclusive,
-                             BenchGoal::Kind::atMost, 4});
+                             BenchGoal::Kind::atMost, 2});
     return section;
 }
 
