@@ -31,7 +31,7 @@ Result<RenderTally> renderSong(Player& player,
     const auto& format = recording.format;
     const double rate = format.sampleRateHz;
     const std::int64_t lastEvent = events.empty() ? -1 : sampleOf(events.back(), rate);
-    player.stage().setOffline(true);
+    player.setOffline(true);
     RenderTally tally;
     for (const auto& event : events)
         if (event.isNoteOn() && (!format.seconds || event.seconds < *format.seconds))

@@ -1,14 +1,13 @@
 #include "Instrument/LoudnessMatch.h"
 
+#include "Instrument/PhrasePrediction.h"
 #include "Instrument/SettingsOfParameters.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <span>
-#include <utility>
 
 namespace idiophone {
 namespace {
@@ -58,107 +57,21 @@ ParameterValues valuesThatMatter(const ParameterValues& values) noexcept {
     return result;
 }
 
-void LoudnessMatch::prepare(const ParameterValues& now, int awaitedWheel) noexcept {
-    const int wheelNow = wheel;
-    state = atSongStart = {};
-    songBegins = isSongStart = false;
-    for (const int place : {awaitedWheel, HeldContacts::controllerAtRest, wheelNow}) {
-        wheel = place;
-        advance(now, std::numeric_limits<std::size_t>::max());
-    }
-    wasPrepared = hasPrepared = true;
-}
-
-std::size_t LoudnessMatch::advance(const ParameterValues& now) noexcept {
-    const bool first = !std::exchange(hasPrepared, true);
-    return advance(now, first ? std::numeric_limits<std::size_t>::max() : modesPerCell);
-}
-
-void LoudnessMatch::reset() noexcept {
-    wheel = HeldContacts::controllerAtRest;
-    state.working = songBegins = isSongStart = false;
-    state.seen.reset();
-    hasPrepared = wasPrepared;
-}
-
-std::size_t LoudnessMatch::advance(const ParameterValues& now, std::size_t modes) noexcept {
+std::optional<LoudnessMatch::Goal> LoudnessMatch::goalOf(const ParameterValues& now,
+                                                         int wheel) const noexcept {
     if (now[matchLoudness] == 0)
-        state.working = false;
-    if (std::exchange(songBegins, false))
-        returnToSongStart(now);
-    if (!state.working)
-        setGoal(now);
-    std::size_t taken = 0;
-    while (state.working && taken < modes) {
-        taken += prediction.advance(modes - taken);
-        if (!prediction.complete())
-            break;
-        auto& side = state.unknown();
-        side.known() = {.goal = side.goal, .lufs = prediction.lufs()};
-        beginNext();
-    }
-    if (!state.working && std::exchange(isSongStart, false))
-        atSongStart = state;
-    return taken;
+        return std::nullopt;
+    const auto values = valuesThatMatter(now);
+    if (values == valuesThatMatter(withOwn(now, ownValues)))
+        return std::nullopt;
+    return Goal{.values = values, .wheel = strikes(now) ? HeldContacts::controllerAtRest : wheel};
 }
 
-void LoudnessMatch::returnToSongStart(const ParameterValues& now) noexcept {
-    const auto beginsWith = [played = goalOf(now),
-                             reference = goalOf(withOwn(now, ownValues))](const State& with) {
-        return with.played.goal == played && with.reference.goal == reference;
-    };
-    isSongStart = true;
-    if (atSongStart.seen && beginsWith(atSongStart))
-        state = atSongStart;
-    else if (state.working && beginsWith(state))
-        return; // the work may take several passes of a short song
-    state.working = false;
-    state.seen.reset();
-}
-
-LoudnessMatch::Known& LoudnessMatch::Side::known() noexcept {
-    return goal.wheel == HeldContacts::controllerAtRest ? atRest : away;
-}
-
-bool LoudnessMatch::Side::isKnown() noexcept {
-    return known().goal == goal;
-}
-
-LoudnessMatch::Goal LoudnessMatch::goalOf(const ParameterValues& values) const noexcept {
-    return {.values = valuesThatMatter(values),
-            .wheel = strikes(values) ? HeldContacts::controllerAtRest : wheel};
-}
-
-void LoudnessMatch::setGoal(const ParameterValues& now) noexcept {
-    const Goal seen{.values = now, .wheel = wheel};
-    if (seen == state.seen)
-        return;
-    state.seen = seen;
-    state.played.goal = goalOf(now);
-    state.reference.goal = goalOf(withOwn(now, ownValues));
-    if (now[matchLoudness] == 0 || state.played.goal == state.reference.goal)
-        state.gainDb = 0;
-    else
-        beginNext();
-}
-
-/// Begins the next unknown prediction of the goal, or computes the gain if all are known.
-void LoudnessMatch::beginNext() noexcept {
-    state.working = !state.unknown().isKnown();
-    if (!state.working) {
-        state.gainDb = gainOfKnown();
-        return;
-    }
-    const auto& goal = state.unknown().goal;
-    prediction = PhrasePrediction(phrase, goal.values, goal.wheel);
-}
-
-double LoudnessMatch::gainOfKnown() noexcept {
-    const auto& reference = state.reference.known().lufs;
-    const auto& played = state.played.known().lufs;
-    PhrasePrediction::Loudness gains;
+double LoudnessMatch::gainDb(const Goal& goal) const noexcept {
+    auto gains = predictedLoudness(phrase, withOwn(goal.values, ownValues), goal.wheel);
+    const auto played = predictedLoudness(phrase, goal.values, goal.wheel);
     for (std::size_t k = 0; k < gains.size(); ++k)
-        gains[k] = reference[k] - played[k];
+        gains[k] -= played[k];
     const double mean =
         std::accumulate(gains.begin(), gains.end(), 0.0) / static_cast<double>(gains.size());
     if (!std::isfinite(mean))

@@ -30,6 +30,7 @@ PlayedPhrase playLoudnessPhrase(const Preset& preset,
                                 const std::shared_ptr<const Instrument>& instrument,
                                 double sampleRateHz) {
     Player player(instrument, sampleRateHz, preset.surface, preset.seed, preset.matched());
+    player.setOffline(true);
     player.setSilencedModes(silencedModes(*instrument, preset.mutedModes, {}));
     const auto samples = static_cast<std::size_t>(loudnessPhraseSeconds * sampleRateHz);
     PlayedPhrase phrase{.left = std::vector<float>(samples), .right = std::vector<float>(samples)};

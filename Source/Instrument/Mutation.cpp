@@ -1,6 +1,7 @@
 #include "Instrument/Mutation.h"
 
 #include "Instrument/LoudnessMatch.h"
+#include "Instrument/PhrasePrediction.h"
 #include "Instrument/SettingsOfParameters.h"
 
 #include <algorithm>
@@ -53,10 +54,9 @@ ParameterValues mutated(const ParameterValues& now,
                      moved(info, next[info.parameter], std::min(strength, 1.0), random));
 
     const Phrase phrase(instrument, preset.surface, anyRateHz);
-    LoudnessMatch match(phrase, preset.parameters);
+    const LoudnessMatch match(phrase, preset.parameters);
     const auto matchedLufs = [&](const ParameterValues& values) {
-        match.prepare(values);
-        return predictedLufs(phrase, values) + match.gainDb();
+        return predictedLufs(phrase, values) + match.gainDb(values);
     };
     const double louderDb = matchedLufs(next) - matchedLufs(now);
     if (std::isfinite(louderDb)) {

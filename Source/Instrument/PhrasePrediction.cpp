@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <span>
 
@@ -24,31 +23,19 @@ constexpr double slowestDecay = 1e-3; // [1/s] far slower than the phrase
 
 PhrasePrediction::Loudness
 predictedLoudness(const Phrase& phrase, const ParameterValues& values, int wheel) noexcept {
-    PhrasePrediction prediction(phrase, values, wheel);
-    prediction.advance(std::numeric_limits<std::size_t>::max());
-    return prediction.lufs();
+    return PhrasePrediction(phrase, values, wheel).lufs();
 }
 
 PhrasePrediction::PhrasePrediction(const Phrase& played,
                                    const ParameterValues& values,
                                    int wheelPosition) noexcept
-    : phrase(&played), parameters(values), wheel(wheelPosition) {
-    beginObject();
-}
-
-std::size_t PhrasePrediction::advance(std::size_t modes) noexcept {
-    std::size_t taken = 0;
-    while (!complete() && taken < modes) {
-        const std::size_t left = slot().object->modeCount() - nextMode;
-        const std::size_t count = std::min({chunk, left, modes - taken});
-        addModes(count);
-        taken += count;
-        if (count == left) {
-            endObject();
-            beginObject();
-        }
+    : phrase(played), parameters(values), wheel(wheelPosition) {
+    while (beginObject()) {
+        const std::size_t modes = slot().object->modeCount();
+        for (nextMode = 0; nextMode < modes; nextMode += chunk)
+            addModes(std::min(chunk, modes - nextMode));
+        endObject();
     }
-    return taken;
 }
 
 PhrasePrediction::Loudness PhrasePrediction::lufs() const noexcept {
@@ -59,28 +46,25 @@ PhrasePrediction::Loudness PhrasePrediction::lufs() const noexcept {
 }
 
 const SynthesiserSlot& PhrasePrediction::slot() const noexcept {
-    return phrase->instrument->slots()[static_cast<std::size_t>(phrase->notes[firstNote].key.slot)];
+    return phrase.instrument->slots()[static_cast<std::size_t>(phrase.notes[firstNote].key.slot)];
 }
 
 const LowestModes& PhrasePrediction::lowestModes() const noexcept {
-    return phrase->instrument->lowestModes(
-        static_cast<std::size_t>(phrase->notes[firstNote].key.slot));
+    return phrase.instrument->lowestModes(
+        static_cast<std::size_t>(phrase.notes[firstNote].key.slot));
 }
 
-/// Begins the next object, with the consecutive notes that play it.
-void PhrasePrediction::beginObject() noexcept {
-    const auto& notes = phrase->notes;
+/// Begins the next object, with the consecutive notes that play it. Returns false after the last.
+bool PhrasePrediction::beginObject() noexcept {
+    const auto& notes = phrase.notes;
     firstNote = endNote;
     while (firstNote < notes.size() && notes[firstNote].key.slot < 0)
         ++firstNote;
-    if (firstNote == notes.size()) {
-        phrase = nullptr;
-        return;
-    }
+    if (firstNote == notes.size())
+        return false;
     endNote = firstNote + 1;
     while (endNote < notes.size() && notes[endNote].key.slot == notes[firstNote].key.slot)
         ++endNote;
-    nextMode = 0;
     const auto settings = synthesisSettings(parameters);
     conditions = liveConditions(slot(), settings);
     thicknessRatio = slot().object->hasLiveThickness() ? settings.thicknessRatio : 1;
@@ -96,22 +80,23 @@ void PhrasePrediction::beginObject() noexcept {
         beginForce(settings);
     else
         beginStrikes();
+    return true;
 }
 
 void PhrasePrediction::beginStrikes() noexcept {
     for (std::size_t note = firstNote; note < endNote; ++note) {
-        const auto& noteKey = phrase->notes[note].key;
+        const auto& noteKey = phrase.notes[note].key;
         const auto place = aimedPlace(noteKey.along, parameters);
         points[note] = noteKey.strip->between(place.along, place.across).point;
         pushes[note] = listeningDirection(points[note]);
     }
     const auto modes = lowestModes().atThickness(thicknessRatio).moved(conditions.frequencyRatio());
     const auto strikeOf = [&](std::size_t note, int velocity) {
-        return malletStrike(points[note], velocity, phrase->notes[note].key.mallet, parameters,
+        return malletStrike(points[note], velocity, phrase.notes[note].key.mallet, parameters,
                             slot());
     };
     const auto trainOf = [&](const Strike& strike, std::size_t note) {
-        const auto train = contactTrain(strike, phrase->notes[note].key.mallet.scale,
+        const auto train = contactTrain(strike, phrase.notes[note].key.mallet.scale,
                                         parameters[chatter], static_cast<std::uint32_t>(firstNote));
         return parameters[modalPulse] != 0 ? withModalPulses(train, modes.span())
                                            : withFilledNulls(train);
@@ -146,14 +131,14 @@ void PhrasePrediction::beginStrikes() noexcept {
 }
 
 RigidClick PhrasePrediction::clickOf(const Strike& strike) const noexcept {
-    const auto& body = phrase->notes[firstNote].rigidBody;
+    const auto& body = phrase.notes[firstNote].rigidBody;
     if (!(listening > 0) || !(body.massKg > 0))
         return {};
     const double size = conditions.radiationGainRatio / conditions.gainRatio;
     const auto& directions = slot().object->radiation.directions;
     const std::size_t right = std::min<std::size_t>(directions.size(), 2) - 1;
     auto click = rigidClick(body, strike.impulseNewtonSeconds, strike.durationSeconds, size,
-                            phrase->sampleRateHz, {directions[0], directions[right]});
+                            phrase.sampleRateHz, {directions[0], directions[right]});
     for (double& channel : click.pascalMetres)
         channel *= listening * conditions.radiationGainRatio * size * size;
     return click;
@@ -179,7 +164,7 @@ void PhrasePrediction::addClick(const RingingMode<levels>& mode, double weightin
 void PhrasePrediction::beginForce(const SynthesisSettings& settings) noexcept {
     const double friction = contactMaterial(parameters, slot().object->material).friction;
     for (std::size_t note = firstNote; note < endNote; ++note) {
-        const auto& noteKey = phrase->notes[note].key;
+        const auto& noteKey = phrase.notes[note].key;
         const auto aimed = aimedPlace(noteKey.along, parameters);
         const auto place = noteKey.strip->between(aimed.along, aimed.across);
         points[note] = place.point;
@@ -193,8 +178,8 @@ void PhrasePrediction::beginForce(const SynthesisSettings& settings) noexcept {
                                         rolls ? parameters[rollCoupling] / 100 : 0};
     const double speed = parameters[contactSpeed] * wheel / 127.0;
     const auto coupled = coupledModes(lowestModes(), slot(), settings);
-    force = HeldForceSpectrum(phrase->surface, speed, kind, coupled.span(), phrase->sampleRateHz);
-    stiff = StiffMotion(phrase->sampleRateHz);
+    force = HeldForceSpectrum(phrase.surface, speed, kind, coupled.span(), phrase.sampleRateHz);
+    stiff = StiffMotion(phrase.sampleRateHz);
 }
 
 void PhrasePrediction::endObject() noexcept {
@@ -212,7 +197,7 @@ void PhrasePrediction::endObject() noexcept {
     }
 }
 
-/// Processes the next `count` modes of the object, at most `chunk`.
+/// Adds the next `count` modes of the object, at most `chunk`.
 void PhrasePrediction::addModes(std::size_t count) noexcept {
     const auto& object = *slot().object;
     std::array<std::array<float, chunk>, PhraseMeter::notes> struck, heard;
@@ -231,7 +216,7 @@ void PhrasePrediction::addModes(std::size_t count) noexcept {
     for (std::size_t i = 0; i < count; ++i) {
         const auto pole = conditions.law.pole(object.eigenvalueAt(nextMode + i, thicknessRatio),
                                               object.damping(nextMode + i));
-        if (!soundsAt(pole, phrase->sampleRateHz))
+        if (!soundsAt(pole, phrase.sampleRateHz))
             continue;
         RingingMode<levels> mode{.omega = dampedFrequency(pole),
                                  .decay = std::max(pole.damping / 2, slowestDecay)};
@@ -243,7 +228,6 @@ void PhrasePrediction::addModes(std::size_t count) noexcept {
                     far * struck[note][i] * radiated[channel][i], static_cast<float>(listening));
         addMode(mode, pole);
     }
-    nextMode += count;
 }
 
 void PhrasePrediction::addMode(RingingMode<levels>& mode, const ModalPole& pole) noexcept {

@@ -1,5 +1,4 @@
-// Predicts how loud an instrument plays a phrase, from its modes only and a few modes at a time.
-// LoudnessMatch.h uses it.
+// Predicts how loud an instrument plays a phrase, from its modes only. LoudnessMatch.h uses it.
 #pragma once
 
 #include "Instrument/HeldContacts.h"
@@ -27,26 +26,20 @@ public:
     /// LUFS for each velocity (PhraseMeter.h; the mean of both channels, before `level`).
     using Loudness = std::array<double, velocities.size()>;
 
-    PhrasePrediction() = default; ///< nothing to predict
-    /// Starts a prediction, for a modulation wheel at 0 to 127. `phrase` must stay alive until it
-    /// is complete.
+    /// Predicts, for a modulation wheel at 0 to 127.
     PhrasePrediction(const Phrase& phrase, const ParameterValues& parameters, int wheel) noexcept;
 
-    /// Processes up to `modes` more modes and returns how many.
-    std::size_t advance(std::size_t modes) noexcept;
-    bool complete() const noexcept { return phrase == nullptr; }
-
-    /// Returns the loudness of a complete prediction; −infinity if nothing sounds. The prediction
-    /// leaves out `spread`, `imperfection`, and modes that τ and the mode budget drop. For keys
-    /// that scrape or roll it lacks a constant that depends on speed, force and roughness, and is
-    /// the same for all velocities.
+    /// Returns the loudness; −infinity if nothing sounds. The prediction leaves out `spread`,
+    /// `imperfection`, and modes that τ and the mode budget drop. For keys that scrape or roll it
+    /// lacks a constant that depends on speed, force and roughness, and is the same for all
+    /// velocities.
     Loudness lufs() const noexcept;
 
 private:
     static constexpr std::size_t chunk = 16;
     static constexpr std::size_t levels = velocities.size();
 
-    void beginObject() noexcept;
+    bool beginObject() noexcept;
     void beginStrikes() noexcept;
     RigidClick clickOf(const Strike& strike) const noexcept;
     void addClick(const RingingMode<levels>& mode, double weighting) noexcept;
@@ -57,7 +50,7 @@ private:
     const SynthesiserSlot& slot() const noexcept;
     const LowestModes& lowestModes() const noexcept;
 
-    const Phrase* phrase = nullptr;
+    const Phrase& phrase;
     ParameterValues parameters;
     int wheel = 0;
     std::array<PhraseMeter, levels> meters;
@@ -90,7 +83,7 @@ private:
     NearModes<levels> nearModes;
 };
 
-/// Predicts a whole phrase at once, for a modulation wheel at 0 to 127. Not for the audio thread.
+/// As above, in one call. Takes about a millisecond: not for the audio thread.
 PhrasePrediction::Loudness predictedLoudness(const Phrase& phrase,
                                              const ParameterValues& values,
                                              int wheel = HeldContacts::controllerAtRest) noexcept;

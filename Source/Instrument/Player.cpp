@@ -56,15 +56,19 @@ Player::Player(std::shared_ptr<const Instrument> instrument,
       scheduler(*playedInstrument, seed),
       renderer(*playedInstrument, sampleRateHz, cellStrategy(performance.get()), held, hand) {
     if (!performance)
-        loudness.emplace(Phrase(playedInstrument, surface, sampleRateHz), own);
+        loudness = std::make_shared<MatchedGain>(
+            LoudnessMatch(Phrase(playedInstrument, surface, sampleRateHz), own));
     lateNotes.reserve(lateCapacity);
 }
 
 void Player::prepare(const ParameterValues& parameters, int pendingWheel) {
-    if (!loudness)
-        return;
-    loudness->setSpeedController(keys.modulationWheel());
-    loudness->prepare(parameters, pendingWheel);
+    if (loudness)
+        loudness->follow(parameters, pendingWheel, true);
+}
+
+void Player::setOffline(bool isOffline) noexcept {
+    mayWait = isOffline;
+    stage().setOffline(isOffline);
 }
 
 void Player::process(const StereoSpan& output,
@@ -154,9 +158,8 @@ void Player::beginCell(std::optional<double> beats) {
     renderer.beginCell(values, keys, scheduler);
     if (!loudness)
         return;
-    loudness->setSpeedController(keys.modulationWheel());
-    loudness->advance(glide.goalValues());
-    renderer.moveGain(static_cast<float>(std::pow(10, loudness->gainDb() / 20)));
+    const double gainDb = loudness->follow(glide.goalValues(), keys.modulationWheel(), mayWait);
+    renderer.moveGain(static_cast<float>(std::pow(10, gainDb / 20)));
 }
 
 /// Strikes the notes that came between two blocks, then these notes.
@@ -218,8 +221,6 @@ bool Player::beginSong() {
     scheduler.countFrom(before);
     if (performance)
         performance->countNotesFrom(before);
-    if (loudness)
-        loudness->beginSong();
     return beginsAnew;
 }
 
@@ -235,8 +236,6 @@ void Player::restart() {
 
 void Player::reset() {
     restart();
-    if (loudness)
-        loudness->reset();
     lateNotes.clear();
     keys.reset();
     renderer.liftHands();

@@ -7,7 +7,7 @@
 #include "Instrument/HeldContacts.h"
 #include "Instrument/Instrument.h"
 #include "Instrument/KeyState.h"
-#include "Instrument/LoudnessMatch.h"
+#include "Instrument/MatchedGain.h"
 #include "Instrument/MidiEvent.h"
 #include "Instrument/ParameterGlide.h"
 #include "Instrument/SilencedModes.h"
@@ -39,12 +39,19 @@ public:
     Player(const Player&) = delete;
     Player& operator=(const Player&) = delete;
 
-    /// Computes the gain that matches the loudness of these values, so that the first cell has it.
+    /// Predicts the gain that matches the loudness of these values, so that the first cell has it.
     /// `pendingWheel`, 0 to 127, is the position that the modulation wheel is about to have. Call
     /// it off the audio thread, between construction or `reset` and the first block; it may take
-    /// long. Without it the first cell computes the gain.
+    /// long.
     void prepare(const ParameterValues& parameters,
                  int pendingWheel = HeldContacts::controllerAtRest);
+    /// Sets whether it may wait for what is late in real time, for the same bits in each render:
+    /// the gain that matches loudness is predicted at the grid point where it changes, and a stage
+    /// waits for its simulation. Not at first.
+    void setOffline(bool isOffline) noexcept;
+    /// Returns the gain that matches loudness, or null on a stage. In real time another thread has
+    /// to call its `answer` every now and then; until then the gain stays as it is.
+    const std::shared_ptr<MatchedGain>& matchedGain() const noexcept { return loudness; }
     /// Returns the position of the modulation wheel.
     int modulationWheel() const noexcept { return keys.modulationWheel(); }
 
@@ -146,11 +153,12 @@ private:
     SlotTuning slotTuning;
     StrikeScheduler scheduler;
     CellRenderer renderer;
-    std::optional<LoudnessMatch> loudness; ///< of mallets only
+    std::shared_ptr<MatchedGain> loudness; ///< null on a stage
     std::vector<MidiEvent> lateNotes;      ///< note-ons for the start of the next block
     double tempo = 0;                      ///< beats a minute, or 0
     std::optional<double> songPlace;       ///< in beats
     std::optional<std::size_t> playedLast;
+    bool mayWait = false; ///< offline
     bool playedResizedKeys = false;
     bool allSoundOffCame = false;
     std::size_t silencedSamples = 0; ///< in the last block

@@ -81,8 +81,8 @@ void AudioEngine::takeSettings(bool isOffline) noexcept {
         return;
     if (messages.forgetsGivenBends.exchange(false))
         player->bend().forgetGiven();
+    player->setOffline(isOffline);
     auto& stage = player->stage();
-    stage.setOffline(isOffline);
     stage.pause(messages.stagePaused);
     if (messages.stageReset.exchange(false))
         stage.clear();

@@ -3,7 +3,7 @@
 
 #include "Instrument/Player.h"
 #include "Instrument/SilencedModes.h"
-#include "Plugin/LatestValue.h"
+#include "Instrument/LatestValue.h"
 
 #include <cstdint>
 

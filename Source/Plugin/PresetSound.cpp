@@ -36,11 +36,10 @@ Result<Sound> factorySound(const Preset& preset) {
 
 void storeValues(const Sound& sound, Preset& preset) {
     preset.parameters = withSetupOf({}, sound.parameters);
-    LoudnessMatch match({sound.instrument, sound.preset.surface, anyRateHz},
-                        sound.preset.parameters);
-    match.prepare(preset.parameters);
+    const LoudnessMatch match({sound.instrument, sound.preset.surface, anyRateHz},
+                              sound.preset.parameters);
     const auto& level = parameterInfo(ParameterId::level);
-    const double wanted = preset.parameters[level.parameter] + match.gainDb();
+    const double wanted = preset.parameters[level.parameter] + match.gainDb(preset.parameters);
     if (level.minimum <= wanted && wanted <= level.maximum) {
         preset.parameters.set(level.parameter, wanted);
         preset.matchedTo.reset();

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "Plugin/HostParameters.h"
-#include "Plugin/LatestValue.h"
+#include "Instrument/LatestValue.h"
 #include "Plugin/PendingKeys.h"
 
 #include <atomic>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "Instrument/Player.h"
-#include "Plugin/LatestValue.h"
+#include "Instrument/LatestValue.h"
 #include "Plugin/PlayerCrossfade.h"
 #include "Synth/SoundingGroups.h"
 

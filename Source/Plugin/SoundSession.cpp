@@ -50,6 +50,7 @@ void SoundSession::prepare(double sampleRateHz,
     auto player = newPlayer(current.instrument, current.preset, shared.parameters.values());
     if (!player)
         fail(player.error().message);
+    playedGain = player && *player != nullptr ? (*player)->matchedGain() : nullptr;
     install(player ? std::move(*player) : nullptr);
     shared.messages.players.collect();
 }
@@ -58,10 +59,14 @@ void SoundSession::poll() {
     if (const auto times = shared.report.notFinite.load();
         std::exchange(notFiniteShown, times) != times)
         reportError("The sound was not finite, and begins anew with the next note.");
+    std::shared_ptr<MatchedGain> gain;
     if (const std::unique_lock held(mutex, std::try_to_lock); held) {
         shared.messages.players.collect();
         shared.report.capture.follow(current.instrument);
+        gain = playedGain;
     }
+    if (gain != nullptr)
+        gain->answer(); // without the lock: a prediction takes some milliseconds
 }
 
 Sound SoundSession::loadedSound() const {
@@ -262,8 +267,10 @@ void SoundSession::goOn(std::unique_ptr<Player> player, const LoadValues& loadVa
 /// unchanged. Loads the values right before publishing the player, if there is one, so that a
 /// callback takes both together.
 void SoundSession::handOver(std::unique_ptr<Player> player, const LoadValues& loadValues) {
-    if (player != nullptr)
+    if (player != nullptr) {
         player->setLabel(shared.programs.label());
+        playedGain = player->matchedGain();
+    }
     shared.messages.players.collect(); // it may take a while, so do it before changing anything
     // Send silences before the player: the player has its own and must not get older ones.
     sendSilences();

@@ -36,9 +36,9 @@ public:
     /// Prepares for this rate; `install` gets the player of the loaded sound, or null. It is called
     /// with the lock, while no callback runs.
     void prepare(double sampleRateHz, const std::function<void(std::unique_ptr<Player>)>& install);
-    /// [message thread] Reports an output that was not finite, destroys players that faded out and
-    /// stores the impacts of a stage's bodies. If another thread holds the lock, waits for the next
-    /// poll.
+    /// [message thread] Reports an output that was not finite, destroys players that faded out,
+    /// stores the impacts of a stage's bodies and predicts the gain that matches loudness. If
+    /// another thread holds the lock, waits for the next poll.
     void poll();
 
     Sound loadedSound() const override;
@@ -101,7 +101,8 @@ private:
     Sound current; ///< its `parameters` are not kept up to date: see `soundNow`
     ModeSet heardAlone;
     std::string lastError;
-    double preparedRateHz = 0; ///< 0 until prepared
+    std::shared_ptr<MatchedGain> playedGain; ///< of the last player, or null
+    double preparedRateHz = 0;               ///< 0 until prepared
     // Written under the lock, read by any thread.
     std::atomic<int> loads{0}, loadOfObjects{0}, playingProgram{-1};
     std::int64_t notFiniteShown = 0; ///< the message thread's

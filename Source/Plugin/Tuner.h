@@ -3,7 +3,7 @@
 #pragma once
 
 #include "Instrument/KeyTuning.h"
-#include "Plugin/LatestValue.h"
+#include "Instrument/LatestValue.h"
 
 #include <atomic>
 #include <juce_audio_basics/juce_audio_basics.h>

@@ -2,10 +2,10 @@
 
 #include "Instrument/FactoryContent.h"
 #include "Instrument/LoudnessPhrase.h"
+#include "Instrument/PhrasePrediction.h"
 #include "Instrument/Player.h"
 #include "Instrument/Scatter.h"
 #include "IntegratedLufs.h"
-#include "MatchedGain.h"
 #include "Support/KeyedPresets.h"
 #include "Support/RenderNotes.h"
 #include "Support/WithParameter.h"
@@ -30,6 +30,11 @@ namespace {
 
 constexpr double sampleRateHz = 48000;
 
+/// Returns the gain in dB for these values with "match loudness" on.
+double gainOf(const LoudnessMatch& match, const ParameterValues& now) {
+    return match.gainDb(with(now, matchLoudness, 1));
+}
+
 double measuredLufs(const StereoSound& sound, double gainDb) {
     const auto gain = static_cast<float>(std::pow(10, gainDb / 20));
     std::vector<float> interleaved;
@@ -52,7 +57,7 @@ public:
         own.set(contact, kind);
         own.set(matchLoudness, 1);
         own.set(imperfection, 0); // random for each key, so no prediction includes it
-        match = std::make_unique<LoudnessMatch>(predicted, own);
+        match.emplace(predicted, own);
         for (std::uint32_t take = 0; take < takes; ++take)
             voices.push_back(std::make_unique<Player>(
                 instrument, sampleRateHz, preset.surface,
@@ -83,8 +88,7 @@ public:
     std::optional<Error> error(const ParameterValues& now, int velocity = 100) {
         if (velocity != ownVelocity)
             measureOwn(velocity);
-        match->prepare(now);
-        const double gain = match->gainDb();
+        const double gain = match->gainDb(now);
         if (std::abs(gain) >= 40)
             return {};
         const auto level =
@@ -112,7 +116,7 @@ public:
     ParameterValues own;
     int ownVelocity = 0;
     double ownLevel = 0, ownLoudness = 0;
-    std::unique_ptr<LoudnessMatch> match;
+    std::optional<LoudnessMatch> match;
     std::vector<std::unique_ptr<Player>> voices;
 
 private:
@@ -243,8 +247,7 @@ TEST_CASE("The gain is the mean over velocities, within 1.5 dB of the middle one
             const double middle = gains[PhrasePrediction::middleVelocity];
             const double expected = std::clamp(mean, middle - 1.5, middle + 1.5);
             ++(expected == mean ? means : bounded);
-            rig.match->prepare(now);
-            CHECK(rig.match->gainDb() == Approx(std::clamp(expected, -40.0, 40.0)));
+            CHECK(rig.match->gainDb(now) == Approx(std::clamp(expected, -40.0, 40.0)));
         }
     }
     CHECK(means > 20);
@@ -307,8 +310,8 @@ TEST_CASE("The gain from one mallet to another is the negative of the reverse ga
     const auto& preset = factoryPresets().front();
     const auto rubber = with(preset.parameters, mallet, firstRackMallet + 2);
     const auto instrument = Instrument::build(preset.keyMap, ObjectLibrary::shared()).value();
-    LoudnessMatch there({instrument, {}, sampleRateHz}, preset.parameters);
-    LoudnessMatch back({instrument, {}, sampleRateHz}, rubber);
+    const LoudnessMatch there({instrument, {}, sampleRateHz}, preset.parameters);
+    const LoudnessMatch back({instrument, {}, sampleRateHz}, rubber);
     const double gain = gainOf(there, rubber);
     CHECK(gain > 3);
     CHECK(std::abs(gain + gainOf(back, preset.parameters)) < 1e-9);
@@ -321,7 +324,7 @@ TEST_CASE("The gain is finite and at most 40 dB, and 0 if nothing sounds") {
     map.object = "bar";
     const auto instrument = Instrument::build(map, library).value();
     const ParameterValues own;
-    LoudnessMatch match({instrument, {}, sampleRateHz}, own);
+    const LoudnessMatch match({instrument, {}, sampleRateHz}, own);
     for (const int kind : {strikeContact, scrapeContact, rollContact})
         for (const auto parameter :
              {mallet, youngsModulus, density, fluidDamping, viscoelasticDamping, lossFactor,
@@ -334,7 +337,7 @@ TEST_CASE("The gain is finite and at most 40 dB, and 0 if nothing sounds") {
                 CHECK(std::abs(gainOf(match, now)) <= 40);
             }
     const Phrase silentPhrase(instrument, {}, 30);
-    LoudnessMatch silent(silentPhrase, own);
+    const LoudnessMatch silent(silentPhrase, own);
     CHECK(gainOf(silent, with(own, malletMass, 500)) == 0);
     CHECK(std::isinf(predictedLufs(silentPhrase, own)));
 }

@@ -27,15 +27,15 @@ TEST_CASE("Matching loudness applies the predicted gain from the first sample") 
     own.set(ParameterId::strikeSpread, 0);
     ParameterValues hard = own;
     hard.set(ParameterId::malletMass, 80);
-    LoudnessMatch match({instrument, {}, sampleRateHz}, own);
+    const LoudnessMatch match({instrument, {}, sampleRateHz}, own);
     hard.set(ParameterId::matchLoudness, 1);
-    match.prepare(hard);
+    const double gain = std::pow(10, match.gainDb(hard) / 20);
     hard.set(ParameterId::matchLoudness, 0);
-    const double gain = std::pow(10, match.gainDb() / 20);
     CHECK(gain < 0.7);
     const std::vector events{midi(10, 0x90, 64, 100), midi(700, 0x90, 69, 100)};
     Player plain(instrument, sampleRateHz, {}, 1, own);
     Player matching(instrument, sampleRateHz, {}, 1, own);
+    matching.setOffline(true);
     const auto before = render(plain, events, 9600, 333, hard);
     hard.set(ParameterId::matchLoudness, 1);
     const auto after = render(matching, events, 9600, 480, hard);
@@ -61,6 +61,7 @@ TEST_CASE("A render after a reset equals that of a newly prepared player") {
 
         Player player(instrument, sampleRateHz, {}, 1, own);
         player.prepare(own);
+        player.setOffline(true);
         renderStereo(player, events, 12000, 480, own);
         renderStereo(player, events, 48000, 333, values);
         renderStereo(player, {midi(0, 0xb0, modulation, 120)}, 48000, 333, values);
@@ -83,10 +84,8 @@ TEST_CASE("A player prepared for a wheel position starts with the gain for that 
 
     auto matched = values;
     matched.set(ParameterId::matchLoudness, 1);
-    LoudnessMatch match({instrument, {}, sampleRateHz}, own);
-    match.setSpeedController(120);
-    match.prepare(matched);
-    const double gain = std::pow(10, match.gainDb() / 20);
+    const LoudnessMatch match({instrument, {}, sampleRateHz}, own);
+    const double gain = std::pow(10, match.gainDb(matched, 120) / 20);
     REQUIRE(std::abs(gain - 1) > 0.01);
     const auto rendered = [&](const ParameterValues& of) {
         Player player(instrument, sampleRateHz, {}, 1, own);
@@ -109,6 +108,7 @@ TEST_CASE("A mallet change with matched loudness moves the gain without a step")
     heavy.set(ParameterId::malletMass, 200);
     const auto ringing = [&](int blockSize) {
         Player player(instrument, sampleRateHz, {}, 1, own);
+        player.setOffline(true);
         auto sound = render(player, {midi(0, 0x90, 64, 100)}, 9600, blockSize, own);
         const auto later = render(player, {}, 9600, blockSize, heavy);
         sound.insert(sound.end(), later.begin(), later.end());
@@ -128,4 +128,27 @@ TEST_CASE("A mallet change with matched loudness moves the gain without a step")
     }
     CHECK(last < 0.5);
     CHECK(steepest < 0.02);
+}
+
+TEST_CASE("In real time a mallet change sounds without a gain until it has been answered") {
+    const auto instrument = bars();
+    ParameterValues own;
+    own.set(ParameterId::matchLoudness, 1);
+    own.set(ParameterId::strikeSpread, 0);
+    auto heavy = own;
+    heavy.set(ParameterId::malletMass, 200);
+    const auto unmatched = [&] {
+        auto values = heavy;
+        values.set(ParameterId::matchLoudness, 0);
+        return values;
+    }();
+    Player player(instrument, sampleRateHz, {}, 1, own), plain(instrument, sampleRateHz, {}, 1);
+    const auto strike = [&](Player& struck, const ParameterValues& values) {
+        return render(struck, {midi(0, 0x90, 64, 100)}, 9600, 480, values);
+    };
+    CHECK(strike(player, heavy) == strike(plain, unmatched));
+    player.matchedGain()->answer();
+    for (auto* each : {&player, &plain})
+        render(*each, {}, 48000, 480, each == &player ? heavy : unmatched); // the gain glides
+    CHECK(peak(strike(player, heavy)) < 0.6f * peak(strike(plain, unmatched)));
 }

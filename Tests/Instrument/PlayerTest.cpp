@@ -1,6 +1,7 @@
 // Tests the sound of a player's strikes: channels, pitch, place and seed.
 #include "Instrument/Player.h"
 #include "BusyKeys.h"
+#include "Instrument/ContactTrain.h"
 #include "Instrument/MalletStrike.h"
 #include "Instrument/SettingsOfParameters.h"
 #include "Support/Level.h"

@@ -71,6 +71,11 @@ def assert_sounds(audio):
     assert numpy.abs(audio).max() > 1e-3, "silence"
 
 
+def level(audio):
+    """Returns the mean power in decibels."""
+    return 10 * math.log10(numpy.mean(numpy.square(audio, dtype=numpy.float64)))
+
+
 def within(events, start, end):
     """Returns the events in [start, end), with samples counted from the start."""
     return [(sample - start, message) for sample, message in events if start <= sample < end]

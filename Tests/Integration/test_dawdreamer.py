@@ -9,7 +9,7 @@ import numpy
 import pytest
 
 from performance import (IDENTICAL, SAMPLE_RATE, Performance, assert_equal_sound, assert_sounds,
-                         seconds)
+                         level, seconds)
 
 BLOCK = 512
 
@@ -105,6 +105,21 @@ def test_every_parameter_moves_through_its_range_while_notes_sound(host):
         assert followed.min() < 0.05 and followed.max() > 0.95, f"{name} did not follow the sweep"
         host.plugin.set_automation(index, numpy.full(SAMPLE_RATE, resting))
     assert_sounds(host.render(Performance.scale(), SAMPLE_RATE))
+
+
+def test_loudness_is_matched_while_the_mallet_is_automated(host):
+    host = host()
+    mallet = host.index("Mallet")
+    change = numpy.full(3 * SAMPLE_RATE, host.plugin.get_parameter(mallet), numpy.float32)
+    change[SAMPLE_RATE // 2:] = 1 / 31  # yarn, the first of the rack
+    host.plugin.set_automation(mallet, change)
+    later = Performance.scale(2 * SAMPLE_RATE)
+
+    def decibels(matches):
+        host.plugin.set_parameter(host.index("Match loudness"), matches)
+        return level(host.render(later, 3 * SAMPLE_RATE)[:, 2 * SAMPLE_RATE:])
+
+    assert decibels(1) > decibels(0) + 15
 
 
 def test_a_restored_state_is_equal_byte_for_byte_and_sounds_the_same(host, tmp_path):

@@ -7,7 +7,7 @@ import pedalboard
 import pytest
 
 from performance import (IDENTICAL, PRESET, SAMPLE_RATE, Note, Performance, assert_equal_sound,
-                         assert_sounds, onset, seconds, within)
+                         assert_sounds, level, onset, seconds, within)
 
 BLOCK = 480
 # After loading, pedalboard plays middle C until something sounds, but at most this long. A
@@ -90,6 +90,23 @@ def test_every_parameter_moves_through_its_range_while_notes_sound(load):
         parameter.raw_value = resting
         assert numpy.isfinite(render(plugin, quiet, 4096, reset=False)).all(), name
     assert_sounds(render(plugin, performance, SAMPLE_RATE))
+
+
+def test_loudness_is_matched_while_it_plays_though_no_message_loop_runs(load):
+    plugin, scale = load(), Performance.scale()
+
+    def decibels(reset):
+        return level(render(plugin, scale, SAMPLE_RATE, reset=reset))
+
+    own = decibels(reset=True)
+    plugin.mallet = "Yarn"
+    decibels(reset=False)
+    assert decibels(reset=False) < own - 15
+    plugin.match_loudness = True
+    decibels(reset=False)  # the gain glides
+    matched = decibels(reset=False)
+    assert matched > own - 5
+    assert abs(matched - decibels(reset=True)) < 0.5
 
 
 def test_a_restored_state_is_equal_byte_for_byte_and_sounds_the_same(load):

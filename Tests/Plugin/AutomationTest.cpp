@@ -91,6 +91,7 @@ public:
         for (const auto& [parameter, value] : jump.with)
             state.parameters.set(parameter, value);
         state.parameters.set(jump.parameter, jump.from);
+        processor.setNonRealtime(true); // loudness is matched without a poll
         restore(processor, state);
         processor.prepareToPlay(rateHz, cellSize);
     }

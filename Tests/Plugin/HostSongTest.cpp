@@ -128,6 +128,28 @@ TEST_CASE("A second pass over a place of the song is bit-identical to the first"
         CHECK((played.passFrom(from + 1, chords(), samples) != first));
 }
 
+TEST_CASE("Offline a second pass repeats the matched loudness of materials that change in it") {
+    PlayedSong played(GENERATE(Playing::freeMotor, Playing::scraping));
+    played.processor.setNonRealtime(true);
+    const auto set = [&](ParameterId id, double value) {
+        played.processor.view().parameters.change(id, value);
+    };
+    set(ParameterId::matchLoudness, 1);
+    const auto pass = [&] {
+        HostSound sound;
+        played.song.beats = 8;
+        for (const int choice : {5, 7, 1}) {
+            set(ParameterId::material, firstLibraryMaterial + choice);
+            sound.append(played.pass(chords(), 24000));
+        }
+        return sound;
+    };
+    const auto first = pass();
+    REQUIRE(loudest(first) > 1e-4f);
+    played.fallSilent(false);
+    CHECK((pass() == first));
+}
+
 TEST_CASE("A bounce equals the live sound at the same song position") {
     PlayedSong live, bounce;
     live.fallSilent(false); // callbacks come long before the transport starts

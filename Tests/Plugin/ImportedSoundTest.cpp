@@ -1,5 +1,6 @@
 #include "Plugin/ImportedSound.h"
 
+#include "Instrument/PhrasePrediction.h"
 #include "Instrument/StartingLevel.h"
 #include "Plugin/SessionParts.h"
 

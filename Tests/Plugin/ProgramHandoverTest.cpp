@@ -219,14 +219,19 @@ TEST_CASE("After a reset, loudness is matched as after a preparation with the sa
     const auto expected = render(fresh, 24000, blockSize, testMusic(24000));
     REQUIRE(loudest(expected) > 0);
 
-    Processor processor;
-    restore(processor, state);
-    processor.prepareToPlay(rateHz, blockSize);
-    render(processor, 24000, blockSize, testMusic(24000));
-    change(processor);
-    render(processor, 24000, blockSize, testMusic(24000));
-    processor.reset();
-    CHECK((render(processor, 24000, blockSize, testMusic(24000)) == expected));
+    for (const bool isOffline : {false, true}) {
+        Processor processor;
+        processor.setNonRealtime(isOffline);
+        restore(processor, state);
+        processor.prepareToPlay(rateHz, blockSize);
+        render(processor, 24000, blockSize, testMusic(24000));
+        change(processor);
+        render(processor, 24000, blockSize, testMusic(24000));
+        if (!isOffline)
+            processor.poll();
+        processor.reset();
+        CHECK((render(processor, 24000, blockSize, testMusic(24000)) == expected));
+    }
 }
 
 TEST_CASE("A sound loaded with the modulation wheel up keeps its loudness from the start") {

@@ -1,4 +1,4 @@
-#include "Plugin/LatestValue.h"
+#include "Instrument/LatestValue.h"
 
 #include <catch2/catch_test_macros.hpp>
 #include <thread>
