@@ -210,6 +210,15 @@ def scenes(figures):
                   for s in figures["scenes"]])
 
 
+def analysis(figures):
+    return table(("body", "triangles", "modes", "one thread, s", "two threads, s", "one over two",
+                  "processor time of two over one", "figures that differ"),
+                 [(b["name"], f"{b['triangles']:,}", b["modes"],
+                   digits(b["one_thread_wall_s"]), digits(b["two_threads_wall_s"]),
+                   f"{b['one_over_two']:.2f}", f"{b['processor_two_over_one']:.2f}",
+                   b["differing_figures"]) for b in figures["bodies"]])
+
+
 def xylophone(figures):
     return table(("strikes", "s", "share of one core", "dearest cell / its length", "modes mixed",
                   "at most"),
@@ -268,7 +277,7 @@ def main():
     text = replace_between_markers(text, "goals", goals(document))
     measured = document["benchmarks"]
     for draw in (kernel, callback, plugin, force, memory, tau, rings, scale, scenes, render,
-                 xylophone, compression):
+                 analysis, xylophone, compression):
         if draw.__name__ in measured:
             more = (measured.get("render"),) if draw is rings else ()
             text = replace_between_markers(text, draw.__name__,

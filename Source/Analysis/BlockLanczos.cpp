@@ -32,7 +32,7 @@ public:
           width_(
               std::min(blockColumns(task.wanted, factor.entries()), space.rows() - found.cols())),
           capacity_(std::min(largestBasis(task.wanted), space.rows() - found.cols())),
-          basis_(factor.threads()), projected_(MatrixXd::Zero(capacity_, capacity_)) {}
+          basis_(factor.team()), projected_(MatrixXd::Zero(capacity_, capacity_)) {}
 
     EigenBlock run();
 

@@ -128,7 +128,8 @@ Result<ModalObject> solveBody(const BodyModel& body,
     const auto modes = solveModes(body.model,
                                   {.lowestHz = settings.lowestFrequencyHz,
                                    .highestHz = settings.maxFrequencyHz,
-                                   .maximumModes = settings.maximumModes},
+                                   .maximumModes = settings.maximumModes,
+                                   .threads = settings.threads},
                                   control.part(0, modesShare));
     if (!modes)
         return tl::unexpected(modes.error());
@@ -159,7 +160,8 @@ Result<ModalObject> solveBody(const BodyModel& body,
                                   .centreMetres = Eigen::Vector3d(object.mass.centreMetres.data())},
                                  {.directions = settings.listeningDirections,
                                   .method = settings.radiation,
-                                  .nearPointsMetres = settings.nearPointsMetres},
+                                  .nearPointsMetres = settings.nearPointsMetres,
+                                  .threads = settings.threads},
                                  control.part(modesShare, 1));
     if (!radiation)
         return tl::unexpected(radiation.error());

@@ -51,6 +51,7 @@ struct SolveSettings {
     /// [P] points outside the body at which to compute pressures, as for
     /// `Radiation::nearPressures`.
     std::vector<Eigen::Vector3d> nearPointsMetres = {};
+    unsigned threads = 0; ///< maximum, with the same result for any; 0: as many as pay
 };
 
 /// Returns an object with every mode of the body in the band, its radiation and its mass. The

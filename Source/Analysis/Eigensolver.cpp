@@ -2,8 +2,8 @@
 
 #include "Analysis/BlockLanczos.h"
 #include "Analysis/MassSpace.h"
-#include "Analysis/Parallel.h"
 #include "Analysis/ShiftedFactor.h"
+#include "Object/WorkTeam.h"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
@@ -21,6 +21,7 @@ using Eigen::VectorXd;
 
 constexpr Index denseUpTo = 400; ///< rows; dense solves are faster below
 constexpr double workLimitBytes = 3e9;
+constexpr unsigned usefulThreads = 8;  ///< more would wait for the memory and for the last fronts
 constexpr double countingShare = 0.05; ///< share of the counting phase in the progress
 /// A slice costs about three factorisations, and about 7 n products per mode for each mode in its
 /// basis. Fewer than 60 modes would waste work on modes outside the slice. More than 220 would make
@@ -58,8 +59,8 @@ EigenBlock solveDense(const VibrationModel& model) {
 class BandSolver {
 public:
     BandSolver(const VibrationModel& model, const FrequencyBand& band, const WorkControl& control)
-        : model_(model), space_(model.mass), factor_(model, control, threadsOrAll(band.threads)),
-          band_(band), control_(control) {}
+        : model_(model), space_(model.mass), team_(band.threads, usefulThreads),
+          factor_(model, control, &team_), band_(band), control_(control) {}
 
     EigenBlock solve();
     Index zeroModes() const { return zeroModes_; }
@@ -88,6 +89,7 @@ private:
 
     const VibrationModel& model_;
     MassSpace space_;
+    WorkTeam team_;
     ShiftedFactor factor_;
     FrequencyBand band_;
     const WorkControl& control_;
@@ -203,9 +205,8 @@ BandSolver::solveSlice(const Slice& slice, const Vectors& deflated, const Vector
 
 EigenBlock BandSolver::solve() {
     control_.report(0, "Counting modes");
-    const double norm = factor_.norm();
-    const double lowest = lambdaOf(band_.lowestHz);
-    const double zeroEdge = std::min(lowest, std::max(lambdaOf(band_.lowestHz / 20), 1e-14 * norm));
+    const double zeroEdge =
+        std::clamp(1e-14 * factor_.norm(), lambdaOf(band_.lowestHz / 20), lambdaOf(band_.lowestHz));
     zeroModes_ = factoriseAndCount(zeroEdge);
     const double bottom = factor_.shift();
     const Index upTo = factoriseAndCount(lambdaOf(band_.highestHz));

@@ -2,7 +2,6 @@
 
 #include "Analysis/NestedDissection.h"
 
-#include <Eigen/OrderingMethods>
 #include <algorithm>
 #include <iterator>
 #include <numeric>
@@ -20,12 +19,6 @@ std::vector<int> inverse(const std::vector<int>& order) {
     for (int i = 0; i < static_cast<int>(order.size()); ++i)
         place[order[i]] = i;
     return place;
-}
-
-std::vector<int> minimumDegreeOrder(const Pattern& symmetric) {
-    Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> permutation;
-    Eigen::AMDOrdering<int>()(symmetric, permutation);
-    return {permutation.indices().begin(), permutation.indices().end()};
 }
 
 /// Returns the parent of each unknown in the elimination tree, or −1 (Liu 1986).

@@ -1,7 +1,7 @@
 #include "Analysis/FrontalMatrices.h"
 
 #include "Analysis/DenseKernels.h"
-#include "Analysis/Parallel.h"
+#include "Object/WorkTeam.h"
 
 #include <algorithm>
 
@@ -104,14 +104,14 @@ std::size_t FrontalMatrices::updateEntries(std::size_t s) const {
 void subtractProduct(Eigen::Ref<MatrixXd> c,
                      const Eigen::Ref<const MatrixXd>& a,
                      const Eigen::Ref<const MatrixXd>& b,
-                     unsigned threads) {
+                     WorkTeam* team) {
     constexpr Index strip = 16;
     const Index size = c.rows(), tiles = (size + rowsOfTile - 1) / rowsOfTile;
     const double products =
         static_cast<double>(size) * static_cast<double>(size) / 2 * static_cast<double>(a.cols());
     // The lowest tiles are the longest, so they come first.
-    inParallel(static_cast<std::size_t>(tiles), products < productsPerThread ? 1 : threads,
-               [&](std::size_t task, unsigned) {
+    shareItems(products < productsPerThread ? nullptr : team, static_cast<std::size_t>(tiles),
+               [&](std::size_t task, std::size_t) {
                    const Index top = (tiles - 1 - static_cast<Index>(task)) * rowsOfTile;
                    const Index end = std::min(size, top + rowsOfTile);
                    for (Index j = 0; j < end; j += strip) {

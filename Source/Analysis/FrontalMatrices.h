@@ -9,6 +9,8 @@
 
 namespace idiophone {
 
+class WorkTeam;
+
 /// Makes the front of each supernode from the entries of a matrix and from the updates that its
 /// children left. Updates wait on a stack within a part of the tree, and by themselves above it.
 class FrontalMatrices {
@@ -52,10 +54,10 @@ private:
     std::vector<std::vector<double>> kept_; ///< [supernodes]
 };
 
-/// C −= A Bᵀ in the lower triangle of C and a little above it, on several threads if C is large.
+/// C −= A Bᵀ in the lower triangle of C and a little above it, on the team if C is large.
 void subtractProduct(Eigen::Ref<Eigen::MatrixXd> c,
                      const Eigen::Ref<const Eigen::MatrixXd>& a,
                      const Eigen::Ref<const Eigen::MatrixXd>& b,
-                     unsigned threads);
+                     WorkTeam* team);
 
 } // namespace idiophone

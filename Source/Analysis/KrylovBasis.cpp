@@ -1,7 +1,7 @@
 #include "Analysis/KrylovBasis.h"
 
 #include "Analysis/DenseKernels.h"
-#include "Analysis/Parallel.h"
+#include "Object/WorkTeam.h"
 
 #include <algorithm>
 
@@ -15,9 +15,9 @@ constexpr Index chunkRows = 32 * stripRows; ///< a task of a thread
 
 /// Calls `step(chunk, row, rows)` for each strip of each chunk of rows.
 template <class Step>
-void forStrips(Index rows, unsigned threads, const Step& step) {
-    inParallel(static_cast<std::size_t>((rows + chunkRows - 1) / chunkRows), threads,
-               [&](std::size_t chunk, unsigned) {
+void forStrips(Index rows, WorkTeam* team, const Step& step) {
+    shareItems(team, static_cast<std::size_t>((rows + chunkRows - 1) / chunkRows),
+               [&](std::size_t chunk, std::size_t) {
                    const Index first = static_cast<Index>(chunk) * chunkRows;
                    const Index end = std::min(rows, first + chunkRows);
                    for (Index row = first; row < end; row += stripRows)
@@ -36,7 +36,7 @@ void KrylovBasis::projectOut(const Vectors& image, Vectors& block) const {
     const Index w = block.cols();
     std::vector<Vectors> ofChunks(
         static_cast<std::size_t>((block.rows() + chunkRows - 1) / chunkRows));
-    forStrips(block.rows(), threads_, [&](std::size_t chunk, Index row, Index rows) {
+    forStrips(block.rows(), team_, [&](std::size_t chunk, Index row, Index rows) {
         if (ofChunks[chunk].size() == 0)
             ofChunks[chunk].setZero(size_, w);
         double* share = ofChunks[chunk].data();
@@ -61,7 +61,7 @@ Vectors KrylovBasis::combinations(const Vectors& coefficients) const {
 
 void KrylovBasis::addTo(Vectors& sums, double factor, const Vectors& coefficients) const {
     const Index w = sums.cols();
-    forStrips(sums.rows(), threads_, [&](std::size_t, Index row, Index rows) {
+    forStrips(sums.rows(), team_, [&](std::size_t, Index row, Index rows) {
         const double* coefficient = coefficients.data();
         for (const auto& own : blocks_) {
             const Index m = own.cols();

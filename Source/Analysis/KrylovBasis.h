@@ -7,11 +7,13 @@
 
 namespace idiophone {
 
+class WorkTeam;
+
 /// M-orthonormal blocks of vectors [n×w]. Each has its own memory, so that appending moves none.
 class KrylovBasis {
 public:
-    /// At most `threads` work, with the same result for any number.
-    explicit KrylovBasis(unsigned threads = 1) : threads_(threads) {}
+    /// The team outlives it. It may be null, with the same result.
+    explicit KrylovBasis(WorkTeam* team = nullptr) : team_(team) {}
 
     Eigen::Index size() const { return size_; } ///< in vectors
     const Vectors& last() const { return blocks_.back(); }
@@ -28,7 +30,7 @@ public:
 private:
     void addTo(Vectors& sums, double factor, const Vectors& coefficients) const;
 
-    unsigned threads_;
+    WorkTeam* team_;
     std::vector<Vectors> blocks_;
     Eigen::Index size_ = 0;
 };

@@ -185,7 +185,8 @@ solved(const BodyModel& body, const std::vector<int>& shapeVertices, const Task&
                                  .maximumModes = settings.maximumModes,
                                  .shapeVertices = shapeVertices,
                                  .listeningDirections = settings.listeningDirections,
-                                 .radiation = settings.radiation},
+                                 .radiation = settings.radiation,
+                                 .threads = settings.threads},
                                 task.control);
         if (object || !task.isPreview || task.control.isCancelled() ||
             bandHz >= settings.maxFrequencyHz)

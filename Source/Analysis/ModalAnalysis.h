@@ -29,6 +29,7 @@ struct AnalysisSettings {
     /// Directions to the listener; `directionsAllAround` for bodies that turn in scenes.
     std::vector<Eigen::Vector3d> listeningDirections = stereoDirections();
     RadiationMethod radiation = RadiationMethod::quick;
+    unsigned threads = 0; ///< maximum, with the same result for any; 0: as many as pay
 };
 
 /// Error, one sentence: a setting or a constant of the material is out of range.

@@ -3,7 +3,9 @@
 #include <Eigen/OrderingMethods>
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 namespace idiophone {
@@ -41,7 +43,7 @@ private:
     Halves cut(const Nodes& nodes);
     Nodes separatorOf(const Nodes& nodes);
     bool findPartner(int root);
-    Nodes minimumDegreeOrder(const Nodes& nodes);
+    Nodes orderWhole(const Nodes& nodes);
     void makePart(const Nodes& nodes) {
         ++parts_;
         for (const int node : nodes)
@@ -117,18 +119,22 @@ Nodes Dissection::separatorOf(const Nodes& nodes) {
     return separator;
 }
 
-/// Cuts a connected part between two distant nodes.
+/// Cuts a part between two distant nodes, or between what is connected and what is not.
 Dissection::Halves Dissection::cut(const Nodes& nodes) {
-    const auto unmark = [&] {
+    Halves halves;
+    int end = nodes.front();
+    for (const int sign : {0, -1, 1}) {
         for (const int node : nodes)
             mark_[node] = -1;
-    };
-    int end = nodes.back();
-    for (const int sign : {-1, 1}) {
-        unmark();
-        const Nodes byDistance = reached(end);
+        Nodes byDistance = reached(end);
+        if (byDistance.size() < nodes.size()) {
+            std::ranges::copy_if(nodes, std::back_inserter(halves.first),
+                                 [&](int node) { return mark_[node] < 0; });
+            halves.second = std::move(byDistance);
+            return halves;
+        }
         for (const int node : nodes)
-            key_[node] = sign < 0 ? -mark_[node] : key_[node] + mark_[node];
+            key_[node] = sign * mark_[node] + (sign > 0 ? key_[node] : 0);
         end = byDistance.back();
     }
     // Distances are whole numbers. Means over neighbours make the cut flat.
@@ -154,7 +160,6 @@ Dissection::Halves Dissection::cut(const Nodes& nodes) {
             mark_[sorted[i]] = static_cast<double>(i) < share * size ? 0 : 1;
         return separatorOf(sorted);
     };
-    Halves halves;
     double best = 0, lowest = std::numeric_limits<double>::infinity();
     for (const double share : cutShares) {
         const double cost = static_cast<double>(divide(share).size()) / (share * (1 - share));
@@ -172,7 +177,7 @@ Dissection::Halves Dissection::cut(const Nodes& nodes) {
     return halves;
 }
 
-Nodes Dissection::minimumDegreeOrder(const Nodes& nodes) {
+Nodes Dissection::orderWhole(const Nodes& nodes) {
     for (int i = 0; i < static_cast<int>(nodes.size()); ++i)
         mark_[nodes[i]] = i;
     std::vector<Eigen::Triplet<double>> entries;
@@ -183,43 +188,28 @@ Nodes Dissection::minimumDegreeOrder(const Nodes& nodes) {
     const auto count = static_cast<Eigen::Index>(nodes.size());
     Pattern places(count, count);
     places.setFromTriplets(entries.begin(), entries.end());
-    Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> permutation;
-    Eigen::AMDOrdering<int>()(places, permutation);
-    Nodes ordered;
-    for (const int i : permutation.indices())
-        ordered.push_back(nodes[i]);
+    Nodes ordered = minimumDegreeOrder(places);
+    for (int& node : ordered)
+        node = nodes[node];
     return ordered;
 }
 
 Nodes Dissection::order() {
     Nodes all(graph_.cols());
-    for (int node = 0; node < static_cast<int>(all.size()); ++node)
-        all[node] = node;
+    std::iota(all.begin(), all.end(), 0);
     // The order is made from its end: separators come after both halves.
     std::vector<Nodes> waiting{std::move(all)};
     Nodes backwards;
     while (!waiting.empty()) {
-        Nodes nodes = std::move(waiting.back());
+        const Nodes nodes = std::move(waiting.back());
         waiting.pop_back();
         makePart(nodes);
         if (nodes.size() <= wholeUpTo) {
-            const Nodes ordered = minimumDegreeOrder(nodes);
+            const Nodes ordered = orderWhole(nodes);
             backwards.insert(backwards.end(), ordered.rbegin(), ordered.rend());
             continue;
         }
-        for (const int node : nodes)
-            mark_[node] = -1;
-        Nodes connected = reached(nodes.front());
-        if (connected.size() < nodes.size()) {
-            Nodes others;
-            for (const int node : nodes)
-                if (mark_[node] < 0)
-                    others.push_back(node);
-            waiting.push_back(std::move(others));
-            waiting.push_back(std::move(connected));
-            continue;
-        }
-        Halves halves = cut(connected);
+        Halves halves = cut(nodes);
         backwards.insert(backwards.end(), halves.separator.rbegin(), halves.separator.rend());
         makePart(halves.separator);
         waiting.push_back(std::move(halves.first));
@@ -229,6 +219,12 @@ Nodes Dissection::order() {
 }
 
 } // namespace
+
+std::vector<int> minimumDegreeOrder(const Eigen::SparseMatrix<double>& symmetric) {
+    Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> permutation;
+    Eigen::AMDOrdering<int>()(symmetric, permutation);
+    return {permutation.indices().begin(), permutation.indices().end()};
+}
 
 std::vector<int> nestedDissectionOrder(const Eigen::SparseMatrix<double>& symmetric) {
     return Dissection(symmetric).order();

@@ -2,7 +2,9 @@
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace idiophone {
@@ -26,17 +28,17 @@ Eigen::Matrix<double, 10, 4> barycentricDerivatives(const Eigen::Vector4d& l) {
     return d;
 }
 
-/// [4×3] gradients of the barycentric coordinates, constant over a straight-sided element.
+/// [4×3] gradients of the barycentric coordinates of a straight-sided element.
 Eigen::Matrix<double, 4, 3> barycentricGradients(const Corners& corners) {
     Eigen::Matrix4d system;
     system << Eigen::Vector4d::Ones(), corners;
     return system.inverse().bottomRows<3>().transpose();
 }
 
-double volumeM3(const Corners& corners) {
+double signedVolumeM3(const Corners& corners) {
     const Eigen::Vector3d a = corners.row(1) - corners.row(0), b = corners.row(2) - corners.row(0),
                           c = corners.row(3) - corners.row(0);
-    return std::abs(a.cross(b).dot(c)) / 6;
+    return a.cross(b).dot(c) / 6;
 }
 
 Eigen::Matrix<double, 6, 30> strainMatrix(const Eigen::Matrix<double, 10, 3>& gradients) {
@@ -79,27 +81,55 @@ Eigen::SparseMatrix<double> threefold(const Eigen::SparseMatrix<double>& mass) {
     return result;
 }
 
-Corners cornersOf(const TetMesh& mesh, Eigen::Index tetrahedron) {
-    Corners corners;
-    for (int k = 0; k < 4; ++k)
-        corners.row(k) = mesh.nodes.row(mesh.tetrahedra(tetrahedron, k));
-    return corners;
+/// The four points of Hammer, Marlowe & Stroud (1956), in barycentric coordinates.
+Eigen::Vector4d integrationPoint(int point) {
+    Eigen::Vector4d l = Eigen::Vector4d::Constant((5 - std::sqrt(5.0)) / 20);
+    l(point) = (5 + 3 * std::sqrt(5.0)) / 20;
+    return l;
+}
+
+/// Returns the straight element that has the same gradients as a curved one at a point.
+Corners tangentElement(const ElementNodes& nodes, const Eigen::Vector4d& l) {
+    return barycentricDerivatives(l).transpose() * nodes;
 }
 
 } // namespace
 
-Element elementStiffness(const Corners& cornersMetres, const ElasticLaw& law) {
-    const double near = (5 + 3 * std::sqrt(5.0)) / 20, far = (5 - std::sqrt(5.0)) / 20;
-    const auto gradients = barycentricGradients(cornersMetres);
-    Element stiffness = Element::Zero();
-    for (int point = 0; point < 4; ++point) {
-        Eigen::Vector4d l = Eigen::Vector4d::Constant(far);
-        l(point) = near;
-        const auto strain = strainMatrix(barycentricDerivatives(l) * gradients);
-        const Eigen::Matrix<double, 6, 30> stress = law.stiffnessPa * strain;
-        stiffness.noalias() += strain.transpose() * stress;
+ElementNodes nodesOf(const TetMesh& mesh, Eigen::Index tetrahedron) {
+    return mesh.nodes(mesh.tetrahedra.row(tetrahedron), Eigen::all);
+}
+
+double leastVolumeShare(const ElementNodes& nodes) {
+    const double straight = signedVolumeM3(nodes.topRows<4>());
+    double least = std::numeric_limits<double>::infinity();
+    for (int point = 0; point < 4; ++point)
+        for (const Eigen::Vector4d& l :
+             {Eigen::Vector4d(Eigen::Vector4d::Unit(point)), integrationPoint(point)})
+            least = std::min(least, signedVolumeM3(tangentElement(nodes, l)) / straight);
+    return least;
+}
+
+ElementIntegrals elementIntegrals(const ElementNodes& nodesMetres, const ElasticLaw& law) {
+    const Corners corners = nodesMetres.topRows<4>();
+    const double straightM3 = std::abs(signedVolumeM3(corners));
+    bool isStraight = true;
+    for (int edge = 0; edge < 6; ++edge) {
+        const auto [a, b] = tetrahedronEdges[edge];
+        isStraight =
+            isStraight && nodesMetres.row(4 + edge) == (corners.row(a) + corners.row(b)) / 2;
     }
-    return stiffness * (volumeM3(cornersMetres) / 4);
+    ElementIntegrals sums;
+    for (int point = 0; point < 4; ++point) {
+        const Eigen::Vector4d l = integrationPoint(point);
+        const Corners tangent = isStraight ? corners : tangentElement(nodesMetres, l);
+        const double share = isStraight ? 1 : std::abs(signedVolumeM3(tangent)) / straightM3;
+        const auto strain = strainMatrix(barycentricDerivatives(l) * barycentricGradients(tangent));
+        const Eigen::Matrix<double, 6, 30> stress = share * (law.stiffnessPa * strain);
+        sums.stiffness.noalias() += strain.transpose() * stress;
+        sums.volumeM3 += share * straightM3 / 4;
+    }
+    sums.stiffness *= straightM3 / 4;
+    return sums;
 }
 
 Eigen::Matrix<double, 10, 10> elementMassShares() {
@@ -125,10 +155,10 @@ quadraticTetrahedra(const TetMesh& mesh, const ElasticLaw& law, double densityKg
     stiffness.reserve(static_cast<std::size_t>(mesh.tetrahedra.rows()) * 465);
     mass.reserve(static_cast<std::size_t>(mesh.tetrahedra.rows()) * 55);
     for (Eigen::Index t = 0; t < mesh.tetrahedra.rows(); ++t) {
-        const Corners corners = cornersOf(mesh, t);
+        const auto integrals = elementIntegrals(nodesOf(mesh, t), law);
         const Eigen::RowVectorXi nodes = mesh.tetrahedra.row(t);
-        scatter<3>(nodes, elementStiffness(corners, law), stiffness);
-        scatter<1>(nodes, (densityKgPerM3 * volumeM3(corners) * shares).eval(), mass);
+        scatter<3>(nodes, integrals.stiffness, stiffness);
+        scatter<1>(nodes, (densityKgPerM3 * integrals.volumeM3 * shares).eval(), mass);
     }
     const Eigen::Index nodes = mesh.nodes.rows();
     return {.stiffness = assembled(3 * nodes, stiffness),

@@ -1,5 +1,5 @@
 // Finite elements for solids: 10-node tetrahedra. Their quadratic displacements bend without
-// locking. Edges are straight and the elasticity is linear. Use TwoLayerShell for thin sheets.
+// locking. Edges may be curved, and the elasticity is linear. Use TwoLayerShell for thin sheets.
 #pragma once
 
 #include "Analysis/ElasticLaw.h"
@@ -8,13 +8,27 @@
 
 namespace idiophone {
 
-/// The stiffness of one element, [30×30] in N/m, with rows node by node in TetMesh's order. It is
-/// exact: four points integrate the quadratic integrand (Hammer, Marlowe & Stroud 1956).
-Eigen::Matrix<double, 30, 30> elementStiffness(const Eigen::Matrix<double, 4, 3>& cornersMetres,
-                                               const ElasticLaw& law);
+using ElementNodes = Eigen::Matrix<double, 10, 3>; ///< in TetMesh's order
 
-/// [10×10] ∫ N_i N_j dV over the element's volume, exact: the consistent mass per ρ V and
-/// direction.
+ElementNodes nodesOf(const TetMesh& mesh, Eigen::Index tetrahedron);
+
+struct ElementIntegrals {
+    /// In N/m, with rows node by node in TetMesh's order.
+    Eigen::Matrix<double, 30, 30> stiffness = Eigen::Matrix<double, 30, 30>::Zero();
+    double volumeM3 = 0;
+};
+
+/// Integrates over an isoparametric element by the four points of Hammer, Marlowe & Stroud (1956).
+/// It is exact if the edges are straight, because the integrand is quadratic then.
+ElementIntegrals elementIntegrals(const ElementNodes& nodesMetres, const ElasticLaw& law);
+
+/// Returns the minimum of dV over that of the element with straight edges, at the corners and at
+/// the integration points. It is 1 if the edges are straight, and negative where the element is
+/// turned inside out.
+double leastVolumeShare(const ElementNodes& nodesMetres);
+
+/// [10×10] ∫ N_i N_j dV over the element's volume, exact for straight edges: the consistent mass
+/// per ρ V and direction.
 Eigen::Matrix<double, 10, 10> elementMassShares();
 
 /// Assembles the matrices of a free body. Row 3n + axis is the displacement of node n. The first

@@ -3,8 +3,8 @@
 #include "Analysis/Air.h"
 #include "Analysis/BoundaryElements.h"
 #include "Analysis/ClosedSurface.h"
-#include "Analysis/Parallel.h"
 #include "Analysis/RadiationTasks.h"
+#include "Object/WorkTeam.h"
 
 #include <algorithm>
 #include <atomic>
@@ -130,11 +130,11 @@ void solve(RadiationTask& task, const Hearing& hearing, const WorkControl& contr
 /// Solves on several threads; only the calling thread reports progress.
 Result<void> solveAll(std::vector<RadiationTask>& tasks,
                       const Hearing& hearing,
-                      unsigned threads,
+                      WorkTeam& team,
                       const WorkControl& control) {
     std::atomic<std::size_t> done = 0;
     const WorkControl quiet = control.quiet();
-    inParallel(tasks.size(), threads, [&](std::size_t task, unsigned worker) {
+    team.runAll(tasks.size(), [&](std::size_t task, std::size_t worker) {
         if (control.isCancelled())
             return;
         const WorkControl& own = worker == 0 ? control : quiet;
@@ -155,11 +155,11 @@ Eigen::MatrixXd rowsOf(const std::vector<Eigen::Vector3d>& points) {
     return rows;
 }
 
-unsigned threadsFor(const BoundaryElements& elements, unsigned threads) {
+/// Returns the number of threads whose matrices fit into memory.
+unsigned affordableThreads(const BoundaryElements& elements) {
     const auto unknowns = static_cast<double>(elements.unknownCount());
     const double bytes = 8 * unknowns * unknowns * static_cast<double>(elements.symmetryOrder());
-    const auto most = static_cast<unsigned>(std::clamp(maximumMatrixBytes / bytes, 1.0, 1024.0));
-    return std::min(threadsOrAll(threads), most);
+    return static_cast<unsigned>(std::clamp(maximumMatrixBytes / bytes, 1.0, 1024.0));
 }
 
 } // namespace
@@ -215,9 +215,8 @@ Result<Radiation> radiationOf(const RadiatingBody& body,
     const std::size_t ownCount = tasks.size();
     std::ranges::move(gridTasks(frequenciesHz, settings.frequencyRatios),
                       std::back_inserter(tasks));
-    if (const auto solved =
-            solveAll(tasks, hearing, threadsFor(elements, settings.threads), control);
-        !solved)
+    WorkTeam team(settings.threads, affordableThreads(elements));
+    if (const auto solved = solveAll(tasks, hearing, team, control); !solved)
         return tl::unexpected(solved.error());
     const auto own = std::span(tasks).first(ownCount);
 

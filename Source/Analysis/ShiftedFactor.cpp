@@ -1,12 +1,9 @@
 #include "Analysis/ShiftedFactor.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace idiophone {
 namespace {
-
-constexpr unsigned usefulThreads = 8; ///< more would wait for the memory and for the last fronts
 
 double oneNorm(const Eigen::SparseMatrix<double>& lower) {
     Eigen::VectorXd sums = Eigen::VectorXd::Zero(lower.cols());
@@ -23,9 +20,9 @@ double oneNorm(const Eigen::SparseMatrix<double>& lower) {
 
 ShiftedFactor::ShiftedFactor(const VibrationModel& model,
                              const WorkControl& control,
-                             unsigned threads)
-    : model_(model), control_(control), threads_(std::min(threads, usefulThreads)),
-      factor_(model.stiffness.cwiseAbs() + model.mass.cwiseAbs(), model.rowsPerVertex, threads_),
+                             WorkTeam* team)
+    : model_(model), control_(control), team_(team),
+      factor_(model.stiffness.cwiseAbs() + model.mass.cwiseAbs(), model.rowsPerVertex, team),
       norm_(oneNorm(model.stiffness) / model.mass.diagonal().minCoeff()) {}
 
 bool ShiftedFactor::factorise(double shift) {

@@ -14,15 +14,17 @@ namespace idiophone {
 class ShiftedFactor {
 public:
     /// Keeps references to the model and to the control. Orders the matrices once for all shifts.
-    /// At most `threads`, up to 8, work, with the same result for any number.
-    ShiftedFactor(const VibrationModel& model, const WorkControl& control, unsigned threads = 1);
+    /// The team outlives it. It may be null, with the same result.
+    ShiftedFactor(const VibrationModel& model,
+                  const WorkControl& control,
+                  WorkTeam* team = nullptr);
 
     /// Factorises at σ. If the pivots there are too small for accuracy, moves the shift away from
     /// zero, by at most about 1 %. Does nothing if σ is unchanged. Returns false if that fails or
     /// if cancelled. Not thread-safe.
     bool factorise(double shift);
 
-    unsigned threads() const { return threads_; }
+    WorkTeam* team() const { return team_; }
     double shift() const { return shift_; }
     /// An upper bound on the order of magnitude of the stiffest eigenvalue: ‖K‖₁ over the minimum
     /// diagonal mass.
@@ -45,7 +47,7 @@ private:
 
     const VibrationModel& model_;
     const WorkControl& control_;
-    unsigned threads_;
+    WorkTeam* team_;
     SupernodalLdlt factor_;
     double shift_ = 0, asked_ = 0;
     bool isDone_ = false;

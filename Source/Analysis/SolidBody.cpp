@@ -1,5 +1,6 @@
 #include "Analysis/SolidBody.h"
 
+#include "Analysis/CurvedEdges.h"
 #include "Analysis/ElementSize.h"
 #include "Analysis/QuadraticTetrahedra.h"
 #include "Geometry/Decimation.h"
@@ -18,12 +19,18 @@ namespace {
 /// The volume of a TetGen element of edge e is about 0.11 e³.
 constexpr double elementVolumeShare = 0.11;
 constexpr double coarsestElementsPerWavelength = 3;
+constexpr double longBodySlenderness = 30; ///< of a square rod 55 times as long as wide
 
-/// Returns the minimum edge within the budget. In a thin wall, elements are as flat as the wall.
+/// Returns the minimum edge within the budget. In a thin wall, elements are as flat as the wall. A
+/// long rod may take twice the budget, because its factors are sparse.
 double budgetEdgeMetres(const MeshCheck& check, int elementBudget) {
     const double edge =
         std::cbrt(check.volumeM3 / elementVolumeShare / static_cast<double>(elementBudget));
-    const double wall = check.meanThicknessMetres;
+    const double wall = check.meanThicknessMetres, twisting = twistingElement * wall;
+    if (edge <= twisting)
+        return edge;
+    if (edge <= std::cbrt(2) * twisting && check.slenderness > longBodySlenderness)
+        return twisting;
     if (edge <= wall)
         return edge;
     // One layer of prisms over half of the surface, three tetrahedra each.
@@ -107,13 +114,14 @@ solidBody(const Mesh& surface, const SolidBodySettings& settings, const WorkCont
     BodyModel body;
     Mesh& mesh = body.surface;
     mesh = surface;
-    bool keepSurface = true;
+    bool keepSurface = true, isCoveredAnew = false;
     if (given < finestEdgeShare * edge || given > coarsestEdgeShare * edge) {
         const auto covered = coveredAnew(surface, check, edge, control);
         if (!covered)
             return failure(covered.error().message);
         if (covered->mesh) {
             mesh = *covered->mesh;
+            isCoveredAnew = true;
             body.notes = "The surface was remeshed to edges of " +
                          millimetresText(covered->edgeMetres) + ".";
         } else {
@@ -125,11 +133,13 @@ solidBody(const Mesh& surface, const SolidBodySettings& settings, const WorkCont
     if (control.isCancelled())
         return cancellation();
     control.report(0, "Filling the body with tetrahedra");
-    const auto elements = tetrahedralise(
+    auto elements = tetrahedralise(
         mesh,
         {.targetEdgeMetres = edge, .keepSurface = keepSurface, .cancelled = control.cancelled});
     if (!elements)
         return failure(elements.error().message);
+    if (isCoveredAnew)
+        curveEdges(*elements, mesh, SurfaceQuery(surface));
     body.model = quadraticTetrahedra(*elements, settings.law, settings.material.densityKgPerM3);
     body.pointsMetres = elements->nodes;
     body.body = BodyKind::solid;

@@ -1,7 +1,7 @@
 #include "Analysis/SupernodalLdlt.h"
 
 #include "Analysis/DenseKernels.h"
-#include "Analysis/Parallel.h"
+#include "Object/WorkTeam.h"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
@@ -34,8 +34,9 @@ Eigen::SparseMatrix<double> blockPlaces(const Eigen::SparseMatrix<double>& lower
     return places;
 }
 
-unsigned threadsFor(Index entries, unsigned threads) {
-    return static_cast<double>(entries) < 2 * entriesPerThread ? 1 : threads;
+/// Returns the team if that many entries of L are worth it.
+WorkTeam* teamFor(Index entries, WorkTeam* team) {
+    return static_cast<double>(entries) < 2 * entriesPerThread ? nullptr : team;
 }
 
 } // namespace
@@ -48,8 +49,8 @@ struct SupernodalLdlt::Progress {
 
 SupernodalLdlt::SupernodalLdlt(const Eigen::SparseMatrix<double>& lower,
                                int blockSize,
-                               unsigned threads)
-    : blockSize_(blockSize), threads_(threads),
+                               WorkTeam* team)
+    : blockSize_(blockSize), team_(team),
       tree_(eliminationTree(blockPlaces(lower, blockSize), blockSize)),
       parts_(treeParts(tree_, blockSize)), order_(lower.rows()), columns_(tree_.supernodes.size()),
       axes_(blockSize, lower.rows()), pivots_(blockSize, lower.rows() / blockSize) {
@@ -66,13 +67,13 @@ LdltOutcome SupernodalLdlt::factorise(const Eigen::SparseMatrix<double>& lower,
     Progress progress{.fronts = {tree_, blockSize_, permuted}};
     const std::function<bool()> never = [] { return false; };
     {
-        std::vector<FrontalMatrices::Workspace> workspaces(threads_);
-        inParallel(parts_.parts.size(), threads_, [&](std::size_t part, unsigned worker) {
+        std::vector<FrontalMatrices::Workspace> workspaces(threadsOf(team_));
+        shareItems(team_, parts_.parts.size(), [&](std::size_t part, std::size_t worker) {
             auto& work = workspaces[worker];
             const auto [first, root] = parts_.parts[part];
             for (std::size_t s = first; s <= root; ++s) {
                 auto front = progress.fronts.assemble(s, work);
-                if (!eliminateFront(s, front, 1, progress, worker == 0 ? stop : never))
+                if (!eliminateFront(s, front, nullptr, progress, worker == 0 ? stop : never))
                     return;
                 progress.fronts.push(s, front, work);
             }
@@ -84,7 +85,7 @@ LdltOutcome SupernodalLdlt::factorise(const Eigen::SparseMatrix<double>& lower,
         if (progress.outcome != LdltOutcome::done)
             break;
         auto front = progress.fronts.assemble(s, work);
-        if (eliminateFront(s, front, threads_, progress, stop))
+        if (eliminateFront(s, front, team_, progress, stop))
             progress.fronts.keep(s, front);
     }
     negativePivots_ = progress.negativePivots;
@@ -94,7 +95,7 @@ LdltOutcome SupernodalLdlt::factorise(const Eigen::SparseMatrix<double>& lower,
 /// Eliminates a supernode's columns and keeps them. Returns false if the factorisation has ended.
 bool SupernodalLdlt::eliminateFront(std::size_t s,
                                     FrontalMatrices::Front& front,
-                                    unsigned threads,
+                                    WorkTeam* team,
                                     Progress& progress,
                                     const std::function<bool()>& stop) {
     const auto& node = tree_.supernodes[s];
@@ -107,7 +108,7 @@ bool SupernodalLdlt::eliminateFront(std::size_t s,
             return false;
         const Index width = std::min(panel, wide - column);
         if (!eliminate(node.first * blockSize_ + column,
-                       front.bottomRightCorner(size - column, size - column), width, threads,
+                       front.bottomRightCorner(size - column, size - column), width, team,
                        progress)) {
             progress.outcome = LdltOutcome::singular;
             return false;
@@ -124,7 +125,7 @@ bool SupernodalLdlt::eliminateFront(std::size_t s,
 
 /// Eliminates the first `width` columns of the rest of a front, whose rows start at `first`.
 bool SupernodalLdlt::eliminate(
-    Index first, Eigen::Ref<MatrixXd> left, Index width, unsigned threads, Progress& progress) {
+    Index first, Eigen::Ref<MatrixXd> left, Index width, WorkTeam* team, Progress& progress) {
     const Index b = blockSize_, size = left.rows();
     MatrixXd unscaled(size, width); // L D; L stays in `left`
     for (Index j = 0; j < width; j += b) {
@@ -143,7 +144,7 @@ bool SupernodalLdlt::eliminate(
     }
     const Index rest = size - width;
     subtractProduct(left.bottomRightCorner(rest, rest), left.bottomLeftCorner(rest, width),
-                    unscaled.bottomRows(rest), threads);
+                    unscaled.bottomRows(rest), team);
     return true;
 }
 
@@ -192,14 +193,14 @@ void SupernodalLdlt::solvePermuted(Vectors& x) const {
     Index tallest = 0;
     for (const auto& node : tree_.supernodes)
         tallest = std::max(tallest, std::ssize(node.below));
-    std::vector<Vectors> below(threads_), outside(parts_.parts.size());
-    const auto belowOf = [&](unsigned worker) -> Vectors& {
+    std::vector<Vectors> below(threadsOf(team_)), outside(parts_.parts.size());
+    const auto belowOf = [&](std::size_t worker) -> Vectors& {
         if (below[worker].size() == 0)
             below[worker].resize(tallest * b, w);
         return below[worker];
     };
     // Each part sums what it subtracts from the rows above it.
-    inParallel(parts_.parts.size(), threads_, [&](std::size_t part, unsigned worker) {
+    shareItems(team_, parts_.parts.size(), [&](std::size_t part, std::size_t worker) {
         const auto [first, root] = parts_.parts[part];
         const auto& top = tree_.supernodes[root];
         const int end = top.first + top.width;
@@ -207,7 +208,7 @@ void SupernodalLdlt::solvePermuted(Vectors& x) const {
         for (std::size_t s = first; s <= root; ++s) {
             const auto& rows = tree_.supernodes[s].below;
             Vectors& products = belowOf(worker);
-            eliminateFrom(x, products, s, 1);
+            eliminateFrom(x, products, s, nullptr);
             auto place = top.below.begin();
             for (std::size_t i = 0; i < rows.size(); ++i) {
                 const auto own = products.middleRows(static_cast<Index>(i) * b, b);
@@ -227,15 +228,15 @@ void SupernodalLdlt::solvePermuted(Vectors& x) const {
     for (std::size_t part = 0; part < parts_.parts.size(); ++part)
         subtract(tree_.supernodes[parts_.parts[part].root].below, outside[part]);
     for (const std::size_t s : parts_.above) {
-        eliminateFrom(x, belowOf(0), s, threads_);
+        eliminateFrom(x, belowOf(0), s, team_);
         subtract(tree_.supernodes[s].below, below[0]);
     }
     x.array().colwise() /= pivots_.reshaped().array();
     for (auto s = parts_.above.rbegin(); s != parts_.above.rend(); ++s)
-        substituteInto(x, belowOf(0), *s, threads_);
-    inParallel(parts_.parts.size(), threads_, [&](std::size_t part, unsigned worker) {
+        substituteInto(x, belowOf(0), *s, team_);
+    shareItems(team_, parts_.parts.size(), [&](std::size_t part, std::size_t worker) {
         for (std::size_t s = parts_.parts[part].root + 1; s-- > parts_.parts[part].first;)
-            substituteInto(x, belowOf(worker), s, 1);
+            substituteInto(x, belowOf(worker), s, nullptr);
     });
 }
 
@@ -243,7 +244,7 @@ void SupernodalLdlt::solvePermuted(Vectors& x) const {
 void SupernodalLdlt::eliminateFrom(Vectors& x,
                                    Vectors& below,
                                    std::size_t s,
-                                   unsigned threads) const {
+                                   WorkTeam* team) const {
     const auto& node = tree_.supernodes[s];
     const auto& l = columns_[s];
     const Index b = blockSize_, wide = l.cols(), under = l.rows() - wide, w = x.cols();
@@ -253,7 +254,7 @@ void SupernodalLdlt::eliminateFrom(Vectors& x,
         addProduct({b, w, row, -1, &l(row, 0), 1, l.rows(), own, w, own + row * w, w});
     }
     below.topRows(under).setZero();
-    divideRows(under, threadsFor(under * wide, threads), [&](Index first, Index rows) {
+    shareRows(teamFor(under * wide, team), under, [&](Index first, Index rows) {
         for (Index column = 0; column < wide; column += streamsTogether)
             addProduct({rows, w, std::min(streamsTogether, wide - column), 1,
                         l.data() + column * l.rows() + wide + first, 1, l.rows(), own + column * w,
@@ -265,14 +266,14 @@ void SupernodalLdlt::eliminateFrom(Vectors& x,
 void SupernodalLdlt::substituteInto(Vectors& x,
                                     Vectors& below,
                                     std::size_t s,
-                                    unsigned threads) const {
+                                    WorkTeam* team) const {
     const auto& node = tree_.supernodes[s];
     const auto& l = columns_[s];
     const Index b = blockSize_, wide = l.cols(), under = l.rows() - wide, w = x.cols();
     double* own = x.data() + node.first * b * w;
     for (std::size_t i = 0; i < node.below.size(); ++i)
         below.middleRows(static_cast<Index>(i) * b, b) = x.middleRows(node.below[i] * b, b);
-    divideRows(wide, threadsFor(under * wide, threads), [&](Index first, Index rows) {
+    shareRows(teamFor(under * wide, team), wide, [&](Index first, Index rows) {
         addProduct({rows, w, under, -1, l.data() + first * l.rows() + wide, l.rows(), 1,
                     below.data(), w, own + first * w, w});
     });

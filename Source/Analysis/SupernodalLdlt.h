@@ -14,6 +14,8 @@
 
 namespace idiophone {
 
+class WorkTeam;
+
 enum class LdltOutcome { done, singular, stopped };
 
 /// The multifrontal method (Duff & Reid 1983). A supernode is a set of columns with like structure,
@@ -27,8 +29,10 @@ class SupernodalLdlt {
 public:
     /// Orders and analyses the pattern of a lower triangle [n×n]. n is a multiple of the block
     /// size, 1 … 6.
-    /// At most `threads` work, with the same result for any number.
-    SupernodalLdlt(const Eigen::SparseMatrix<double>& lower, int blockSize, unsigned threads = 1);
+    /// The team outlives it. It may be null, with the same result.
+    SupernodalLdlt(const Eigen::SparseMatrix<double>& lower,
+                   int blockSize,
+                   WorkTeam* team = nullptr);
 
     /// Factorises a matrix with this pattern or part of it. Calls `stop` regularly, from
     /// the caller's thread.
@@ -54,23 +58,23 @@ private:
 
     bool eliminateFront(std::size_t s,
                         FrontalMatrices::Front& front,
-                        unsigned threads,
+                        WorkTeam* team,
                         Progress& progress,
                         const std::function<bool()>& stop);
     bool eliminate(Eigen::Index first,
                    Eigen::Ref<Eigen::MatrixXd> left,
                    Eigen::Index width,
-                   unsigned threads,
+                   WorkTeam* team,
                    Progress& progress);
     bool diagonalisePivot(Eigen::Index first, const Block& pivot, Progress& progress);
 
     void solvePermuted(Vectors& x) const;
-    void eliminateFrom(Vectors& x, Vectors& below, std::size_t s, unsigned threads) const;
-    void substituteInto(Vectors& x, Vectors& below, std::size_t s, unsigned threads) const;
+    void eliminateFrom(Vectors& x, Vectors& below, std::size_t s, WorkTeam* team) const;
+    void substituteInto(Vectors& x, Vectors& below, std::size_t s, WorkTeam* team) const;
     void turn(double* rows, Eigen::Index w, Eigen::Index first, bool into) const;
 
     int blockSize_;
-    unsigned threads_;
+    WorkTeam* team_;
     EliminationTree tree_;
     TreeParts parts_;
     Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> order_;

@@ -35,8 +35,8 @@ struct TetMeshSettings {
 };
 
 /// Fills a closed surface. Cavities (closed surfaces inside another) stay empty, whatever their
-/// orientation. Separate bodies may lie side by side. Mid-edge nodes lie on straight edges, even if
-/// the true body is curved, because only the triangles are known.
+/// orientation. Separate bodies may lie side by side. Mid-edge nodes lie on straight edges, because
+/// only the triangles are known; CurvedEdges moves them to a finer surface.
 ///
 /// The surface must be closed. Faces meet only at common edges or vertices, each vertex has a face,
 /// and no two vertices coincide. TetGen 1.5 detects violations late or never. Errors are one

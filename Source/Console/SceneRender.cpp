@@ -3,8 +3,8 @@
 #include "Console/RenderLoop.h"
 #include "Instrument/Instrument.h"
 #include "Object/OneLine.h"
+#include "Object/WorkTeam.h"
 #include "Scene/SceneRenderer.h"
-#include "Scene/WorkTeam.h"
 
 #include <algorithm>
 #include <cmath>

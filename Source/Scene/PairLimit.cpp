@@ -1,8 +1,8 @@
 #include "Scene/PairLimit.h"
 
+#include "Object/WorkTeam.h"
 #include "Scene/RigidWorld.h"
 #include "Scene/RingCollision.h"
-#include "Scene/WorkTeam.h"
 
 #include <algorithm>
 
@@ -11,8 +11,7 @@ namespace idiophone {
 thread_local PairLimit::Collided PairLimit::collided;
 
 PairLimit::PairLimit(btCollisionConfiguration* configuration, WorkTeam* sharingTeam)
-    : btCollisionDispatcher(configuration), team(sharingTeam),
-      changesOfThreads(team != nullptr ? team->threadCount() : 1) {
+    : btCollisionDispatcher(configuration), team(sharingTeam), changesOfThreads(threadsOf(team)) {
     setNearCallback(collide);
 }
 

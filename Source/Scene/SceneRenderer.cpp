@@ -1,7 +1,7 @@
 #include "Scene/SceneRenderer.h"
 
 #include "Instrument/SettingsOfParameters.h"
-#include "Scene/WorkTeam.h"
+#include "Object/WorkTeam.h"
 
 #include <algorithm>
 #include <chrono>

@@ -1,14 +1,13 @@
 #include "Scene/SharedSolver.h"
 
-#include "Scene/WorkTeam.h"
+#include "Object/WorkTeam.h"
 
 #include <algorithm>
 #include <functional>
 
 namespace idiophone {
 
-SharedSolver::SharedSolver(WorkTeam* sharingTeam)
-    : team(sharingTeam), solvers(team != nullptr ? team->threadCount() : 1) {}
+SharedSolver::SharedSolver(WorkTeam* sharingTeam) : team(sharingTeam), solvers(threadsOf(team)) {}
 
 btScalar SharedSolver::solveGroup(btCollisionObject** bodies,
                                   int bodyCount,
@@ -31,16 +30,11 @@ btScalar SharedSolver::solveGroup(btCollisionObject** bodies,
 
 void SharedSolver::allSolved(const btContactSolverInfo& how, btIDebugDraw*) {
     std::ranges::stable_sort(groups, std::greater(), &Group::pairCount);
-    const auto solve = [&](std::size_t k, std::size_t thread) {
+    shareItems(team, groups.size(), [&](std::size_t k, std::size_t thread) {
         const auto& group = groups[k];
         solvers[thread].solveGroup(bodiesOfGroups.data() + group.firstBody, group.bodyCount,
                                    group.pairs, group.pairCount, nullptr, 0, how, nullptr, nullptr);
-    };
-    if (team != nullptr)
-        team->runAll(groups.size(), solve);
-    else
-        for (std::size_t k = 0; k < groups.size(); ++k)
-            solve(k, 0);
+    });
     groups.clear();
     bodiesOfGroups.clear();
 }

@@ -39,6 +39,11 @@ double product(const Eigen::SparseMatrix<double>& lower,
     return a.dot(lower.selfadjointView<Eigen::Lower>() * b);
 }
 
+ElementNodes straightElement(const Eigen::Matrix<double, 4, 3>& corners) {
+    Eigen::Matrix<int, 1, 4> all(0, 1, 2, 3);
+    return nodesOf(withMidEdgeNodes(corners, all, 4), 0);
+}
+
 } // namespace
 
 TEST_CASE("A rigid motion of a block of tetrahedra stores no energy") {
@@ -129,8 +134,8 @@ TEST_CASE("An element's stiffness does not depend on the order of its corners") 
     const auto law = elasticLaw(referenceWood(0.3));
     Eigen::Matrix<double, 4, 3> turned;
     turned << corners.row(1), corners.row(2), corners.row(0), corners.row(3);
-    const Eigen::Matrix<double, 30, 30> first = elementStiffness(corners, law),
-                                        second = elementStiffness(turned, law);
+    const auto first = elementIntegrals(straightElement(corners), law).stiffness,
+               second = elementIntegrals(straightElement(turned), law).stiffness;
     const Eigen::VectorXd a = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(first).eigenvalues(),
                           b = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(second).eigenvalues();
     CHECK((a - b).cwiseAbs().maxCoeff() < 1e-12 * a.maxCoeff());
@@ -172,4 +177,34 @@ TEST_CASE("Frequencies scale with √(E/ρ) and inversely with size") {
     const double reference = at(1, 20e9, 1000);
     CHECK_THAT(at(2, 20e9, 1000), WithinRel(reference / 4, 1e-8));
     CHECK_THAT(at(1, 40e9, 4000), WithinRel(reference / 2, 1e-8));
+}
+
+TEST_CASE("A curved element moves rigidly without energy and is exact in uniform strain") {
+    Eigen::Matrix<double, 4, 3> corners;
+    corners << 0, 0, 0, 1, 0.1, 0, 0.2, 0.9, 0.1, 0.3, 0.2, 1.1;
+    ElementNodes nodes = straightElement(corners);
+    CHECK_THAT(leastVolumeShare(nodes), WithinRel(1, 1e-12));
+    nodes.row(5) += Eigen::RowVector3d(0.05, 0.07, 0.03);
+    nodes.row(8) += Eigen::RowVector3d(0.02, -0.04, 0.06);
+    const auto law = elasticLaw(referenceWood(0.3));
+    const auto [stiffness, volume] = elementIntegrals(nodes, law);
+    const auto energy = [&](const Eigen::Matrix3d& gradient) {
+        const Eigen::Matrix<double, 3, 10> u = gradient * nodes.transpose();
+        return u.reshaped().dot(stiffness * u.reshaped());
+    };
+    Eigen::Matrix3d turn, shear = Eigen::Matrix3d::Zero();
+    turn << 0, -3, 2, 3, 0, -1, -2, 1, 0;
+    shear(0, 1) = 1;
+    CHECK_THAT(energy(shear), WithinRel(volume * law.stiffnessPa(5, 5), 1e-12));
+    CHECK(std::abs(energy(turn)) < 1e-12 * energy(shear));
+}
+
+TEST_CASE("The volume share of a tetrahedron that is turned inside out is negative") {
+    Eigen::Matrix<double, 4, 3> corners;
+    corners << 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1;
+    ElementNodes nodes = straightElement(corners);
+    nodes.row(4) += Eigen::RowVector3d(0, 0.2, 0.2);
+    CHECK(leastVolumeShare(nodes) > 0);
+    nodes.row(4) += Eigen::RowVector3d(0, 0.2, 0.2);
+    CHECK(leastVolumeShare(nodes) < 0);
 }

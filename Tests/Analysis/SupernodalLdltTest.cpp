@@ -1,6 +1,7 @@
 #include "Analysis/SupernodalLdlt.h"
 
 #include "Analysis/BlockLanczos.h"
+#include "Object/WorkTeam.h"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
@@ -134,7 +135,8 @@ TEST_CASE("A factorisation can be stopped at any time and repeated") {
 
 TEST_CASE("Several threads factorise and solve to the same bits as one") {
     const auto lower = lattice(110, 3, 0.5);
-    SupernodalLdlt one(lower, 3, 1), several(lower, 3, GENERATE(2u, 5u));
+    WorkTeam team(GENERATE(2u, 5u));
+    SupernodalLdlt one(lower, 3), several(lower, 3, &team);
     REQUIRE(one.factorise(lower, never) == LdltOutcome::done);
     REQUIRE(several.factorise(lower, never) == LdltOutcome::done);
     CHECK(several.negativePivots() == one.negativePivots());
@@ -149,7 +151,8 @@ TEST_CASE("Several threads factorise and solve to the same bits as one") {
 
 TEST_CASE("A factorisation on several threads can be stopped and repeated") {
     const auto lower = lattice(110, 3, 0.5);
-    SupernodalLdlt factor(lower, 3, 2);
+    WorkTeam team(2);
+    SupernodalLdlt factor(lower, 3, &team);
     int count = 0;
     CHECK(factor.factorise(lower, [&] { return ++count == 3; }) == LdltOutcome::stopped);
     CHECK(factor.factorise(lower, never) == LdltOutcome::done);

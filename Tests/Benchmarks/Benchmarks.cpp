@@ -31,6 +31,8 @@ std::span<const NamedBenchmark> namedBenchmarks() {
         NamedBenchmark{"scale", "10, 100 and 1000 bodies under one budget", benchScale},
         NamedBenchmark{"scenes", "Motion of the factory scenes against real time", benchScenes},
         NamedBenchmark{"render", "A rendered scene on two cores against one", benchRender},
+        NamedBenchmark{"analysis", "A ball, a cube and a scan on two cores against one",
+                       benchAnalysis},
         NamedBenchmark{"xylophone", "A song as a share of one core", benchXylophone},
         NamedBenchmark{"compression", "Modes and level error of the factory objects",
                        benchCompression}};

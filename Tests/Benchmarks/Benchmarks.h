@@ -63,6 +63,8 @@ Result<BenchSection> benchScale(const BenchContent&);
 Result<BenchSection> benchScenes(const BenchContent&);
 /// Compares two cores with one for a rendered scene, in time and bits.
 Result<BenchSection> benchRender(const BenchContent&);
+/// Compares two cores with one for the analysis of large bodies, in time and bits.
+Result<BenchSection> benchAnalysis(const BenchContent&);
 /// Measures a song's share of one core.
 Result<BenchSection> benchXylophone(const BenchContent&);
 /// Compares modes and level before and after compression.

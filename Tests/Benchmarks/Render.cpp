@@ -1,8 +1,8 @@
 #include "Benchmarks/Benchmarks.h"
 #include "Benchmarks/Timer.h"
+#include "Object/WorkTeam.h"
 #include "Scene/FactoryScenes.h"
 #include "Scene/SceneRenderer.h"
-#include "Scene/WorkTeam.h"
 
 #include <algorithm>
 #include <memory>

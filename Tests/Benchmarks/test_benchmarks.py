@@ -125,6 +125,20 @@ class Benchmarks(ConsoleTest):
             seconds = curve["frame_seconds"] * len(curve["frames_per_second"])
             self.assertAlmostEqual(seconds, figures["seconds"], delta=0.02)
 
+    def test_two_cores_analyse_to_the_figures_of_one(self):
+        document = self.bench("analysis")
+        bodies = document["benchmarks"]["analysis"]["bodies"]
+        self.assertEqual(len(bodies), 3)
+        *speedups, same = document["goals"]
+        self.assertEqual(same["measured"], 0)
+        for body, goal in zip(bodies, speedups, strict=True):
+            self.assertIn(body["name"], goal["name"])
+            self.assertEqual(body["differing_figures"], 0)
+            self.assertGreater(body["modes"], 10)
+            self.assertAlmostEqual(goal["measured"],
+                                   body["one_thread_wall_s"] / body["two_threads_wall_s"])
+        self.assertGreater(bodies[-1]["triangles"], 18000)
+
     def test_the_song_benchmark_plays_the_xylophone(self):
         figures = self.bench("xylophone", "--song", SONG)["benchmarks"]["xylophone"]
         self.assertGreater(figures["strikes"], 100)

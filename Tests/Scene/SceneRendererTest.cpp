@@ -1,7 +1,7 @@
 // Tests rendering a scene on several threads.
 #include "Scene/SceneRenderer.h"
+#include "Object/WorkTeam.h"
 #include "Scene/FactoryScenes.h"
-#include "Scene/WorkTeam.h"
 
 #include <catch2/catch_test_macros.hpp>
 

@@ -1,6 +1,7 @@
-#include "Scene/WorkTeam.h"
+#include "Object/WorkTeam.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace idiophone {
 namespace {
@@ -8,32 +9,25 @@ namespace {
 constexpr int pollsBeforeYield = 50'000; // about 0.05 ms
 constexpr int yieldsBeforeSleep = 2000;  // about a millisecond
 constexpr std::size_t batchesOfThread = 32;
-constexpr unsigned maximumOfCores = 4; // more threads would mostly wait
 
-/// Waits for a short time without giving the core away, then lets others run between the polls.
-/// Returns false after `yields` of them.
-template <class Condition>
-bool pollUntil(Condition condition, int yields) {
-    for (int poll = 0; poll < pollsBeforeYield; ++poll)
-        if (condition())
-            return true;
-    for (int poll = 0; poll < yields; ++poll) {
-        if (condition())
-            return true;
-        std::this_thread::yield();
-    }
-    return false;
-}
-
-template <class Condition>
-void waitUntil(Condition condition) {
-    while (!pollUntil(condition, yieldsBeforeSleep)) {
+/// Waits for a short time without giving the core away, then lets others run between the polls,
+/// and then sleeps until `value` is notified.
+template <class Value, class Condition>
+void waitUntil(const std::atomic<Value>& value, const Condition& condition) {
+    for (int poll = 0;; ++poll) {
+        const Value seen = value;
+        if (condition(seen))
+            return;
+        if (poll >= pollsBeforeYield + yieldsBeforeSleep)
+            value.wait(seen);
+        else if (poll >= pollsBeforeYield)
+            std::this_thread::yield();
     }
 }
 
 } // namespace
 
-WorkTeam::WorkTeam(unsigned threads) {
+WorkTeam::WorkTeam(unsigned threads, unsigned maximumOfCores) {
     const unsigned count =
         threads > 0 ? threads : std::min(std::thread::hardware_concurrency(), maximumOfCores);
     for (unsigned other = 1; other < count; ++other)
@@ -66,7 +60,7 @@ void WorkTeam::runBoth(const std::function<void()>& other, const std::function<v
         if (task.exchange(nullptr) != nullptr)
             other();
         else
-            waitUntil([this] { return isTaskDone.load(); });
+            waitUntil(isTaskDone, std::identity());
     };
     try {
         own();
@@ -84,31 +78,39 @@ void WorkTeam::runAll(std::size_t count, const Item& handle) {
     loop.next = 0;
     if (others.empty() || count < 2) {
         runItems(0);
-        return;
+    } else {
+        std::fegetenv(&loop.mode);
+        loop.isOpen = true;
+        wake();
+        runItems(0);
+        // A visitor enters before it looks whether the loop is open, so that none reads it after
+        // this.
+        loop.isOpen = false;
+        waitUntil(loop.visitors, [](int visitors) { return visitors == 0; });
     }
-    std::fegetenv(&loop.mode);
-    loop.isOpen = true;
-    wake();
-    runItems(0);
-    // A visitor enters before it looks whether the loop is open, so that none reads it after this.
-    loop.isOpen = false;
-    waitUntil([this] { return loop.visitors == 0; });
+    if (loop.fault)
+        std::rethrow_exception(std::exchange(loop.fault, nullptr));
 }
 
+/// If an item throws, keeps the exception and starts no further items.
 void WorkTeam::runItems(std::size_t thread) {
-    for (std::size_t first = loop.next.fetch_add(loop.batch); first < loop.count;
-         first = loop.next.fetch_add(loop.batch))
-        for (std::size_t k = first; k < std::min(first + loop.batch, loop.count); ++k)
-            (*loop.handle)(k, thread);
+    try {
+        for (std::size_t first = loop.next.fetch_add(loop.batch); first < loop.count;
+             first = loop.next.fetch_add(loop.batch))
+            for (std::size_t k = first; k < std::min(first + loop.batch, loop.count); ++k)
+                (*loop.handle)(k, thread);
+    } catch (...) {
+        const std::scoped_lock lock(loop.faultTurn);
+        loop.fault = std::current_exception();
+        loop.next = loop.count;
+    }
 }
 
 void WorkTeam::work(std::size_t thread) {
     while (!isStopping) {
         const auto before = wakes.load(); // a later wake ends the wait at once
-        if (takeTask() || visitLoop(thread))
-            continue;
-        if (!pollUntil([&] { return wakes != before; }, yieldsBeforeSleep))
-            wakes.wait(before);
+        if (!takeTask() && !visitLoop(thread))
+            waitUntil(wakes, [&](std::uint32_t now) { return now != before; });
     }
 }
 
@@ -119,6 +121,7 @@ bool WorkTeam::takeTask() {
     std::fesetenv(&taskMode);
     (*taken)();
     isTaskDone = true;
+    isTaskDone.notify_one();
     return true;
 }
 
@@ -131,6 +134,7 @@ bool WorkTeam::visitLoop(std::size_t thread) {
         runItems(thread);
     }
     --loop.visitors;
+    loop.visitors.notify_one();
     return isOpen;
 }
 

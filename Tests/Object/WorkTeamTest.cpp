@@ -1,5 +1,5 @@
 // Tests the threads that share work.
-#include "Scene/WorkTeam.h"
+#include "Object/WorkTeam.h"
 
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
@@ -38,6 +38,38 @@ TEST_CASE("The other task is complete if the owner's throws") {
                         std::runtime_error);
         REQUIRE(other == 1);
     }
+}
+
+TEST_CASE("The owner gets the exception of an item, and no further items start") {
+    WorkTeam team(GENERATE(1u, 2u, 5u));
+    for (int round = 0; round < 50; ++round) {
+        std::atomic<std::size_t> calls{0};
+        CHECK_THROWS_AS(team.runAll(1'000'000,
+                                    [&](std::size_t item, std::size_t) {
+                                        ++calls;
+                                        if (item == 100)
+                                            throw std::runtime_error("no");
+                                    }),
+                        std::runtime_error);
+        CHECK(calls < 1'000'000);
+        std::atomic<int> after{0};
+        team.runAll(100, [&](std::size_t, std::size_t) { ++after; });
+        CHECK(after == 100);
+    }
+}
+
+TEST_CASE("Threads share all rows, and one thread takes them if there is no team") {
+    WorkTeam team(GENERATE(1u, 2u, 5u));
+    for (WorkTeam* sharing : {&team, static_cast<WorkTeam*>(nullptr)})
+        for (const std::ptrdiff_t rows : {0, 1, 7, 8, 9, 40, 41, 1000}) {
+            std::vector<std::atomic<int>> calls(rows);
+            shareRows(sharing, rows, [&](std::ptrdiff_t first, std::ptrdiff_t count) {
+                for (std::ptrdiff_t row = first; row < first + count; ++row)
+                    ++calls[row];
+            });
+            for (const auto& call : calls)
+                CHECK(call == 1);
+        }
 }
 
 TEST_CASE("All threads of a team work in the floating-point mode of its owner") {
