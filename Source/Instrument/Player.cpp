@@ -61,6 +61,7 @@ Player::Player(std::shared_ptr<const Instrument> instrument,
 }
 
 void Player::prepare(const ParameterValues& parameters, int pendingWheel) {
+    renderer.prepare(parameters, keys);
     if (!loudness)
         return;
     loudness->setSpeedController(keys.modulationWheel());

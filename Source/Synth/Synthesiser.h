@@ -33,8 +33,12 @@ public:
     Synthesiser(const Synthesiser&) = delete;
     Synthesiser& operator=(const Synthesiser&) = delete;
 
-    /// Takes effect at the next `beginCell`.
+    /// Takes effect at the next `beginCell`. After the first cell a change regroups the modes of a
+    /// few slots in each cell; until its turn a slot keeps its groups, with new poles.
     void setSettings(const SynthesisSettings& settings) noexcept;
+    /// Applies the settings to all slots at once, groups included, as the first cell does
+    /// otherwise. Takes time with the number of modes.
+    void settle() noexcept;
 
     /// Sets an extra fluid damping of one slot (a mute, a damper). From the next `beginCell` on,
     /// all its sound is multiplied by e^{−δt}. 0 lifts it.
