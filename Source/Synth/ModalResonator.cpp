@@ -278,6 +278,7 @@ bool ModalResonator::applyForce(const ForceCell& force,
 void ModalResonator::reset() noexcept {
     bankIsOld = true;
     bank.setChannels(1);
+    residues.invalidate();
     active.reset();
     contacts.reset();
     increments.reset();

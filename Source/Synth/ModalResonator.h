@@ -74,8 +74,11 @@ public:
     /// Lets the next `beginCell` group the modes anew. A strike on a silent object does so itself
     /// while `SynthesisScratch::modesToRegroup` lasts.
     void letRegroup() noexcept { mayRegroup = true; }
-    /// Applies settings and groups the modes at once. Call it before the first cell.
-    void settle(const SynthesisSettings& settings) noexcept {
+    /// Applies settings and groups the modes at once, at the end of cell `index`. Call it before
+    /// anything sounds, since construction or `reset`.
+    void settle(const SynthesisSettings& settings, std::int64_t index) noexcept {
+        moveTo(index);
+        output.restartDamper(index);
         letRegroup();
         applySettings(settings);
     }

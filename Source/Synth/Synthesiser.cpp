@@ -29,8 +29,13 @@ struct Synthesiser::Implementation {
     bool settingsChanged = false;
     std::vector<char> wasTouched; ///< of every slot, since its last reset
     std::optional<RegroupTurns> turns;
-    bool isSettled = false;
+    bool isNew = true; ///< nothing has sounded since the construction or reset
 
+    void settle();
+    void settleIfNew() {
+        if (std::exchange(isNew, false))
+            settle();
+    }
     template <class Value>
     void set(std::size_t slot, void (ModalResonator::*setter)(Value) noexcept, Value value);
     template <class Action>
@@ -76,12 +81,14 @@ void Synthesiser::setSettings(const SynthesisSettings& settings) noexcept {
 }
 
 void Synthesiser::settle() noexcept {
-    auto& all = *implementation;
-    all.isSettled = true;
-    all.settingsChanged = false;
-    for (ModalResonator& object : all.objects)
-        object.settle(all.settings);
-    all.slots->letAllSleep();
+    implementation->settle();
+}
+
+void Synthesiser::Implementation::settle() {
+    settingsChanged = false;
+    for (ModalResonator& object : objects)
+        object.settle(settings, slots->cell());
+    slots->letAllSleep();
 }
 
 template <class Value>
@@ -148,8 +155,7 @@ void Synthesiser::beginCell(std::span<const CellOutput> cellsOfSlots) noexcept {
 template <class CellOf>
 void Synthesiser::mixInto(CellOf cellOf) noexcept {
     auto& all = *implementation;
-    if (!all.isSettled)
-        settle();
+    all.settleIfNew();
     if (all.settingsChanged)
         all.turns->restart();
     all.scratch->tubesNow = all.scratch->tubes.start;
@@ -175,6 +181,7 @@ void Synthesiser::mixInto(CellOf cellOf) noexcept {
 /// Lets an action on an existing slot take place in the current cell.
 template <class Action>
 bool Synthesiser::Implementation::act(std::size_t slot, Action action) {
+    settleIfNew();
     ModalResonator& object = objects[slot];
     wasTouched[slot] = 1;
     object.moveTo(slots->cell());
@@ -218,6 +225,8 @@ void Synthesiser::reset() noexcept {
         if (std::exchange(all.wasTouched[slot], 0) != 0)
             all.objects[slot].reset();
     all.slots->reset();
+    *all.turns = RegroupTurns(slotCount());
+    all.isNew = true;
 }
 
 std::span<const SlotStatus> Synthesiser::status() const noexcept {
