@@ -35,6 +35,12 @@ CellRenderer::CellRenderer(const Instrument& played,
     strategy->layOut(remains, synth.slotCount());
 }
 
+void CellRenderer::prepare(const ParameterValues& values, const KeyState& keys) {
+    synth.setSettings(synthesisSettings(values));
+    updateDampers(values, keys);
+    synth.settle();
+}
+
 void CellRenderer::turnMotor(const ParameterValues& values,
                              double beatsPerMinute,
                              std::optional<double> songTurns,
@@ -132,18 +138,21 @@ void CellRenderer::updateDampers(const ParameterValues& values, const KeyState& 
     const bool pressureDamps = strikes(values) && hasMallets;
     const auto heldKeys = keys.heldKeys();
     for (std::size_t note = 0; note < heldKeys.size(); ++note) {
+        if (!heldKeys[note])
+            continue;
         const int key = instrument.key(static_cast<int>(note)).slot;
-        if (key < 0 || !heldKeys[note])
+        if (key < 0)
             continue;
         const auto slot = static_cast<std::size_t>(key);
         slotHeld[slot] = true;
         if (pressureDamps)
             slotPressed[slot] = std::max(slotPressed[slot], keys.pressure(note));
     }
+    const double released = decayPerSecond(values[releaseTime]);
+    const double silencing = decayPerSecond(silencingSeconds);
     for (std::size_t slot = 0; slot < slotHeld.size(); ++slot) {
         const double fraction = slotHeld[slot] ? slotPressed[slot] * slotPressed[slot] : 1;
-        synth.setDamping(slot, silenced ? decayPerSecond(silencingSeconds)
-                                        : fraction * decayPerSecond(values[releaseTime]));
+        synth.setDamping(slot, silenced ? silencing : fraction * released);
     }
 }
 

@@ -26,6 +26,10 @@ public:
                  HeldContacts& contacts,
                  HandScrape& hand);
 
+    /// Applies settings and dampers to all slots at once; off the audio thread, before the first
+    /// cell.
+    void prepare(const ParameterValues& values, const KeyState& keys);
+
     /// Moves the motor by a cell; call before `beginCell`. If `songTurns` is given, the motor
     /// follows these turns, at once if `isAtOnce`.
     void turnMotor(const ParameterValues& values,

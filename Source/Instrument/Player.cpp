@@ -62,6 +62,7 @@ Player::Player(std::shared_ptr<const Instrument> instrument,
 }
 
 void Player::prepare(const ParameterValues& parameters, int pendingWheel) {
+    renderer.prepare(parameters, keys);
     if (loudness)
         loudness->follow(parameters, pendingWheel, true);
 }

@@ -39,7 +39,8 @@ public:
     Player(const Player&) = delete;
     Player& operator=(const Player&) = delete;
 
-    /// Predicts the gain that matches the loudness of these values, so that the first cell has it.
+    /// Applies these values to all objects and predicts the gain that matches their loudness, so
+    /// that the first cell need not.
     /// `pendingWheel`, 0 to 127, is the position that the modulation wheel is about to have. Call
     /// it off the audio thread, between construction or `reset` and the first block; it may take
     /// long.

@@ -28,6 +28,11 @@ AwakeSlots::AwakeSlots(std::deque<ModalResonator>& ofSlots,
     demands.reserve(ofSlots.size());
 }
 
+void AwakeSlots::letAllSleep() noexcept {
+    awake.clear();
+    std::ranges::fill(isAwake, 0);
+}
+
 void AwakeSlots::wake(std::size_t slot) noexcept {
     if (std::exchange(isAwake[slot], 1) != 0)
         return;

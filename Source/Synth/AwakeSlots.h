@@ -27,6 +27,8 @@ public:
     std::span<const std::int32_t> list() const noexcept { return awake; } ///< ascending
     std::int32_t share(std::size_t slot) const noexcept { return shares[slot]; }
     std::int64_t cell() const noexcept { return cellIndex; } ///< the current cell
+    /// Lets all slots sleep; call it while nothing sounds and the objects have their settings.
+    void letAllSleep() noexcept;
     /// Wakes a slot for the next cell.
     void wake(std::size_t slot) noexcept;
 

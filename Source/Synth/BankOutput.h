@@ -29,6 +29,11 @@ public:
 
     double damping() const noexcept { return dampingPerSecond; } ///< δ
     void setDamping(double perSecond, std::int64_t grid) noexcept;
+    /// Forgets earlier damping, whose rounding would remain. All states must be 0.
+    void restartDamper(std::int64_t grid) noexcept {
+        dampingLogBase = 0;
+        dampingSince = grid;
+    }
     /// Returns −ln of the damper's gain from some time to the grid point.
     double dampingLog(std::int64_t grid) const noexcept {
         return dampingLogBase +

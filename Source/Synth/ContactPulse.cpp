@@ -14,13 +14,10 @@ std::complex<double> quotient(std::complex<double> a, std::complex<double> b) no
     return product(a, std::conj(b)) / std::norm(b);
 }
 
-double distanceFrom(std::span<const double> ascendingHz, double seconds) noexcept {
-    const auto above = std::ranges::lower_bound(ascendingHz, 1 / seconds);
+double distanceFrom(std::span<const double> resonancesHz, double seconds) noexcept {
     double nearest = 1;
-    if (above != ascendingHz.end())
-        nearest = std::min(nearest, *above * seconds - 1);
-    if (above != ascendingHz.begin())
-        nearest = std::min(nearest, 1 - *(above - 1) * seconds);
+    for (const double hz : resonancesHz)
+        nearest = std::min(nearest, std::abs(hz * seconds - 1));
     return nearest;
 }
 
@@ -53,17 +50,16 @@ Motion ForcedResponse::motion(std::complex<double> phase) const noexcept {
     return {steady + product(swing, phase).real(), contactRate * displacement.real()};
 }
 
-double contactSecondsClearOf(std::span<const double> ascendingResonancesHz,
-                             double seconds) noexcept {
+double contactSecondsClearOf(std::span<const double> resonancesHz, double seconds) noexcept {
     // If a contact equals a resonance's period to the last bit, rounding must not decide.
     constexpr double rounding = 1e-6;
     constexpr double farEnough = 0.01 - rounding;
-    double best = distanceFrom(ascendingResonancesHz, seconds);
+    double best = distanceFrom(resonancesHz, seconds);
     double chosen = seconds;
     for (int step = 1; best < farEnough && step <= 6; ++step)
         for (const double shift : {0.005 * step, -0.005 * step}) {
             const double candidate = seconds * (1 + shift);
-            const double distance = distanceFrom(ascendingResonancesHz, candidate);
+            const double distance = distanceFrom(resonancesHz, candidate);
             if (distance > best + rounding && best < farEnough) {
                 best = distance;
                 chosen = candidate;

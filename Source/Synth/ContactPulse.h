@@ -38,7 +38,6 @@ private:
 /// Returns the contact time to use for T. If a resonance f has |fT − 1| < 1 %, the closed form
 /// would be the small difference of large numbers. T then changes by up to 3 %, to the nearest time
 /// that is clear of all resonances. If there is none, T changes to the time farthest from them.
-double contactSecondsClearOf(std::span<const double> ascendingResonancesHz,
-                             double seconds) noexcept;
+double contactSecondsClearOf(std::span<const double> resonancesHz, double seconds) noexcept;
 
 } // namespace idiophone

@@ -9,32 +9,6 @@
 
 namespace idiophone {
 
-namespace {
-
-/// Returns the ratio of a contact's residues to the other contact's, or 0 if it differs from mode
-/// to mode.
-double shareOfResidues(const Contact& contact, const Contact& other) noexcept {
-    const Listening &own = contact.listening, &others = other.listening;
-    if (own.farShare != others.farShare || contact.strike.point != other.strike.point ||
-        own.nearGain * others.farGain != own.farGain * others.nearGain)
-        return 0;
-    double along = 0;
-    double square = 0;
-    double otherSquare = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-        const auto impulse = static_cast<double>(contact.strike.impulseNewtonSeconds[k]);
-        const auto otherImpulse = static_cast<double>(other.strike.impulseNewtonSeconds[k]);
-        along += impulse * otherImpulse;
-        square += impulse * impulse;
-        otherSquare += otherImpulse * otherImpulse;
-    }
-    if (!(otherSquare > 0) || along * along < (1 - 1e-12) * square * otherSquare)
-        return 0;
-    return along / otherSquare * own.nearGain / others.nearGain;
-}
-
-} // namespace
-
 ContactSet::ContactSet(const ModalObject& modalObject,
                        ModalBank& ownBank,
                        BankOutput& ownOutput,
@@ -187,7 +161,8 @@ void ContactSet::move(Forced become, std::int64_t grid) noexcept {
         compute(contacts[first]);
         move(contacts[first], 1, become, grid);
         for (std::size_t k = first + 1; k < contacts.size(); ++k) {
-            const double share = moved[k] ? 0 : shareOfResidues(contacts[k], contacts[first]);
+            const double share =
+                moved[k] ? 0 : residueRatio(contacts[k].heard(), contacts[first].heard());
             if (share == 0)
                 continue;
             moved[k] = true;

@@ -30,6 +30,10 @@ struct Contact {
     ForcedMotion mixed{}; ///< of the mixed modes
     ForcedMotion tube{};  ///< the tube's part of `mixed`
 
+    HeardImpulse heard() const noexcept {
+        return {strike.point, strike.impulseNewtonSeconds, listening};
+    }
+
     /// Returns e^{iΩt} at a sample of a cell.
     std::complex<double>
     phaseAt(std::int64_t cell, double sample, double sampleRateHz) const noexcept {

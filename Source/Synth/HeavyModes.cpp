@@ -53,10 +53,10 @@ void HeavyModes::add(std::size_t mode, const ModalPole& pole) noexcept {
                      .cell = propagator(pole, sampleSeconds * cellSize)});
 }
 
-void HeavyModes::correct(PoleArrays& poles) const noexcept {
-    for (const HeavyMode& heavy : modes) {
+void HeavyModes::correct(std::size_t first, std::size_t end, PoleArrays& poles) const noexcept {
+    for (const HeavyMode& heavy : in(first, end)) {
         const std::size_t g = heavy.mode;
-        poles.velocityShare[g] = poles.cellRe[g] = poles.cellIm[g] = 0;
+        poles.cellRe[g] = poles.cellIm[g] = 0;
         for (auto* array : {&poles.sampleRe, &poles.sampleIm, &poles.subBlockRe, &poles.subBlockIm})
             (*array)[g] = 0;
         const Propagator sample = propagator(heavy.pole, sampleSeconds);

@@ -35,8 +35,8 @@ public:
     void clear() noexcept { modes.clear(); }
     /// Adds a mode beyond those added before.
     void add(std::size_t mode, const ModalPole& pole) noexcept;
-    /// Sets the rotations of heavy modes to 0 and fills in their tables.
-    void correct(PoleArrays& poles) const noexcept;
+    /// Sets the rotations of heavy modes among `first` to `end` − 1 to 0 and fills in their tables.
+    void correct(std::size_t first, std::size_t end, PoleArrays& poles) const noexcept;
 
     /// Returns the heavy modes among `first` to `end` − 1.
     std::span<const HeavyMode> in(std::size_t first, std::size_t end) const noexcept {

@@ -73,15 +73,23 @@ void ModalBank::movePoles(std::span<const double> referenceEigenvalues,
                           double highestHz,
                           std::span<const ModeDamping> dampings,
                           std::span<const std::uint8_t> silenced) noexcept {
-    for (std::size_t g = 0; g < size(); ++g) {
-        const ModalPole moved = law.pole(referenceEigenvalues[g], dampingOf(dampings, g));
-        if (energy[g] > 0 && isOscillating(moved) != isOscillating(pole(g)))
+    const bool hadHeavy = modes.hadHeavy();
+    modes.set(law, referenceEigenvalues, dampings);
+    modes.update({lowestHz, highestHz}, silenced);
+    for (std::size_t g = 0; g < size() && (hadHeavy || modes.hadHeavy()); ++g) {
+        const ModalPole former = modes.formerPole(g), moved = pole(g);
+        if (energy[g] > 0 && isOscillating(moved) != isOscillating(former))
             for (std::size_t c = 0; c < channelCount; ++c)
-                states.set(g, c, stateOf(moved, motionOf(pole(g), state(g, c))));
-        modes.set(g, moved);
+                states.set(g, c, stateOf(moved, motionOf(former, state(g, c))));
     }
-    modes.update(lowestHz, highestHz, silenced);
     modes.heavy().measure(0, size(), states, channelCount, energy);
+}
+
+void ModalBank::prepare(std::span<const ModeRun> runs) noexcept {
+    for (const ModeRun& run : runs)
+        for (std::size_t block = index(run.first) / modeBlock;
+             block * modeBlock < index(run.first + run.count); ++block)
+            modes.prepare(block);
 }
 
 void ModalBank::setState(std::size_t g, const ModalState& state, std::size_t channel) noexcept {
@@ -130,6 +138,7 @@ void ModalBank::renderFrom(ModeStates& from,
                            const ChannelOutputs& outputs) noexcept {
     if (runs.empty())
         return;
+    prepare(runs);
     const std::size_t first = index(runs.front().first) / modeBlock;
     const std::size_t last = index(runs.back().first + runs.back().count - 1) / modeBlock;
     renderStates(from, nullptr, std::span(blockNumbers).subspan(first, last - first + 1), runs, 1,
@@ -206,6 +215,8 @@ void ModalBank::force(std::span<const float, cellSize> impulses,
             fallen[k] *= static_cast<float>(factor *= fall);
     }
     modes.heavy().save(states, 0, size(), channelCount);
+    for (const std::int32_t block : allBlocks())
+        modes.prepare(index(block));
     forceModes(modes.arrays(), fallen.data(), startResidues, endResidues, paddedSize(),
                channelCount, states, energy);
     modes.heavy().force(fallen, startResidues, endResidues, channelCount, states);

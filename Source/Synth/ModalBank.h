@@ -47,6 +47,10 @@ public:
                    std::span<const ModeDamping> dampings = {},
                    std::span<const std::uint8_t> silenced = {}) noexcept;
 
+    /// Computes the rotations of these modes, unless they belong to the poles already. Members that
+    /// render or force do so themselves.
+    void prepare(std::span<const ModeRun> runs) noexcept;
+
     ModalState state(std::size_t g, std::size_t channel = 0) const noexcept {
         return states.at(g, channel);
     }
@@ -74,6 +78,8 @@ public:
                 const ChannelOutputs& outputs,
                 std::span<const ModePart> parts = {},
                 const ChannelOutputs& partOutputs = {}) noexcept {
+        for (const std::int32_t block : blocks)
+            modes.prepare(index(block));
         renderStates(states, energy.data(), blocks, runs, scale, outputs, parts, partOutputs);
     }
 

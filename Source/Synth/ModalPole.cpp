@@ -8,9 +8,6 @@ namespace idiophone {
 
 namespace {
 
-// ω_d² > 0.01 λ keeps the ratio of s to the motion below 10.
-constexpr double oscillatingShare = 0.99;
-
 // Near critical damping the two terms diverge. Widening the gap of the roots to a tenth of α keeps
 // a true bound, because sinh(βt)/β grows with β.
 constexpr double minimumGap = 0.1;
@@ -45,12 +42,11 @@ Propagator heavilyDamped(const ModalPole& pole, double seconds) noexcept {
 } // namespace
 
 ModalPole PoleLaw::pole(double referenceEigenvalue, const ModeDamping& mode) const noexcept {
-    // The limits, far outside the audible range, keep extreme settings from overflowing.
-    const double stiffness = std::clamp(eigenvalueRatio * referenceEigenvalue, 1e-6, 1e18);
-    const double ofMaterial = mode.scale * damping.perSecond(stiffness);
+    const double lambda = stiffness(referenceEigenvalue);
+    const double ofMaterial = mode.scale * damping.perSecond(lambda);
     const double extra =
         mode.extraPerSecond > 0 ? 2 * mode.extraPerSecond * std::sqrt(eigenvalueRatio) : 0;
-    return {stiffness, std::clamp(ofMaterial + extra, 0.0, 1e12)};
+    return {lambda, std::clamp(ofMaterial + extra, 0.0, largestDamping)};
 }
 
 // λ − α² − ω² rises with λ while α² < λ/2. The law has no power of λ above the first, so its double
@@ -79,10 +75,6 @@ double stiffnessSoundingAt(double dampedFrequency,
         stiffness = next;
     }
     return stiffness;
-}
-
-bool isOscillating(const ModalPole& pole) noexcept {
-    return pole.damping * pole.damping < 4 * oscillatingShare * pole.stiffness;
 }
 
 double naturalFrequencyHz(const ModalPole& pole) noexcept {

@@ -4,6 +4,7 @@
 
 #include "Object/DampingLaw.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <span>
 
@@ -17,6 +18,9 @@ struct ModalPole {
     bool operator==(const ModalPole&) const = default;
 };
 
+// The limits, far outside the audible range, keep extreme settings from overflowing.
+inline constexpr double smallestStiffness = 1e-6, largestStiffness = 1e18, largestDamping = 1e12;
+
 /// Converts an object's reference eigenvalues to poles: λ = ratio · λ_ref. d is scale times the
 /// damping law at that λ, plus twice the extra decay, which grows with the frequency.
 struct PoleLaw {
@@ -24,6 +28,10 @@ struct PoleLaw {
     DampingLaw damping;
 
     bool operator==(const PoleLaw&) const = default;
+    double stiffness(double referenceEigenvalue) const noexcept {
+        return std::clamp(eigenvalueRatio * referenceEigenvalue, smallestStiffness,
+                          largestStiffness);
+    }
     ModalPole pole(double referenceEigenvalue, const ModeDamping& mode = {}) const noexcept;
 };
 
@@ -68,8 +76,13 @@ struct Propagator {
     }
 };
 
+/// ω_d² > 0.01 λ keeps the ratio of s to the motion below 10.
+inline constexpr double oscillatingShare = 0.99;
+
 /// Returns whether the damped angular frequency is at least a tenth of √λ.
-bool isOscillating(const ModalPole& pole) noexcept;
+inline bool isOscillating(const ModalPole& pole) noexcept {
+    return pole.damping * pole.damping < 4 * oscillatingShare * pole.stiffness;
+}
 
 /// Returns √λ/2π, which decides at any damping whether a mode is in the audible band.
 double naturalFrequencyHz(const ModalPole& pole) noexcept;

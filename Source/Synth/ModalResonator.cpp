@@ -24,9 +24,9 @@ ModalResonator::ModalResonator(SynthesiserSlot ownSlot,
                                std::uint32_t seed,
                                std::size_t channels,
                                double sampleRateHz,
-                               SynthesisScratch& scratch,
+                               SynthesisScratch& sharedScratch,
                                AmplitudeEnvelope& ownEnvelope)
-    : envelope(ownEnvelope), slot(std::move(ownSlot)), object(*slot.object),
+    : scratch(sharedScratch), envelope(ownEnvelope), slot(std::move(ownSlot)), object(*slot.object),
       outputChannels(channels),
       bank(object.modeCount(), object.radiation.empty() ? 1 : channels, sampleRateHz),
       output(bank, tubeShares(object), sampleRateHz, scratch),
@@ -37,29 +37,7 @@ ModalResonator::ModalResonator(SynthesiserSlot ownSlot,
       forces(bank, output, active, residues, scratch) {
     output.findTubeParts(groups.starts());
     applySettings({});
-    movePoles();
-}
-
-template <class Value>
-void ModalResonator::request(Value& requested, const Value& wanted) noexcept {
-    if (wanted == requested)
-        return;
-    requested = wanted;
-    controlsChanged = true;
-}
-
-void ModalResonator::setDamping(double dampingPerSecond) noexcept {
-    if (dampingPerSecond >= 0 && std::isfinite(dampingPerSecond))
-        request(requestedDamping, dampingPerSecond);
-}
-
-void ModalResonator::setFrequencyRatio(double ratio) noexcept {
-    if (ratio > 0 && std::isfinite(ratio))
-        request(requestedFrequencyRatio, ratio);
-}
-
-void ModalResonator::setMaterial(const std::optional<LiveMaterial>& material) noexcept {
-    request(requestedMaterial, material);
+    movePoles(true);
 }
 
 void ModalResonator::setSilencedModes(std::span<const std::uint8_t> silenced) noexcept {
@@ -72,7 +50,7 @@ bool ModalResonator::beginCell(std::int64_t cell,
                                bool settingsChanged) noexcept {
     increments.takeIn(cell);
     cellIndex = cell;
-    if (settingsChanged || controlsChanged)
+    if (settingsChanged || controlsChanged || mayRegroup)
         applySettings(settings);
     if (idle()) {
         if (asleep())
@@ -117,7 +95,9 @@ void ModalResonator::applySettings(const SynthesisSettings& settings) noexcept {
                  .farShare = object.radiation.empty() ? 0 : settings.radiation};
     sizeNow = slot.sizeRatio * settings.sizeRatio;
 
-    const bool polesMove = groups.differFrom(wanted);
+    const bool differs = groups.differFrom(wanted);
+    const bool regroups = std::exchange(mayRegroup, false) && (differs || groups.areOutdated());
+    const bool polesMove = differs || regroups;
     const bool contactsMove = polesMove || requestedDamping != output.damping() ||
                               live.radiationRatio != residues.radiationRatio();
     const bool tauFalls = newTau < active.tau();
@@ -134,21 +114,27 @@ void ModalResonator::applySettings(const SynthesisSettings& settings) noexcept {
     output.setDamping(requestedDamping, cellIndex);
     active.setTau(newTau);
     groups.set(wanted);
-    if (groups.areBehind() &&
-        (!active.blocks().none() || contacts.sounding() || (!bankIsOld && active.holdsAboveTau())))
-        movePoles();
+    if (regroups)
+        clearOldBank();
+    if (regroups || (groups.areBehind() && (!active.blocks().none() || contacts.sounding() ||
+                                            (!bankIsOld && active.holdsAboveTau()))))
+        movePoles(regroups);
     if (contactsMove)
         contacts.holdAgain(cellIndex);
     if ((polesMove || tauFalls) && !bankIsOld)
         active.wake(cellIndex);
 }
 
-void ModalResonator::movePoles() noexcept {
+void ModalResonator::movePoles(bool regroups) noexcept {
     forces.invalidate();
+    residues.invalidate();
     envelope.invalidateFalls();
+    regroups = regroups || groups.mustFollow();
     // Bring resting states up to date with their old poles.
     active.bringRestingUpToDate(cellIndex);
-    if (groups.follow())
+    if (!regroups)
+        groups.keep();
+    if (regroups && groups.follow())
         active.regroup(groups, cellIndex);
     else
         active.fadeInaudible(groups, cellIndex);
@@ -176,15 +162,22 @@ void ModalResonator::mix(std::int32_t allowance, const CellOutput& cell) noexcep
     contacts.mix(increments, cellIndex, cell);
 }
 
-/// Updates groups and poles to the settings. A silent resonator starts again in one channel.
-void ModalResonator::prepareBank() noexcept {
+void ModalResonator::clearOldBank() noexcept {
     if (std::exchange(bankIsOld, false))
         bank.clear();
+}
+
+/// Updates poles and groups to the settings. A silent resonator starts again in one channel.
+void ModalResonator::prepareBank() noexcept {
+    clearOldBank();
     increments.takeIn(cellIndex + 1);
+    const bool regroups = groups.areOutdated() && silent() && scratch.modesToRegroup > 0;
     if (silent())
         bank.setChannels(1);
-    if (groups.areBehind())
-        movePoles();
+    if (regroups)
+        scratch.modesToRegroup -= static_cast<std::int64_t>(object.modeCount());
+    if (groups.areBehind() || regroups)
+        movePoles(regroups);
 }
 
 /// Opens the second channel at the first strike with far sound.
@@ -193,6 +186,7 @@ void ModalResonator::widen(double farShare) noexcept {
         return;
     bank.setChannels(maximumChannels);
     forces.invalidate();
+    residues.invalidate();
     output.widen();
     contacts.widen();
 }
@@ -284,6 +278,7 @@ bool ModalResonator::applyForce(const ForceCell& force,
 void ModalResonator::reset() noexcept {
     bankIsOld = true;
     bank.setChannels(1);
+    residues.invalidate();
     active.reset();
     contacts.reset();
     increments.reset();

@@ -13,6 +13,8 @@
 #include "Synth/SynthesisSettings.h"
 #include "Synth/SynthesiserSlot.h"
 
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -46,17 +48,40 @@ public:
     ModalResonator(const ModalResonator&) = delete;
     ModalResonator& operator=(const ModalResonator&) = delete;
 
-    void setDamping(double dampingPerSecond) noexcept;
-    void setFrequencyRatio(double ratio) noexcept;
+    void setDamping(double dampingPerSecond) noexcept {
+        if (dampingPerSecond >= 0 && std::isfinite(dampingPerSecond))
+            request(requestedDamping, dampingPerSecond);
+    }
+    void setFrequencyRatio(double ratio) noexcept {
+        if (ratio > 0 && std::isfinite(ratio))
+            request(requestedFrequencyRatio, ratio);
+    }
     double frequencyRatio() const noexcept { return requestedFrequencyRatio; }
     /// Replaces the settings' material, or stops replacing it. All values must be in range.
-    void setMaterial(const std::optional<LiveMaterial>& material) noexcept;
+    void setMaterial(const std::optional<LiveMaterial>& material) noexcept {
+        request(requestedMaterial, material);
+    }
     /// Mutes modes with values ≠ 0 from the next `beginCell` on ([modes of the object], or empty:
     /// none). They fade out and in, and ring on unmixed in between.
     void setSilencedModes(std::span<const std::uint8_t> silenced) noexcept;
 
     /// Returns whether something was set that `beginCell` or `catchUp` has not applied yet.
     bool hasNewControls() const noexcept { return controlsChanged; }
+
+    /// Returns whether modes may have to form other groups. A sounding object keeps its groups,
+    /// with new poles, until `letRegroup`.
+    bool wantsToRegroup() const noexcept { return controlsChanged || groups.areOutdated(); }
+    /// Lets the next `beginCell` group the modes anew. A strike on a silent object does so itself
+    /// while `SynthesisScratch::modesToRegroup` lasts.
+    void letRegroup() noexcept { mayRegroup = true; }
+    /// Applies settings and groups the modes at once, at the end of cell `index`. Call it before
+    /// anything sounds, since construction or `reset`.
+    void settle(const SynthesisSettings& settings, std::int64_t index) noexcept {
+        moveTo(index);
+        output.restartDamper(index);
+        letRegroup();
+        applySettings(settings);
+    }
 
     /// Moves to the grid point of cell `index`: applies pending settings and drops modes at t_c
     /// (Raghuvanshi & Lin 2006, eq. 14). Returns false if it is idle. Cells in which it is idle,
@@ -123,6 +148,7 @@ public:
                !active.restRinging();
     }
     std::size_t channelsSounding() const noexcept { return bank.channels(); }
+    std::size_t modeCount() const noexcept { return object.modeCount(); }
     std::int32_t groupCount() const noexcept { return static_cast<std::int32_t>(bank.size()); }
     std::int32_t groupsAudible() const noexcept {
         return static_cast<std::int32_t>(bank.poles().audibleCount());
@@ -132,15 +158,21 @@ public:
 
 private:
     void applySettings(const SynthesisSettings& settings) noexcept;
-    void movePoles() noexcept;
+    void movePoles(bool regroups) noexcept;
+    void clearOldBank() noexcept;
     template <class Value>
-    void request(Value& requested, const Value& wanted) noexcept;
+    void request(Value& requested, const Value& wanted) noexcept {
+        controlsChanged = controlsChanged || wanted != requested;
+        requested = wanted;
+    }
     void prepareBank() noexcept;
     void widen(double farShare) noexcept;
     bool strikeAsleep(const Contact& contact, const CellOutput& cell) noexcept;
 
     std::int64_t cellIndex = -1; ///< the current cell
     bool controlsChanged = true;
+    bool mayRegroup = false; ///< by the next `applySettings`
+    SynthesisScratch& scratch;
     AmplitudeEnvelope& envelope;
 
     SynthesiserSlot slot;

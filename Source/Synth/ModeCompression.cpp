@@ -1,9 +1,12 @@
 #include "Synth/ModeCompression.h"
 
+#include "Synth/PoleLawKernel.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 namespace idiophone {
 
@@ -61,19 +64,42 @@ std::size_t groupModes(std::span<const double> referenceEigenvalues,
                        std::span<const ModeDamping> dampings,
                        std::span<const std::uint8_t> kinds,
                        std::span<const std::complex<float>> gains) noexcept {
+    constexpr std::size_t batch = 64;
+    // The last pole of the batch before, and a batch.
+    std::array<double, 1 + batch> stiffness, dampingPerSecond;
+    std::array<std::uint8_t, batch> mayMerge;
+    stiffness.fill(1);
+    dampingPerSecond.fill(0);
     std::size_t groups = 0;
     std::size_t start = 0;
-    FirstMode first({}, {}, compression);
+    ModalPole startPole;
+    std::optional<FirstMode> first; // of the group, once a mode is compared with it
     for (std::size_t i = 0; i < referenceEigenvalues.size(); ++i) {
+        const std::size_t place = i % batch;
+        if (place == 0) {
+            const std::size_t count = std::min(batch, referenceEigenvalues.size() - i);
+            stiffness[0] = stiffness[batch];
+            dampingPerSecond[0] = dampingPerSecond[batch];
+            polesOfLaw(law, referenceEigenvalues.subspan(i, count),
+                       dampings.empty() ? dampings : dampings.subspan(i, count),
+                       stiffness.data() + 1, dampingPerSecond.data() + 1);
+            findNeighbours(stiffness.data() + 1, dampingPerSecond.data() + 1, batch, compression,
+                           mayMerge.data());
+        }
         const ModeDamping damping = dampingOf(dampings, i);
-        const ModalPole pole = law.pole(referenceEigenvalues[i], damping);
+        const ModalPole pole{stiffness[1 + place], dampingPerSecond[1 + place]};
         const bool isOfKind = kinds.empty() || kinds[i] == kinds[start];
-        if (groups > 0 && isOfKind && i - start < maximumGroup && !isShared(gains, start) &&
-            !isShared(gains, i) && first.canMerge(pole, damping))
-            continue;
+        if (groups > 0 && (mayMerge[place] != 0 || i - start > 1) && isOfKind &&
+            i - start < maximumGroup && !isShared(gains, start) && !isShared(gains, i)) {
+            if (!first)
+                first.emplace(startPole, dampingOf(dampings, start), compression);
+            if (first->canMerge(pole, damping))
+                continue;
+        }
         groupStarts[groups++] = static_cast<std::int32_t>(i);
         start = i;
-        first = FirstMode(pole, damping, compression);
+        startPole = pole;
+        first.reset();
     }
     groupStarts[groups] = static_cast<std::int32_t>(referenceEigenvalues.size());
     return groups;
@@ -147,8 +173,9 @@ std::complex<float> mergedResidue(std::span<const std::complex<float>> residues,
         }
     if (lost == 0)
         return std::complex<float>(sum);
-    const double size = std::sqrt(std::max(std::norm(sum) - lost, 0.0));
-    return std::complex<float>(std::norm(sum) > 0 ? size / std::abs(sum) * sum : size);
+    const double squared = std::norm(sum);
+    const double left = std::max(squared - lost, 0.0);
+    return std::complex<float>(squared > 0 ? std::sqrt(left / squared) * sum : std::sqrt(left));
 }
 
 } // namespace idiophone

@@ -46,7 +46,10 @@ bool ModeGroups::requestSilenced(std::span<const std::uint8_t> silenced) noexcep
 }
 
 void ModeGroups::set(const GroupConditions& wanted) noexcept {
-    behind = behind || differFrom(wanted);
+    const bool differs = differFrom(wanted);
+    behind = behind || differs;
+    outdated = outdated || differs;
+    mixesKinds = mixesKinds || silencesChange;
     eigenvaluesAreBehind = eigenvaluesAreBehind ||
                            wanted.thicknessRatio != current.thicknessRatio ||
                            wanted.imperfection != current.imperfection;
@@ -56,24 +59,38 @@ void ModeGroups::set(const GroupConditions& wanted) noexcept {
 }
 
 bool ModeGroups::follow() noexcept {
-    behind = false;
-    if (eigenvaluesAreBehind) {
-        for (std::size_t mode = 0; mode < modeEigenvalues.size(); ++mode)
-            modeEigenvalues[mode] = object.eigenvalueAt(mode, current.thicknessRatio);
-        splitPairs(modePairs, current.imperfection, modeEigenvalues);
-    }
+    behind = outdated = mixesKinds = false;
+    groupedLaw = current.law;
+    if (eigenvaluesAreBehind)
+        moveModes();
     const std::size_t groups =
         groupModes(modeEigenvalues, current.law, current.compression, scratch.groupStarts,
                    modeDampings, silencedModes, object.gains);
     const bool same =
         groups == count &&
         std::ranges::equal(starts().first(groups), std::span(scratch.groupStarts).first(groups));
-    if (!same)
+    if (!same) {
         findShares(groups);
-    if (!same || eigenvaluesAreBehind)
-        takeOver(groups);
-    eigenvaluesAreBehind = false;
+        count = groups;
+        std::copy_n(scratch.groupStarts.begin(), groups + 1, groupStarts.begin());
+    }
+    if (std::exchange(eigenvaluesAreBehind, false) || !same)
+        computeValues();
     return !same;
+}
+
+void ModeGroups::keep() noexcept {
+    behind = false;
+    if (!std::exchange(eigenvaluesAreBehind, false))
+        return;
+    moveModes();
+    computeValues();
+}
+
+void ModeGroups::moveModes() noexcept {
+    for (std::size_t mode = 0; mode < modeEigenvalues.size(); ++mode)
+        modeEigenvalues[mode] = object.eigenvalueAt(mode, current.thicknessRatio);
+    splitPairs(modePairs, current.imperfection, modeEigenvalues);
 }
 
 /// Divides a group's state among its modes by their mean-square shapes, as if the object had been
@@ -97,12 +114,10 @@ void ModeGroups::findShares(std::size_t groups) noexcept {
     }
 }
 
-/// Takes over the new groups and computes the values of each.
-void ModeGroups::takeOver(std::size_t groups) noexcept {
+/// Computes the values of each group from its modes.
+void ModeGroups::computeValues() noexcept {
     lostSharesLaw.reset();
-    count = groups;
-    std::copy_n(scratch.groupStarts.begin(), groups + 1, groupStarts.begin());
-    for (std::size_t g = 0; g < groups; ++g) {
+    for (std::size_t g = 0; g < count; ++g) {
         const auto weights = ofGroup<double>(g, *modeWeights);
         groupEigenvalues[g] = mergedEigenvalue(ofGroup<double>(g, modeEigenvalues), weights);
         if (!modeDampings.empty())
@@ -111,7 +126,7 @@ void ModeGroups::takeOver(std::size_t groups) noexcept {
 }
 
 bool ModeGroups::inBand(std::size_t g) const noexcept {
-    return soundsAt(current.law.pole(groupEigenvalues[g]), sampleRate);
+    return soundsAt({.stiffness = current.law.stiffness(groupEigenvalues[g])}, sampleRate);
 }
 
 std::span<const std::uint8_t> ModeGroups::silences() const noexcept {
@@ -133,7 +148,7 @@ void ModeGroups::merge(std::span<const std::complex<float>> modes,
         for (std::size_t g = 0; g < count; ++g)
             set(g, modes[g]);
     } else {
-        if (lostSharesLaw != current.law)
+        if (lostSharesLaw != groupedLaw)
             findLostShares();
         std::span<const float> shares(lostShares);
         for (std::size_t g = 0; g < count; ++g) {
@@ -147,11 +162,13 @@ void ModeGroups::merge(std::span<const std::complex<float>> modes,
 }
 
 void ModeGroups::findLostShares() noexcept {
-    lostSharesLaw = current.law;
+    lostSharesLaw = groupedLaw;
     std::span<float> shares(lostShares);
     for (std::size_t g = 0; g < count; ++g) {
         const auto eigenvaluesOfModes = ofGroup<double>(g, modeEigenvalues);
-        idiophone::findLostShares(eigenvaluesOfModes, current.law, shares,
+        if (eigenvaluesOfModes.size() == 1)
+            continue;
+        idiophone::findLostShares(eigenvaluesOfModes, groupedLaw, shares,
                                   ofGroup<ModeDamping>(g, modeDampings));
         shares = shares.subspan(pairsOf(eigenvaluesOfModes.size()));
     }

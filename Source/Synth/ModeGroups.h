@@ -58,12 +58,19 @@ public:
     bool differFrom(const GroupConditions& wanted) const noexcept {
         return silencesChange || wanted != current;
     }
-    /// Sets the conditions and the requested silences; the groups follow in `follow`.
+    /// Sets the conditions and the requested silences; the groups follow in `follow` or `keep`.
     void set(const GroupConditions& wanted) noexcept;
-    /// Returns whether the groups do not yet follow the conditions.
+    /// Returns whether neither `follow` nor `keep` was called for the conditions.
     bool areBehind() const noexcept { return behind; }
-    /// Returns whether the groups have changed. If so, `shares` tells how, until the next change.
+    /// Returns whether other modes may form groups under the conditions.
+    bool areOutdated() const noexcept { return outdated; }
+    /// Returns whether groups cannot be kept, because only some of their modes are silenced.
+    bool mustFollow() const noexcept { return mixesKinds; }
+    /// Groups the modes anew. Returns whether the groups have changed. If so, `shares` tells how,
+    /// until the next change.
     bool follow() noexcept;
+    /// Keeps the groups and how they merge residues for the conditions, until they follow.
+    void keep() noexcept;
     std::span<const ModeShare> shares() const noexcept { return scratch.groupShares; }
 
     bool inBand(std::size_t g) const noexcept;
@@ -79,7 +86,8 @@ public:
 
 private:
     void findShares(std::size_t groups) noexcept;
-    void takeOver(std::size_t groups) noexcept;
+    void moveModes() noexcept;
+    void computeValues() noexcept;
     void findLostShares() noexcept;
     /// Returns the values of a group's modes, or nothing if there are no values.
     template <class Value>
@@ -93,7 +101,7 @@ private:
     SynthesisScratch& scratch;
     double sampleRate;
     GroupConditions current;
-    bool behind = true;
+    bool behind = true, outdated = true, mixesKinds = false;
     bool eigenvaluesAreBehind = false; ///< not yet computed for a new thickness or imperfection
     std::vector<std::uint8_t> requestedSilences, silencedModes; ///< [M], or empty: none
     bool silencesChange = false;
@@ -105,6 +113,7 @@ private:
     std::vector<ModePair> modePairs;        ///< of equal modes
     std::vector<ModeDamping> modeDampings;  ///< [M], or empty: the law's
     std::vector<ModeDamping> groupDampings; ///< [M], of which G are used
+    PoleLaw groupedLaw;                     ///< of the last `follow`
     std::vector<float> lostShares;          ///< of the pairs in every group (ModeCompression.h)
     std::optional<PoleLaw> lostSharesLaw;   ///< law that `lostShares` belong to
 };

@@ -1,5 +1,7 @@
 #include "Synth/ModePoles.h"
 
+#include "Synth/PoleLawKernel.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -7,13 +9,13 @@ namespace idiophone {
 
 ModePoles::ModePoles(std::size_t capacity, double sampleRateHz)
     : secondsPerSample(1 / sampleRateHz), count(capacity), coefficients(paddedSize()),
-      audibles(paddedSize()), heavyModes(capacity, sampleRateHz) {
-    resonancesHz.reserve(capacity);
+      audibles(paddedSize()), resonancesHz(paddedSize() + 8), isPrepared(blockCount()),
+      heavyModes(capacity, sampleRateHz) {
     std::ranges::fill(coefficients.stiffness, 1.0);
 }
 
 void ModePoles::regroup(std::size_t modes, std::span<const ModeShare> shares) noexcept {
-    // `update` fills `cellRe` and `cellIm` again afterwards.
+    // `prepare` fills `cellRe` and `cellIm` again afterwards.
     auto& newStiffness = coefficients.cellRe;
     auto& newDamping = coefficients.cellIm;
     std::ranges::fill(newStiffness, 1.0);
@@ -33,31 +35,45 @@ void ModePoles::regroup(std::size_t modes, std::span<const ModeShare> shares) no
 void ModePoles::forget() noexcept {
     heavyModes.clear();
     audibleModes = 0;
-    resonancesHz.clear();
+    resonanceCount = 0;
     std::ranges::fill(audibles, 0.0f);
+    std::ranges::fill(isPrepared, false);
 }
 
-void ModePoles::update(double lowestHz,
-                       double highestHz,
-                       std::span<const std::uint8_t> silenced) noexcept {
+void ModePoles::set(const PoleLaw& law,
+                    std::span<const double> referenceEigenvalues,
+                    std::span<const ModeDamping> dampings) noexcept {
+    std::swap(coefficients.stiffness, coefficients.cellRe);
+    std::swap(coefficients.damping, coefficients.cellIm);
+    polesOfLaw(law, referenceEigenvalues.first(count), dampings, coefficients.stiffness.data(),
+               coefficients.damping.data());
+    for (std::size_t g = count; g < paddedSize(); ++g)
+        set(g, {});
+}
+
+void ModePoles::update(const AudibleBand& band, std::span<const std::uint8_t> silenced) noexcept {
     forget();
-    for (std::size_t g = 0; g < count; ++g) {
-        const ModalPole own = pole(g);
-        const double hz = naturalFrequencyHz(own);
-        const bool inBand = hz >= lowestHz && hz < highestHz;
-        const bool isLight = own.damping * own.damping < 4e-4 * own.stiffness;
-        const bool isAudible = inBand && (silenced.empty() || silenced[g] == 0);
-        audibles[g] = isAudible ? 1.0f : 0.0f;
-        audibleModes += isAudible ? 1 : 0;
-        if (inBand && isLight)
-            resonancesHz.push_back(hz);
-        if (!isOscillating(own))
-            heavyModes.add(g, own);
-    }
-    if (!std::ranges::is_sorted(resonancesHz)) // a live thickness may change the order
-        std::ranges::sort(resonancesHz);
-    rotationsOfPoles(coefficients, paddedSize(), secondsPerSample);
-    heavyModes.correct(coefficients);
+    const PolesFound found = coefficientsOfPoles(coefficients, paddedSize(), secondsPerSample, band,
+                                                 audibles.data(), resonancesHz.data());
+    resonanceCount = found.resonances;
+    std::fill(audibles.begin() + static_cast<std::ptrdiff_t>(count), audibles.end(), 0.0f);
+    for (std::size_t g = 0; g < silenced.size(); ++g)
+        if (silenced[g] != 0)
+            audibles[g] = 0;
+    audibleModes = static_cast<std::size_t>(
+        std::count(audibles.begin(), audibles.begin() + static_cast<std::ptrdiff_t>(count), 1.0f));
+    foundHeavy = !found.allOscillate;
+    for (std::size_t g = 0; g < count && foundHeavy; ++g)
+        if (!isOscillating(pole(g))) {
+            heavyModes.add(g, pole(g));
+            coefficients.velocityShare[g] = 0;
+        }
+}
+
+void ModePoles::findRotations(std::size_t block) noexcept {
+    const std::size_t first = block * modeBlock;
+    rotationsOfPoles(coefficients, first, modeBlock, secondsPerSample);
+    heavyModes.correct(first, first + modeBlock, coefficients);
 }
 
 } // namespace idiophone

@@ -8,6 +8,7 @@
 #include "Synth/PoleKernel.h"
 
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace idiophone {
@@ -29,15 +30,20 @@ public:
     }
     std::size_t audibleCount() const noexcept { return audibleModes; }
     const float* audibleWeights() const noexcept { return audibles.data(); } ///< 1 or 0
-    /// Frequencies of lightly damped modes within the band in Hz, ascending, silenced or not. A
-    /// contact time must keep clear of them.
-    std::span<const double> resonances() const noexcept { return resonancesHz; }
+    /// Frequencies of lightly damped modes within the band in Hz, silenced or not. A contact time
+    /// must keep clear of them.
+    std::span<const double> resonances() const noexcept {
+        return std::span(resonancesHz).first(resonanceCount);
+    }
 
+    /// Rotations and tables belong to the poles only where `prepare` has been called.
     const PoleArrays& arrays() const noexcept { return coefficients; }
     ModeRotations rotations(std::size_t first) const noexcept {
         return {coefficients.subBlockRe.data() + first, coefficients.subBlockIm.data() + first,
                 coefficients.cellRe.data() + first, coefficients.cellIm.data() + first};
     }
+    /// Returns whether the last `update` found heavy modes.
+    bool hadHeavy() const noexcept { return foundHeavy; }
     const HeavyModes& heavy() const noexcept { return heavyModes; }
     HeavyModes& heavy() noexcept { return heavyModes; }
 
@@ -48,20 +54,38 @@ public:
         coefficients.stiffness[g] = pole.stiffness;
         coefficients.damping[g] = pole.damping;
     }
-    /// Computes everything else from the poles. Modes outside `lowestHz` ≤ f < `highestHz` are
-    /// inaudible, and so are modes with `silenced` ≠ 0 ([size], or empty: none).
-    void update(double lowestHz, double highestHz, std::span<const std::uint8_t> silenced) noexcept;
+    /// Sets the poles by a law (PoleLawKernel.h). Call `update` next; until then `formerPole`
+    /// returns a mode's pole from before.
+    void set(const PoleLaw& law,
+             std::span<const double> referenceEigenvalues,
+             std::span<const ModeDamping> dampings) noexcept;
+    ModalPole formerPole(std::size_t g) const noexcept {
+        return {coefficients.cellRe[g], coefficients.cellIm[g]};
+    }
+    /// Computes everything else from the poles, except rotations and tables. Modes outside the band
+    /// (natural frequency) are inaudible, and so are modes with `silenced` ≠ 0 ([size], or empty:
+    /// none).
+    void update(const AudibleBand& band, std::span<const std::uint8_t> silenced) noexcept;
+    /// Computes the rotations and tables of a block, unless they belong to the poles already.
+    void prepare(std::size_t block) noexcept {
+        if (!std::exchange(isPrepared[block], true))
+            findRotations(block);
+    }
 
 private:
     void forget() noexcept;
+    void findRotations(std::size_t block) noexcept;
 
     double secondsPerSample;
     std::size_t count;
     std::size_t audibleModes = 0;
     PoleArrays coefficients;
     AlignedVector<float> audibles;
-    std::vector<double> resonancesHz;
+    std::vector<double> resonancesHz; ///< of which `resonanceCount` are used
+    std::size_t resonanceCount = 0;
+    std::vector<char> isPrepared; ///< of every block
     HeavyModes heavyModes;
+    bool foundHeavy = false;
 };
 
 } // namespace idiophone

@@ -1,5 +1,7 @@
 #include "Synth/PoleKernel.h"
 
+#include "Synth/ModalPole.h"
+
 #include <numbers>
 
 #undef HWY_TARGET_INCLUDE
@@ -38,14 +40,19 @@ HWY_INLINE Vector cleared(Vector value) {
     return hn::IfThenElseZero(hn::Gt(hn::Abs(value), hn::Set(d, faintestTableEntry)), value);
 }
 
-void rotations(PoleArrays& poles, std::size_t count, double sampleSeconds) {
+PolesFound coefficients(PoleArrays& poles,
+                        std::size_t count,
+                        double sampleSeconds,
+                        const AudibleBand& band,
+                        float* HWY_RESTRICT audibles,
+                        double* HWY_RESTRICT resonancesHz) {
     const Doubles d;
     const hn::Rebind<float, Doubles> f;
-    alignas(64) double re[subBlockSamples][lanes];
-    alignas(64) double im[subBlockSamples][lanes];
+    PolesFound found;
     for (std::size_t g = 0; g < count; g += lanes) {
         const auto stiffness = hn::Load(d, poles.stiffness.data() + g);
-        const auto decay = hn::Mul(hn::Load(d, poles.damping.data() + g), hn::Set(d, 0.5));
+        const auto damping = hn::Load(d, poles.damping.data() + g);
+        const auto decay = hn::Mul(damping, hn::Set(d, 0.5));
         const auto squared = hn::NegMulAdd(decay, decay, stiffness);
         const auto frequency = hn::Sqrt(hn::Max(squared, hn::Zero(d)));
         const auto perFrequency = hn::Div(hn::Set(d, 1.0), frequency);
@@ -58,28 +65,58 @@ void rotations(PoleArrays& poles, std::size_t count, double sampleSeconds) {
         hn::Store(hn::DemoteTo(f, halfTurns), f, poles.halfTurnsPerSample.data() + g);
         hn::Store(hn::DemoteTo(f, octaves), f, poles.octavesPerSample.data() + g);
 
-        const Complex sample = rotation(decay, frequency, sampleSeconds);
+        const auto hz = hn::Div(hn::Sqrt(stiffness), hn::Set(d, 2 * std::numbers::pi));
+        const auto isAudible =
+            hn::And(hn::Ge(hz, hn::Set(d, band.lowestHz)), hn::Lt(hz, hn::Set(d, band.highestHz)));
+        hn::Store(hn::DemoteTo(f, hn::IfThenElseZero(isAudible, hn::Set(d, 1.0))), f, audibles + g);
+        const auto square = hn::Mul(damping, damping);
+        const auto isLight = hn::Lt(square, hn::Mul(hn::Set(d, 4e-4), stiffness));
+        found.resonances +=
+            hn::CompressStore(hz, hn::And(isAudible, isLight), d, resonancesHz + found.resonances);
+        const auto oscillates =
+            hn::Lt(square, hn::Mul(hn::Set(d, 4 * oscillatingShare), stiffness));
+        found.allOscillate = found.allOscillate && hn::AllTrue(d, oscillates);
+    }
+    return found;
+}
+
+/// Writes entries of one table part for each lane: `values` are those of `lanes` modes, entry by
+/// entry.
+HWY_INLINE void storeTables(const hn::Vec<hn::Rebind<float, Doubles>> (&values)[subBlockSamples],
+                            float* HWY_RESTRICT tables) {
+    const hn::Rebind<float, Doubles> f;
+    alignas(64) float four[4 * lanes];
+    for (std::size_t k = 0; k < subBlockSamples; k += 4) {
+        hn::StoreInterleaved4(values[k], values[k + 1], values[k + 2], values[k + 3], f, four);
+        for (std::size_t lane = 0; lane < lanes; ++lane)
+            hwy::CopyBytes<4 * sizeof(float)>(four + 4 * lane,
+                                              tables + 2 * subBlockSamples * lane + k);
+    }
+}
+
+void rotations(PoleArrays& poles, std::size_t first, std::size_t count, double sampleSeconds) {
+    const Doubles d;
+    const hn::Rebind<float, Doubles> f;
+    for (std::size_t g = first; g < first + count; g += lanes) {
+        const Complex sample = rotation(hn::Load(d, poles.decay.data() + g),
+                                        hn::Load(d, poles.frequency.data() + g), sampleSeconds);
         hn::Store(hn::DemoteTo(f, sample.re), f, poles.sampleRe.data() + g);
         hn::Store(hn::DemoteTo(f, sample.im), f, poles.sampleIm.data() + g);
+        hn::Vec<hn::Rebind<float, Doubles>> re[subBlockSamples], im[subBlockSamples];
         Complex power{hn::Set(d, 1.0), hn::Zero(d)};
         for (std::size_t k = 0; k < subBlockSamples; ++k) {
-            hn::Store(cleared(power.re), d, re[k]);
-            hn::Store(hn::Neg(cleared(power.im)), d, im[k]);
+            re[k] = hn::DemoteTo(f, cleared(power.re));
+            im[k] = hn::DemoteTo(f, hn::Neg(cleared(power.im)));
             power = product(power, sample);
         }
+        storeTables(re, poles.tables.data() + 2 * subBlockSamples * g);
+        storeTables(im, poles.tables.data() + 2 * subBlockSamples * g + subBlockSamples);
         hn::Store(hn::DemoteTo(f, power.re), f, poles.subBlockRe.data() + g);
         hn::Store(hn::DemoteTo(f, power.im), f, poles.subBlockIm.data() + g);
         const Complex two = product(power, power);
         const Complex four = product(two, two);
         hn::Store(four.re, d, poles.cellRe.data() + g);
         hn::Store(four.im, d, poles.cellIm.data() + g);
-        for (std::size_t lane = 0; lane < lanes; ++lane) {
-            float* HWY_RESTRICT table = poles.tables.data() + 2 * subBlockSamples * (g + lane);
-            for (std::size_t k = 0; k < subBlockSamples; ++k) {
-                table[k] = static_cast<float>(re[k][lane]);
-                table[subBlockSamples + k] = static_cast<float>(im[k][lane]);
-            }
-        }
     }
 }
 
@@ -112,11 +149,25 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace idiophone {
 
+HWY_EXPORT(coefficients);
 HWY_EXPORT(rotations);
 HWY_EXPORT(rotate);
 
-void rotationsOfPoles(PoleArrays& poles, std::size_t count, double sampleSeconds) noexcept {
-    HWY_DYNAMIC_DISPATCH(rotations)(poles, count, sampleSeconds);
+PolesFound coefficientsOfPoles(PoleArrays& poles,
+                               std::size_t count,
+                               double sampleSeconds,
+                               const AudibleBand& band,
+                               float* audibles,
+                               double* resonancesHz) noexcept {
+    return HWY_DYNAMIC_DISPATCH(coefficients)(poles, count, sampleSeconds, band, audibles,
+                                              resonancesHz);
+}
+
+void rotationsOfPoles(PoleArrays& poles,
+                      std::size_t first,
+                      std::size_t count,
+                      double sampleSeconds) noexcept {
+    HWY_DYNAMIC_DISPATCH(rotations)(poles, first, count, sampleSeconds);
 }
 
 void rotateModes(const PoleArrays& poles,

@@ -30,8 +30,33 @@ struct PoleArrays {
     AlignedVector<float> tables;                 ///< [modes,2,16]
 };
 
-/// Fills in all arrays except λ and d. The caller corrects modes that do not oscillate.
-void rotationsOfPoles(PoleArrays& poles, std::size_t count, double sampleSeconds) noexcept;
+/// The band in which modes are audible, from `lowestHz` to below `highestHz`.
+struct AudibleBand {
+    double lowestHz = 0;
+    double highestHz = 0;
+};
+
+/// Fills in the arrays up to `velocityShare` and those per sample, from λ and d. Sets audibles[g]
+/// to 1 in the band and 0 elsewhere. Writes the frequencies of lightly damped modes in the band to
+/// `resonancesHz`, which has room for count + 8. Returns their number, and whether every mode
+/// oscillates.
+struct PolesFound {
+    std::size_t resonances = 0;
+    bool allOscillate = true;
+};
+PolesFound coefficientsOfPoles(PoleArrays& poles,
+                               std::size_t count,
+                               double sampleSeconds,
+                               const AudibleBand& band,
+                               float* audibles,
+                               double* resonancesHz) noexcept;
+
+/// Fills in the rotations and tables of `count` modes from `first` on, for which
+/// `coefficientsOfPoles` has been called. The caller corrects modes that do not oscillate.
+void rotationsOfPoles(PoleArrays& poles,
+                      std::size_t first,
+                      std::size_t count,
+                      double sampleSeconds) noexcept;
 
 /// Multiplies `count` states x + iy by `factor` e^{(−α + iω)t}: free motion of the modes from
 /// `first` on over `seconds`, which may be hours.

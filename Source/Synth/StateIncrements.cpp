@@ -69,7 +69,7 @@ void StateIncrements::gather(const ModalBank& bank,
                      bank.channels(), *this);
 }
 
-void StateIncrements::sound(const ModalBank& bank,
+void StateIncrements::sound(ModalBank& bank,
                             std::span<const ModeRun> runs,
                             std::size_t subBlockCount,
                             const ChannelOutputs& outputs,
@@ -77,6 +77,7 @@ void StateIncrements::sound(const ModalBank& bank,
                             const ChannelOutputs& partOutputs) const noexcept {
     if (runs.empty())
         return;
+    bank.prepare(runs);
     const ModePoles& poles = bank.poles();
     SubBlockStates ahead;
     const std::size_t last = index(runs.back().first + runs.back().count);

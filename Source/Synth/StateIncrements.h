@@ -64,7 +64,7 @@ struct StateIncrements {
 
     /// Adds the first 16 · `subBlockCount` samples (at most a cell) of the sound over `runs`, and
     /// `parts` of these modes, as `ModalBank::render` does.
-    void sound(const ModalBank& bank,
+    void sound(ModalBank& bank,
                std::span<const ModeRun> runs,
                std::size_t subBlockCount,
                const ChannelOutputs& outputs,

@@ -73,6 +73,7 @@ struct SynthesisScratch {
     alignas(64) CellSound tubeSound; ///< sound of `tubeParts`
 
     // Scratch for changes of groups.
+    std::int64_t modesToRegroup = 0;          ///< how many strikes may still regroup in this cell
     std::vector<std::uint8_t> silencedGroups; ///< [G]
     std::vector<std::int32_t> groupStarts;    ///< [G+1] of the new groups
     std::vector<ModeShare> groupShares;       ///< shares that the new groups take over

@@ -1,6 +1,7 @@
 #include "Synth/Synthesiser.h"
 
 #include "Synth/AwakeSlots.h"
+#include "Synth/RegroupTurns.h"
 
 #include <algorithm>
 #include <deque>
@@ -27,7 +28,14 @@ struct Synthesiser::Implementation {
     SynthesisSettings settings;
     bool settingsChanged = false;
     std::vector<char> wasTouched; ///< of every slot, since its last reset
+    std::optional<RegroupTurns> turns;
+    bool isNew = true; ///< nothing has sounded since the construction or reset
 
+    void settle();
+    void settleIfNew() {
+        if (std::exchange(isNew, false))
+            settle();
+    }
     template <class Value>
     void set(std::size_t slot, void (ModalResonator::*setter)(Value) noexcept, Value value);
     template <class Action>
@@ -60,6 +68,7 @@ Synthesiser::Synthesiser(std::vector<SynthesiserSlot> slots,
     }
     all.slots.emplace(all.objects, all.envelopes);
     all.wasTouched.resize(slots.size());
+    all.turns.emplace(slots.size());
 }
 
 Synthesiser::~Synthesiser() = default;
@@ -71,6 +80,17 @@ void Synthesiser::setSettings(const SynthesisSettings& settings) noexcept {
     all.settings = wanted;
 }
 
+void Synthesiser::settle() noexcept {
+    implementation->settle();
+}
+
+void Synthesiser::Implementation::settle() {
+    settingsChanged = false;
+    for (ModalResonator& object : objects)
+        object.settle(settings, slots->cell());
+    slots->letAllSleep();
+}
+
 template <class Value>
 void Synthesiser::Implementation::set(std::size_t slot,
                                       void (ModalResonator::*setter)(Value) noexcept,
@@ -78,8 +98,10 @@ void Synthesiser::Implementation::set(std::size_t slot,
     if (slot >= objects.size())
         return;
     (objects[slot].*setter)(value);
-    if (objects[slot].hasNewControls())
-        slots->wake(slot);
+    if (!objects[slot].hasNewControls())
+        return;
+    slots->wake(slot);
+    turns->restart();
 }
 
 void Synthesiser::setDamping(std::size_t slot, double dampingPerSecond) noexcept {
@@ -87,7 +109,16 @@ void Synthesiser::setDamping(std::size_t slot, double dampingPerSecond) noexcept
 }
 
 void Synthesiser::setFrequencyRatio(std::size_t slot, double ratio) noexcept {
-    implementation->set(slot, &ModalResonator::setFrequencyRatio, ratio);
+    auto& all = *implementation;
+    if (slot >= slotCount())
+        return;
+    ModalResonator& object = all.objects[slot];
+    object.setFrequencyRatio(ratio);
+    if (!object.hasNewControls())
+        return;
+    all.turns->restart();
+    if (!object.silent()) // a silent object follows in its turn, or when it is struck
+        all.slots->wake(slot);
 }
 
 double Synthesiser::frequencyRatio(std::size_t slot) const noexcept {
@@ -124,6 +155,9 @@ void Synthesiser::beginCell(std::span<const CellOutput> cellsOfSlots) noexcept {
 template <class CellOf>
 void Synthesiser::mixInto(CellOf cellOf) noexcept {
     auto& all = *implementation;
+    all.settleIfNew();
+    if (all.settingsChanged)
+        all.turns->restart();
     all.scratch->tubesNow = all.scratch->tubes.start;
     all.slots->beginCell(all.settings, std::exchange(all.settingsChanged, false));
     for (const std::int32_t number : all.slots->list()) {
@@ -132,11 +166,22 @@ void Synthesiser::mixInto(CellOf cellOf) noexcept {
     }
     all.scratch->tubesNow = all.scratch->tubes.end;
     all.slots->report();
+    const std::size_t given = all.turns->give([&all](std::size_t slot) -> std::size_t {
+        ModalResonator& object = all.objects[slot];
+        if (!object.wantsToRegroup())
+            return 0;
+        object.letRegroup();
+        all.slots->wake(slot);
+        return object.modeCount();
+    });
+    all.scratch->modesToRegroup =
+        std::int64_t{RegroupTurns::modesPerCell} - static_cast<std::int64_t>(given);
 }
 
 /// Lets an action on an existing slot take place in the current cell.
 template <class Action>
 bool Synthesiser::Implementation::act(std::size_t slot, Action action) {
+    settleIfNew();
     ModalResonator& object = objects[slot];
     wasTouched[slot] = 1;
     object.moveTo(slots->cell());
@@ -167,6 +212,8 @@ bool Synthesiser::applyForce(std::size_t slot,
                              const CellOutput& cell) noexcept {
     auto& all = *implementation;
     return slot < slotCount() && all.act(slot, [&](ModalResonator& object) {
+        if (object.silent())
+            object.catchUp(all.settings);
         return object.applyForce(force, all.slots->forceAllowance(slot), cell);
     });
 }
@@ -178,6 +225,8 @@ void Synthesiser::reset() noexcept {
         if (std::exchange(all.wasTouched[slot], 0) != 0)
             all.objects[slot].reset();
     all.slots->reset();
+    *all.turns = RegroupTurns(slotCount());
+    all.isNew = true;
 }
 
 std::span<const SlotStatus> Synthesiser::status() const noexcept {

@@ -33,8 +33,13 @@ public:
     Synthesiser(const Synthesiser&) = delete;
     Synthesiser& operator=(const Synthesiser&) = delete;
 
-    /// Takes effect at the next `beginCell`.
+    /// Takes effect at the next `beginCell`. After the first cell a change regroups the modes of a
+    /// few slots in each cell; until its turn a slot keeps its groups, with new poles.
     void setSettings(const SynthesisSettings& settings) noexcept;
+    /// Applies the settings to all slots at once, groups included, as the first cell, strike or
+    /// force after construction or `reset` does otherwise. Takes time with the number of modes.
+    /// Nothing may sound.
+    void settle() noexcept;
 
     /// Sets an extra fluid damping of one slot (a mute, a damper). From the next `beginCell` on,
     /// all its sound is multiplied by e^{−δt}. 0 lifts it.
@@ -89,7 +94,8 @@ public:
     /// 1e12 N. A response above 1e17 m/s to 1 N s is silent.
     bool applyForce(std::size_t slot, const ForceCell& force, const CellOutput& cell) noexcept;
 
-    /// Silences everything at once. The caller fades the output.
+    /// Silences everything at once. The caller fades the output. From the next `beginCell` on the
+    /// slots sound bit for bit as new ones with the same settings.
     void reset() noexcept;
 
     using SlotStatus = idiophone::SlotStatus;
