@@ -147,8 +147,9 @@ std::complex<float> mergedResidue(std::span<const std::complex<float>> residues,
         }
     if (lost == 0)
         return std::complex<float>(sum);
-    const double size = std::sqrt(std::max(std::norm(sum) - lost, 0.0));
-    return std::complex<float>(std::norm(sum) > 0 ? size / std::abs(sum) * sum : size);
+    const double whole = std::norm(sum);
+    const double left = std::max(whole - lost, 0.0);
+    return std::complex<float>(whole > 0 ? std::sqrt(left / whole) * sum : std::sqrt(left));
 }
 
 } // namespace idiophone
