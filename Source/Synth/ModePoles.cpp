@@ -6,8 +6,8 @@
 namespace idiophone {
 
 ModePoles::ModePoles(std::size_t capacity, double sampleRateHz)
-    : secondsPerSample(1 / sampleRateHz), count(capacity), coefficients(paddedSize()),
-      audibles(paddedSize()), heavyModes(capacity, sampleRateHz) {
+    : secondsPerSample(1 / sampleRateHz), count(capacity), heavyModes(capacity, sampleRateHz),
+      coefficients(paddedSize()), audibles(paddedSize()) {
     resonancesHz.reserve(capacity);
     std::ranges::fill(coefficients.stiffness, 1.0);
 }

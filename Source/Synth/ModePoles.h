@@ -58,10 +58,10 @@ private:
     double secondsPerSample;
     std::size_t count;
     std::size_t audibleModes = 0;
+    HeavyModes heavyModes;
     PoleArrays coefficients;
     AlignedVector<float> audibles;
     std::vector<double> resonancesHz;
-    HeavyModes heavyModes;
 };
 
 } // namespace idiophone
