@@ -36,18 +36,9 @@ void AmplitudeEnvelope::add(const ModePoles& poles, const float* energies) noexc
             bounds[k] += std::sqrt(energies[g] * audible[g]);
 }
 
-void AmplitudeEnvelope::fall() noexcept {
-    for (std::size_t k = 0; k < groups; ++k)
-        bounds[k] *= falls[k];
-}
-
 void AmplitudeEnvelope::clear() noexcept {
     bounds = {};
     ringing = 0;
-}
-
-double AmplitudeEnvelope::amplitude() const noexcept {
-    return (bounds[0] + bounds[1]) + (bounds[2] + bounds[3]);
 }
 
 } // namespace idiophone

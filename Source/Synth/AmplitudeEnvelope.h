@@ -26,10 +26,15 @@ public:
     /// Adds the amplitude of state increments of these energies.
     void add(const ModePoles& poles, const float* energies) noexcept;
     /// Moves on by a period.
-    void fall() noexcept;
+    void fall() noexcept {
+        for (std::size_t k = 0; k < groups; ++k)
+            bounds[k] *= falls[k];
+    }
     void clear() noexcept;
 
-    double amplitude() const noexcept; ///< m/s
+    double amplitude() const noexcept { ///< m/s
+        return (bounds[0] + bounds[1]) + (bounds[2] + bounds[3]);
+    }
     /// Number of modes that rang when the bound was set.
     std::int32_t modesRinging() const noexcept { return ringing; }
 

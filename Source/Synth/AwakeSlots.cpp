@@ -48,25 +48,27 @@ void AwakeSlots::beginCell(const SynthesisSettings& settings, bool settingsChang
         std::iota(awake.begin(), awake.end(), 0);
         std::ranges::fill(isAwake, 1);
     }
-    dropIdle(settings, settingsChanged);
+    const std::int64_t wanted = dropIdle(settings, settingsChanged);
     if (division.sufficient()) {
-        std::int64_t demanded = 0;
-        for (const std::int32_t slot : awake)
-            demanded += objects[index(slot)].demand().modes;
-        if (demanded > budget)
+        if (wanted > budget)
             rank(settings, true);
     } else if (--cellsToRanking == 0 || settingsChanged) {
         rank(settings, cellsToRanking == 0);
     } else {
-        limit();
+        limit(wanted);
     }
 }
 
-void AwakeSlots::dropIdle(const SynthesisSettings& settings, bool settingsChanged) noexcept {
+/// Returns how many modes the slots that stay awake would mix.
+std::int64_t AwakeSlots::dropIdle(const SynthesisSettings& settings,
+                                  bool settingsChanged) noexcept {
+    std::int64_t wanted = 0;
     std::erase_if(awake, [&](std::int32_t number) {
         const std::size_t slot = index(number);
-        if (objects[slot].beginCell(cellIndex, settings, settingsChanged))
+        if (objects[slot].beginCell(cellIndex, settings, settingsChanged)) {
+            wanted += modesWanted(slot);
             return false;
+        }
         isAwake[slot] = 0;
         statusOf[slot].modesMixed = statusOf[slot].share = 0;
         if (!objects[slot].asleep()) {
@@ -75,6 +77,7 @@ void AwakeSlots::dropIdle(const SynthesisSettings& settings, bool settingsChange
         }
         return true;
     });
+    return wanted;
 }
 
 void AwakeSlots::rank(const SynthesisSettings& settings, bool periodBegins) noexcept {
@@ -83,19 +86,15 @@ void AwakeSlots::rank(const SynthesisSettings& settings, bool periodBegins) noex
     listRinging(std::max(settings.tau * pascalsPerTau, faintestVelocity), periodBegins);
     division.divide(demands, settings.modeBudget, settings.qualitySlope);
     std::ranges::fill(shares, division.sufficient() ? unlimited : 0);
-    for (std::size_t k = 0; k < ranked.size(); ++k) {
-        const std::size_t slot = index(ranked[k]);
-        if (!division.sufficient())
-            shares[slot] = division.shares()[k];
-        if (isAwake[slot] != 0)
+    for (const BudgetShares::Rank& rank : division.ranked())
+        shares[index(ranked[rank.object])] = division.shares()[rank.object];
+    for (const std::int32_t number : ranked) {
+        const std::size_t slot = index(number);
+        if (shares[slot] == 0 || isAwake[slot] != 0)
             continue;
-        statusOf[slot].amplitude = static_cast<float>(demands[k].amplitude);
-        statusOf[slot].modesRinging = demands[k].modes;
-        if (shares[slot] > 0) {
-            wake(slot);
-            objects[slot].moveTo(cellIndex);
-            objects[slot].wake();
-        }
+        wake(slot);
+        objects[slot].moveTo(cellIndex);
+        objects[slot].wake();
     }
 }
 
@@ -112,6 +111,8 @@ void AwakeSlots::listRinging(double tauPascals, bool periodBegins) noexcept {
         if (isAwake[slot] != 0 || amplitude > tauPascals) {
             ranked.push_back(static_cast<std::int32_t>(slot));
             demands.push_back({amplitude * advantage(slot), envelope.modesRinging()});
+            statusOf[slot].amplitude = static_cast<float>(amplitude);
+            statusOf[slot].modesRinging = envelope.modesRinging();
             if (periodBegins)
                 envelope.fall();
         } else if (amplitude > 0) {
@@ -123,26 +124,20 @@ void AwakeSlots::listRinging(double tauPascals, bool periodBegins) noexcept {
 }
 
 /// Takes the shares of the quietest objects if strikes since the ranking mix more than the budget.
-void AwakeSlots::limit() noexcept {
-    const auto wanted = [&](std::size_t slot) {
-        return std::min(shares[slot], objects[slot].demand().modes);
-    };
-    std::int64_t mixed = 0;
-    for (const std::int32_t slot : awake)
-        mixed += wanted(index(slot));
+void AwakeSlots::limit(std::int64_t mixed) noexcept {
     while (mixed > budget) {
         std::size_t quietest = objects.size();
         double least = std::numeric_limits<double>::infinity();
         for (const std::int32_t number : awake) {
-            const double amplitude = envelopes[index(number)].amplitude();
-            if (shares[index(number)] > 0 && amplitude < least) {
-                quietest = index(number);
-                least = amplitude;
+            const std::size_t slot = index(number);
+            if (shares[slot] > 0 && envelopes[slot].amplitude() < least) {
+                quietest = slot;
+                least = envelopes[slot].amplitude();
             }
         }
         if (quietest == objects.size())
             return;
-        mixed -= wanted(quietest);
+        mixed -= modesWanted(quietest);
         shares[quietest] = 0;
         division.dropUpTo(least * advantageOfShare);
     }
@@ -163,6 +158,10 @@ void AwakeSlots::report() noexcept {
                           object.groupCount(),
                           object.groupsAudible()};
     }
+}
+
+std::int32_t AwakeSlots::modesWanted(std::size_t slot) const noexcept {
+    return std::min(shares[slot], objects[slot].demand().modes);
 }
 
 double AwakeSlots::advantage(std::size_t slot) const noexcept {

@@ -48,10 +48,11 @@ public:
     void reset() noexcept;
 
 private:
-    void dropIdle(const SynthesisSettings& settings, bool settingsChanged) noexcept;
+    std::int64_t dropIdle(const SynthesisSettings& settings, bool settingsChanged) noexcept;
     void rank(const SynthesisSettings& settings, bool periodBegins) noexcept;
     void listRinging(double tauPascals, bool periodBegins) noexcept;
-    void limit() noexcept;
+    void limit(std::int64_t modes) noexcept;
+    std::int32_t modesWanted(std::size_t slot) const noexcept;
     double advantage(std::size_t slot) const noexcept;
     std::int32_t ownAllowance(std::size_t slot) const noexcept;
 

@@ -173,9 +173,9 @@ std::complex<float> mergedResidue(std::span<const std::complex<float>> residues,
         }
     if (lost == 0)
         return std::complex<float>(sum);
-    const double squared = std::norm(sum);
-    const double left = std::max(squared - lost, 0.0);
-    return std::complex<float>(squared > 0 ? std::sqrt(left / squared) * sum : std::sqrt(left));
+    const double whole = std::norm(sum);
+    const double left = std::max(whole - lost, 0.0);
+    return std::complex<float>(whole > 0 ? std::sqrt(left / whole) * sum : std::sqrt(left));
 }
 
 } // namespace idiophone

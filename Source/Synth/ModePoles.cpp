@@ -8,9 +8,9 @@
 namespace idiophone {
 
 ModePoles::ModePoles(std::size_t capacity, double sampleRateHz)
-    : secondsPerSample(1 / sampleRateHz), count(capacity), coefficients(paddedSize()),
-      audibles(paddedSize()), resonancesHz(paddedSize() + 8), isPrepared(blockCount()),
-      heavyModes(capacity, sampleRateHz) {
+    : secondsPerSample(1 / sampleRateHz), count(capacity), heavyModes(capacity, sampleRateHz),
+      coefficients(paddedSize()), audibles(paddedSize()), resonancesHz(paddedSize() + 8),
+      isPrepared(blockCount()) {
     std::ranges::fill(coefficients.stiffness, 1.0);
 }
 

@@ -79,12 +79,12 @@ private:
     double secondsPerSample;
     std::size_t count;
     std::size_t audibleModes = 0;
+    HeavyModes heavyModes;
     PoleArrays coefficients;
     AlignedVector<float> audibles;
     std::vector<double> resonancesHz; ///< of which `resonanceCount` are used
     std::size_t resonanceCount = 0;
     std::vector<char> isPrepared; ///< of every block
-    HeavyModes heavyModes;
     bool foundHeavy = false;
 };
 

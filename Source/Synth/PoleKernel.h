@@ -12,22 +12,23 @@ namespace idiophone {
 /// Arrays over modes; see ModalBankKernel.h for the rotations and tables.
 struct PoleArrays {
     explicit PoleArrays(std::size_t modes)
-        : stiffness(modes), damping(modes), decay(modes), frequency(modes), velocityShare(modes),
-          cellRe(modes), cellIm(modes), halfTurnsPerSample(modes), octavesPerSample(modes),
-          sampleRe(modes), sampleIm(modes), subBlockRe(modes), subBlockIm(modes),
-          tables(2 * subBlockSamples * modes) {}
+        : tables(2 * subBlockSamples * modes), stiffness(modes), damping(modes), cellRe(modes),
+          cellIm(modes), sampleRe(modes), sampleIm(modes), subBlockRe(modes), subBlockIm(modes),
+          velocityShare(modes), decay(modes), frequency(modes), halfTurnsPerSample(modes),
+          octavesPerSample(modes) {}
 
+    AlignedVector<float> tables;                 ///< [modes,2,16]
     AlignedVector<double> stiffness;             ///< λ
     AlignedVector<double> damping;               ///< d
-    AlignedVector<double> decay;                 ///< α = d/2
-    AlignedVector<double> frequency;             ///< ω_d = √(λ − α²), 0 where over-damped
-    AlignedVector<double> velocityShare;         ///< α/ω_d: y after an impulse that makes x = 1
     AlignedVector<double> cellRe, cellIm;        ///< ρ^64
-    AlignedVector<float> halfTurnsPerSample;     ///< of ω_d; below 1 within the band
-    AlignedVector<float> octavesPerSample;       ///< −α in powers of two
     AlignedVector<float> sampleRe, sampleIm;     ///< ρ
     AlignedVector<float> subBlockRe, subBlockIm; ///< ρ^16
-    AlignedVector<float> tables;                 ///< [modes,2,16]
+    // Strikes on sleeping objects read the following, which therefore lie side by side.
+    AlignedVector<double> velocityShare;     ///< α/ω_d: y after an impulse that makes x = 1
+    AlignedVector<double> decay;             ///< α = d/2
+    AlignedVector<double> frequency;         ///< ω_d = √(λ − α²), 0 where over-damped
+    AlignedVector<float> halfTurnsPerSample; ///< of ω_d; below 1 within the band
+    AlignedVector<float> octavesPerSample;   ///< −α in powers of two
 };
 
 /// The band in which modes are audible, from `lowestHz` to below `highestHz`.
@@ -36,8 +37,8 @@ struct AudibleBand {
     double highestHz = 0;
 };
 
-/// Fills in the arrays up to `velocityShare` and those per sample, from λ and d. Sets audibles[g]
-/// to 1 in the band and 0 elsewhere. Writes the frequencies of lightly damped modes in the band to
+/// Fills in the arrays from `velocityShare` on, from λ and d. Sets audibles[g] to 1 in the band and
+/// 0 elsewhere. Writes the frequencies of lightly damped modes in the band to
 /// `resonancesHz`, which has room for count + 8. Returns their number, and whether every mode
 /// oscillates.
 struct PolesFound {

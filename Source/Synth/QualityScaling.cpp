@@ -38,6 +38,12 @@ Entitlement entitlement(std::size_t objects, double budget, double slope) noexce
     return {budget / entitled + fall * (entitled - 1) / 2, fall};
 }
 
+/// Sorts by amplitude in single precision; of equal objects the first is the largest.
+std::uint64_t sortingKey(double amplitude, std::uint32_t object) noexcept {
+    const auto bits = std::bit_cast<std::uint32_t>(static_cast<float>(amplitude));
+    return std::uint64_t{bits} << 32 | ~object;
+}
+
 } // namespace
 
 std::int64_t wholeBudget(double budget) noexcept {
@@ -60,29 +66,30 @@ void BudgetShares::divide(std::span<const ModeDemand> demands,
                           double slope) noexcept {
     const std::int64_t whole = wholeBudget(budget);
     std::int64_t demanded = 0;
-    shareOf.clear();
-    for (const ModeDemand& demand : demands) {
+    for (const ModeDemand& demand : demands)
         demanded += demand.modes;
-        shareOf.push_back(demand.modes);
-    }
-    ranks.clear();
     suffices = demanded <= whole;
+    shareOf.assign(demands.size(), 0);
     if (!suffices)
-        shareByRank(demands, static_cast<double>(whole), slope);
+        return shareByRank(demands, static_cast<double>(whole), slope);
+    ranks.clear();
+    std::ranges::transform(demands, shareOf.begin(), &ModeDemand::modes);
 }
 
-// Only objects with a share are sorted.
+// Only objects with a share are sorted. The quiet ones, which got none last time, are left out
+// until the budget lasts beyond the others.
 void BudgetShares::shareByRank(std::span<const ModeDemand> demands,
                                double whole,
                                double slope) noexcept {
-    unranked.clear();
-    for (const ModeDemand& demand : demands) {
-        const auto bits = std::bit_cast<std::uint32_t>(static_cast<float>(demand.amplitude));
-        const auto object = static_cast<std::uint32_t>(unranked.size());
-        unranked.push_back(std::uint64_t{bits} << 32 | ~object);
-    }
-    std::ranges::make_heap(unranked);
-    std::ranges::fill(shareOf, 0);
+    unranked.resize(demands.size());
+    for (std::size_t object = 0; object < demands.size(); ++object)
+        unranked[object] =
+            sortingKey(demands[object].amplitude, static_cast<std::uint32_t>(object));
+    const std::uint64_t quiet = ranks.empty() ? 0 : sortingKey(ranks.back().amplitude / 2, 0);
+    auto heap = std::partition(unranked.begin(), unranked.end(),
+                               [quiet](std::uint64_t key) { return key <= quiet; });
+    std::make_heap(heap, unranked.end());
+    ranks.clear();
 
     const Entitlement line = entitlement(demands.size(), whole, slope);
     double spare = whole;
@@ -91,7 +98,11 @@ void BudgetShares::shareByRank(std::span<const ModeDemand> demands,
     auto left = static_cast<std::int32_t>(whole);
     std::int32_t unused = 0;
     while (left > 0 && !unranked.empty()) {
-        std::ranges::pop_heap(unranked);
+        if (heap == unranked.end()) {
+            heap = unranked.begin();
+            std::make_heap(heap, unranked.end());
+        }
+        std::pop_heap(heap, unranked.end());
         const std::size_t object = ~static_cast<std::uint32_t>(unranked.back());
         unranked.pop_back();
         const double more = std::clamp(spare, 0.0, 1.0);

@@ -14,8 +14,8 @@ struct ModeDemand {
     std::int32_t modes = 0; ///< number of modes that it could mix
 };
 
-/// A sounding object mixes at least this many modes as long as the budget lasts. One mode of each of
-/// four times as many objects would cost more and be further from the unscaled mix
+/// A sounding object mixes at least this many modes as long as the budget lasts. One mode of each
+/// of four times as many objects would cost more and be further from the unscaled mix
 /// (docs/decisions/0006).
 inline constexpr std::int32_t minimumModes = 4;
 
@@ -47,6 +47,13 @@ public:
     bool sufficient() const noexcept { return suffices; }
     /// Returns the share of each object in modes, in the order of the demands.
     std::span<const std::int32_t> shares() const noexcept { return shareOf; }
+    /// A rank with a share, of those whose shares are limited.
+    struct Rank {
+        std::size_t object = 0; ///< index of its demand
+        double amplitude = 0;
+        std::int32_t available = 0; ///< modes
+    };
+    std::span<const Rank> ranked() const noexcept { return ranks; } ///< loudest first
     /// Returns how many modes were available to the first object that is quieter than `amplitude`,
     /// or 0 if no quieter one has a share.
     std::int32_t allowance(double amplitude) const noexcept;
@@ -54,20 +61,13 @@ public:
     void dropUpTo(double amplitude) noexcept;
 
 private:
-    struct Rank {
-        std::size_t object = 0;
-        double amplitude = 0;
-        std::int32_t available = 0; ///< modes
-    };
-
     void shareByRank(std::span<const ModeDemand> demands, double whole, double slope) noexcept;
 
     bool suffices = true;
     std::vector<std::int32_t> shareOf;
-    /// Heap of the others, the loudest first: the bits of the amplitude in single precision, then
-    /// ~object.
+    /// Sorting keys of the others; the end is a heap, the loudest first.
     std::vector<std::uint64_t> unranked;
-    std::vector<Rank> ranks; ///< objects with a share
+    std::vector<Rank> ranks; ///< none if the budget suffices
 };
 
 } // namespace idiophone

@@ -96,6 +96,14 @@ TEST_CASE("An object that joins as the loudest changes one share or two") {
     CHECK(moved <= 2);
 }
 
+TEST_CASE("A division does not depend on the last one") {
+    const std::vector<ModeDemand> quiet{{0.01, 9}, {0.03, 9}, {0.02, 9}, {3, 2}};
+    BudgetShares division(quiet.size());
+    division.divide(hungry, 12, infinity);
+    division.divide(quiet, 12, infinity);
+    CHECK(Shares(division.shares().begin(), division.shares().end()) == Shares{0, 9, 1, 2});
+}
+
 TEST_CASE("An allowance is what the first quieter object with a share had available") {
     BudgetShares division(3);
     division.divide(hungry, 12, 3); // shares 8, 4 and 0 for amplitudes 3, 2 and 0.1
