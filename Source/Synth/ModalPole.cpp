@@ -48,8 +48,9 @@ ModalPole PoleLaw::pole(double referenceEigenvalue, const ModeDamping& mode) con
     // The limits, far outside the audible range, keep extreme settings from overflowing.
     const double stiffness = std::clamp(eigenvalueRatio * referenceEigenvalue, 1e-6, 1e18);
     const double ofMaterial = mode.scale * damping.perSecond(stiffness);
-    const double extra =
-        mode.extraPerSecond > 0 ? 2 * mode.extraPerSecond * std::sqrt(eigenvalueRatio) : 0;
+    const double extra = mode.extraPerSecond > 0
+                             ? 2 * extraRatio * mode.extraPerSecond * std::sqrt(eigenvalueRatio)
+                             : 0;
     return {stiffness, std::clamp(ofMaterial + extra, 0.0, 1e12)};
 }
 

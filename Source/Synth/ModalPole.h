@@ -22,6 +22,7 @@ struct ModalPole {
 struct PoleLaw {
     double eigenvalueRatio = 1;
     DampingLaw damping;
+    double extraRatio = 1; ///< multiplies the extra decay
 
     bool operator==(const PoleLaw&) const = default;
     ModalPole pole(double referenceEigenvalue, const ModeDamping& mode = {}) const noexcept;
