@@ -41,7 +41,7 @@ void WindowEvents::playHand(const WindowEvent& event, Player& player) noexcept {
 
 void WindowEvents::clear() noexcept {
     queue.consume_all([](const WindowEvent&) {});
-    releaseLost = false;
+    releaseLost = silenceAsked = false;
     held.reset();
 }
 
