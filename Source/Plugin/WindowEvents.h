@@ -1,7 +1,6 @@
 // Hands notes, strikes and drags of the window to the audio thread.
 #pragma once
 
-#include "Instrument/MidiControllers.h"
 #include "Instrument/Player.h"
 
 #include <atomic>
@@ -68,8 +67,7 @@ public:
     void clear() noexcept;
 
 private:
-    static constexpr MidiEvent allSoundOff{.sampleOffset = 0,
-                                           .bytes = {0xb0, midi::allSoundOff, 0}};
+    static const MidiEvent allSoundOff;
     static MidiEvent noteEvent(int note, int velocity) noexcept;
     static void playHand(const WindowEvent& event, Player& player) noexcept;
 
