@@ -26,8 +26,8 @@ struct Condition {
 };
 
 constexpr Condition conditions[]{
-    {{strikeSpread, malletHardness, malletMass, malletRadius, malletExponent, malletFollow,
-      malletSpeed, velocityCurve, mallet, chatter, modalPulse},
+    {{hardness, strikeSpread, malletHardness, malletMass, malletRadius, malletExponent,
+      malletFollow, malletSpeed, velocityCurve, mallet, chatter, modalPulse},
      "it needs contact=Strike",
      [](const auto& values, const auto&) { return strikes(values); }},
     {{contactForce, contactSpeed, roughness},
@@ -81,10 +81,10 @@ constexpr Condition conditions[]{
 
 /// Parameters without effect where no mallets play.
 constexpr std::array ofMallets{
-    strikeAlong,    strikeAcross,  strikeSpread, malletHardness, malletMass,    malletRadius,
-    malletExponent, malletFollow,  malletSpeed,  mallet,         velocityCurve, chatter,
-    modalPulse,     matchLoudness, contact,      contactForce,   contactSpeed,  roughness,
-    rollCoupling,   letRing,       releaseTime};
+    hardness,     strikeAlong,    strikeAcross,  strikeSpread, malletHardness, malletMass,
+    malletRadius, malletExponent, malletFollow,  malletSpeed,  mallet,         velocityCurve,
+    chatter,      modalPulse,     matchLoudness, contact,      contactForce,   contactSpeed,
+    roughness,    rollCoupling,   letRing,       releaseTime};
 /// Parameters without effect where no keys play.
 constexpr std::array ofKeys{bendRange, mpe, mpeBendRange, motorSpeed, motorDepth, motorSync};
 

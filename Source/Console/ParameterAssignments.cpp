@@ -50,7 +50,7 @@ Result<ParameterId> assign(const std::string& assignment, ParameterValues& value
 void addParameterAssignments(CLI::App& command, std::vector<std::string>& assignments) {
     command
         .add_option("--set", assignments,
-                    "Sets a parameter, for example hardness=200; can be repeated")
+                    "Sets a parameter, for example decay=0.5; can be repeated")
         ->type_name("PARAM=VALUE")
         ->allow_extra_args(false);
 }

@@ -4,6 +4,7 @@
 #include "Editor/MaterialPage.h"
 #include "Editor/ModesPage.h"
 #include "Editor/ParameterPage.h"
+#include "Editor/PlayPage.h"
 #include "Editor/QualityPage.h"
 #include "Editor/StrikePage.h"
 #include "Editor/TuningPage.h"
@@ -16,7 +17,7 @@ namespace idiophone {
 namespace {
 
 constexpr int firstWidth = 1180, firstHeight = 860;
-constexpr int margin = 12, barHeight = 44, statusHeight = 32;
+constexpr int margin = 12, barHeight = 44, statusHeight = 38;
 /// Height of picture and deck below which the picture stands beside the deck, not above it.
 constexpr int minimumHeightForBoth = PageDeck::minimumHeight + 200;
 constexpr double deckShare = 0.44;
@@ -67,13 +68,16 @@ std::string refusalOf(const juce::File& file, const ProcessorView& view) {
 
 EditorWindow::EditorWindow(juce::AudioProcessor& audioProcessor, ProcessorView& processorView)
     : AudioProcessorEditor(audioProcessor), view(processorView), look(preferences.look()),
-      presets(view), object(view), browser(view.presets), keyboard(view) {
+      presets(view), object(view), browser(view.presets),
+      volume(parameterInfo(ParameterId::volume), view), keyboard(view) {
     setLookAndFeel(&look);
     makePages();
     lookButton.onClick = [this] {
         setLook(look.scheme() == LookScheme::dark ? LookScheme::light : LookScheme::dark);
     };
-    showParts(*this, presets, lookButton, object, deck, status, keyboard);
+    silence.describe("Silence", "End all sound at once");
+    silence.onClick = [this] { view.instrument.silence(); };
+    showParts(*this, presets, lookButton, object, deck, status, silence, volume, keyboard);
     addChildComponent(browser);
     presets.onBrowse = [this] { setBrowsing(!browser.isVisible()); };
     presets.onSaveAs = [this] {
@@ -99,6 +103,7 @@ EditorWindow::~EditorWindow() {
 }
 
 void EditorWindow::makePages() {
+    deck.add(std::make_unique<PlayPage>(view));
     deck.add(std::make_unique<StrikePage>(view));
     deck.add(std::make_unique<MaterialPage>(view));
     auto modes = std::make_unique<ModesPage>(view);
@@ -106,16 +111,16 @@ void EditorWindow::makePages() {
         object.picture().showMode(mode);
     };
     deck.add(std::move(modes));
-    deck.add(std::make_unique<QualityPage>(view));
+    tuningPage = deck.pageCount();
+    deck.add(std::make_unique<TuningPage>(view));
     deck.add(std::make_unique<ParameterPage>(
         "Contact", std::vector<ParameterGroup>{{"Scrape and roll", 0}, {"Keys", 1}, {"Motor", 1}},
         view));
     deck.add(std::make_unique<ParameterPage>(
         "Output", std::vector<ParameterGroup>{{"Listening", 0}, {"Room", 0}, {"Output", 1}}, view));
-    tuningPage = deck.pageCount();
-    deck.add(std::make_unique<TuningPage>(view));
     importPage = deck.pageCount();
     deck.add(std::make_unique<ImportPage>(view));
+    deck.add(std::make_unique<QualityPage>(view));
 }
 
 void EditorWindow::setLook(LookScheme scheme) {
@@ -171,6 +176,7 @@ void EditorWindow::timerCallback() {
     presets.refresh();
     object.refresh();
     deck.refresh();
+    volume.refresh();
     keyboard.refresh();
     const auto now = view.status.takeStatus();
     setBusy(now.peak > 0 || isMouseOver(true));
@@ -243,7 +249,10 @@ void EditorWindow::placeParts() {
     presets.setBounds(bar.withTrimmedRight(8));
     area.removeFromBottom(8);
     keyboard.setBounds(area.removeFromBottom(std::clamp(getHeight() / 8, 60, 140)));
-    status.setBounds(area.removeFromBottom(statusHeight));
+    auto line = area.removeFromBottom(statusHeight);
+    volume.setBounds(line.removeFromRight(150));
+    silence.setBounds(line.removeFromRight(36).withSizeKeepingCentre(28, 28));
+    status.setBounds(line.withTrimmedRight(4));
     browser.setBounds(area);
     if (area.getHeight() < minimumHeightForBoth) {
         const int fitting = (area.getWidth() * 3 / 5) / DeckPage::minimumWidth;
@@ -253,8 +262,8 @@ void EditorWindow::placeParts() {
         return;
     }
     const auto share = static_cast<int>(deckShare * area.getHeight());
-    deck.setBounds(area.removeFromBottom(
-        std::clamp(share, PageDeck::minimumHeight, PageDeck::tabHeight + DeckPage::maximumHeight)));
+    deck.setBounds(area.removeFromBottom(std::clamp(
+        share, PageDeck::minimumHeight, PageDeck::aboveHeight + DeckPage::maximumHeight)));
     object.setBounds(area.withTrimmedBottom(4));
 }
 

@@ -4,10 +4,13 @@
 
 #include "Editor/DropFrame.h"
 #include "Editor/FocusRing.h"
+#include "Editor/IconButton.h"
+#include "Editor/Icons.h"
 #include "Editor/KeyboardPanel.h"
 #include "Editor/Look.h"
 #include "Editor/ObjectPane.h"
 #include "Editor/PageDeck.h"
+#include "Editor/ParameterControl.h"
 #include "Editor/Preferences.h"
 #include "Editor/PresetBar.h"
 #include "Editor/PresetBrowser.h"
@@ -62,6 +65,8 @@ private:
     PageDeck deck;
     PresetBrowser browser;
     StatusBar status;
+    IconButton silence{"Silence", icons::silence()};
+    ParameterControl volume;
     KeyboardPanel keyboard;
     DropFrame dropFrame;
     FocusRing focusRing;

@@ -69,6 +69,16 @@ juce::Path redo() {
     return mirrored(undo());
 }
 
+juce::Path silence() { // a stop sign
+    juce::Path octagon;
+    octagon.addPolygon({0.5f, 0.5f}, 8, 0.46f, juce::MathConstants<float>::pi / 8);
+    juce::Path square;
+    square.addRoundedRectangle(0.33f, 0.33f, 0.34f, 0.34f, 0.05f);
+    auto path = drawn(octagon);
+    path.addPath(square);
+    return path;
+}
+
 juce::Path copy() { // a sheet before another
     auto lines = juce::Drawable::parseSVGPath("M.22 .66 L.12 .66 L.12 .12 L.66 .12 L.66 .22");
     lines.addRoundedRectangle(0.34f, 0.34f, 0.54f, 0.54f, 0.08f);

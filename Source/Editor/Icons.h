@@ -14,5 +14,6 @@ juce::Path dice();
 juce::Path undo();
 juce::Path redo();
 juce::Path copy();
+juce::Path silence();
 
 } // namespace idiophone::icons

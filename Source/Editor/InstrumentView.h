@@ -46,6 +46,8 @@ public:
     /// the lowest key's end. Empty if the object does not exist.
     virtual std::vector<std::array<double, 3>> struckPlaces(std::size_t index) const = 0;
 
+    /// Ends all sound at once, as MIDI's All Sound Off does.
+    virtual void silence() = 0;
     /// Velocity 1 to 127; 0 releases.
     virtual void playNote(int midiNote, int velocity) = 0;
     /// Strikes an object at the surface point nearest to `pointMetres`, in metres of its mesh.

@@ -1,6 +1,8 @@
 #include "Editor/Look.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 
 namespace idiophone {
@@ -84,6 +86,56 @@ void Look::drawLinearSlider(juce::Graphics& g,
     g.setColour(colourOf(slider, LookColour::accent).withMultipliedAlpha(lively ? 1.0f : 0.75f));
     g.fillRoundedRectangle(track.withRight(thumb), thickness / 2);
     g.fillEllipse(juce::Rectangle<float>(2 * knob, 2 * knob).withCentre({thumb, middle}));
+}
+
+/// The arc runs from the default to the value.
+void Look::drawRotarySlider(juce::Graphics& g,
+                            int x,
+                            int y,
+                            int width,
+                            int height,
+                            float place,
+                            float startAngle,
+                            float endAngle,
+                            juce::Slider& slider) {
+    constexpr float thickness = 5;
+    const auto area = juce::Rectangle<int>(x, y, width, height).toFloat();
+    const float size = std::min({area.getWidth(), area.getHeight(), 92.0f});
+    const float radius = size / 2 - thickness, middleX = area.getCentreX();
+    const float middleY = area.getCentreY();
+    const auto angleAt = [&](double share) {
+        return startAngle + static_cast<float>(share) * (endAngle - startAngle);
+    };
+    const auto arc = [&](float from, float to, juce::Colour colour) {
+        juce::Path path;
+        path.addCentredArc(middleX, middleY, radius, radius, 0, from, to, true);
+        g.setColour(colour);
+        g.strokePath(path,
+                     {thickness, juce::PathStrokeType::curved, juce::PathStrokeType::rounded});
+    };
+    const bool lively = slider.isMouseOverOrDragging() || slider.hasKeyboardFocus(true);
+    const auto accent = colourOf(slider, LookColour::accent);
+    const float angle = angleAt(place);
+    const float origin =
+        angleAt(slider.valueToProportionOfLength(slider.getDoubleClickReturnValue()));
+    arc(startAngle, endAngle, colourOf(slider, LookColour::outline));
+    if (std::abs(angle - origin) > 1e-3f)
+        arc(std::min(angle, origin), std::max(angle, origin), accent);
+
+    const auto face =
+        juce::Rectangle<float>(2 * (radius - thickness - 1), 2 * (radius - thickness - 1))
+            .withCentre({middleX, middleY});
+    const auto back = colourOf(slider, LookColour::background);
+    g.setGradientFill({back.brighter(0.25f), face.getX(), face.getY(), back.darker(0.15f),
+                       face.getX(), face.getBottom(), false});
+    g.fillEllipse(face);
+    g.setColour(lively ? accent : colourOf(slider, LookColour::outline));
+    g.drawEllipse(face, 1.2f);
+    const auto at = [&](float distance) {
+        return juce::Point<float>(middleX, middleY).getPointOnCircumference(distance, angle);
+    };
+    g.setColour(lively ? accent : colourOf(slider, LookColour::text));
+    g.drawLine({at(face.getWidth() * 0.22f), at(face.getWidth() / 2 - 3)}, 2.5f);
 }
 
 void Look::drawToggleButton(juce::Graphics& g, juce::ToggleButton& button, bool highlighted, bool) {

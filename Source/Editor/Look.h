@@ -47,6 +47,15 @@ public:
                           float highest,
                           juce::Slider::SliderStyle style,
                           juce::Slider& slider) override;
+    void drawRotarySlider(juce::Graphics& g,
+                          int x,
+                          int y,
+                          int width,
+                          int height,
+                          float place,
+                          float startAngle,
+                          float endAngle,
+                          juce::Slider& slider) override;
     void drawToggleButton(juce::Graphics& g,
                           juce::ToggleButton& button,
                           bool highlighted,

@@ -1,5 +1,5 @@
-// The deck: pages side by side under their tabs. It shows the pages that fit; a click on a tab
-// shows another.
+// The deck: the first page, and beside it the others in sheets of as many as fit. A click on a tab
+// shows the page's sheet, in which every page has its own place.
 #pragma once
 
 #include "Editor/DeckPage.h"
@@ -8,14 +8,16 @@
 #include <algorithm>
 #include <memory>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 namespace idiophone {
 
 class PageDeck final : public juce::Component {
 public:
-    static constexpr int tabHeight = 30, gap = 8;
-    static constexpr int minimumHeight = tabHeight + DeckPage::minimumHeight;
+    static constexpr int tabHeight = 30, titleHeight = 22, gap = 8;
+    static constexpr int aboveHeight = tabHeight + titleHeight; ///< what a page does not get
+    static constexpr int minimumHeight = aboveHeight + DeckPage::minimumHeight;
 
     PageDeck() {
         setTitle("Pages");
@@ -53,14 +55,20 @@ public:
         if (page < 0 || page >= pageCount())
             return;
         chosen = page;
-        if (page < first || page >= first + shown)
+        if (!pages[static_cast<std::size_t>(page)]->isVisible())
             arrange();
     }
 
     void paint(juce::Graphics& g) override {
         g.setColour(colourOf(*this, LookColour::panel));
-        for (const auto& back : backs)
+        for (const auto& [page, back] : backs)
             g.fillRoundedRectangle(back.toFloat(), 6);
+        g.setColour(colourOf(*this, LookColour::text));
+        g.setFont(Look::headingFont(14.5f));
+        for (const auto& [page, back] : backs)
+            g.drawText(page->getName(),
+                       back.withHeight(titleHeight + 6).reduced(DeckPage::padding, 0),
+                       juce::Justification::centredLeft);
     }
     void resized() override { arrange(); }
 
@@ -99,25 +107,38 @@ private:
     void arrange() {
         if (pages.empty())
             return;
-        shown = std::clamp((getWidth() + gap) / (DeckPage::minimumWidth + gap), 1, pageCount());
-        first = std::clamp(first, std::max(chosen - shown + 1, 0),
-                           std::min(chosen, pageCount() - shown));
+        const int slots =
+            std::clamp((getWidth() + gap) / (DeckPage::minimumWidth + gap), 1, pageCount());
+        const int sheetSize = std::max(slots - 1, 1);
+        if (chosen > 0)
+            sheet = (chosen - 1) / sheetSize;
+        // The place of a page, or −1 if it is hidden.
+        const auto slotOf = [&](int page) {
+            if (slots == 1)
+                return page == chosen ? 0 : -1;
+            if (page == 0)
+                return 0;
+            return (page - 1) / sheetSize == sheet ? 1 + (page - 1) % sheetSize : -1;
+        };
         auto area = getLocalBounds();
         auto strip = area.removeFromTop(tabHeight);
         const auto widths = tabWidths(strip.getWidth());
-        const int width = (area.getWidth() - (shown - 1) * gap) / shown;
+        const int width = (area.getWidth() - (slots - 1) * gap) / slots;
         backs.clear();
         for (int i = 0; i < pageCount(); ++i) {
             const auto index = static_cast<std::size_t>(i);
-            const bool visible = i >= first && i < first + shown;
+            const int slot = slotOf(i);
+            const bool visible = slot >= 0;
             tabs[index]->setBounds(strip.removeFromLeft(widths[index]));
             tabs[index]->setToggleState(visible, juce::dontSendNotification);
             pages[index]->setVisible(visible);
             if (!visible)
                 continue;
-            backs.push_back(area.withX(area.getX() + (i - first) * (width + gap)).withWidth(width));
-            pages[index]->setBounds(backs.back().withSizeKeepingCentre(
-                std::min(width, DeckPage::maximumWidth), backs.back().getHeight()));
+            const auto back = area.withX(area.getX() + slot * (width + gap)).withWidth(width);
+            backs.push_back({pages[index].get(), back});
+            const auto below = back.withTrimmedTop(titleHeight);
+            pages[index]->setBounds(below.withSizeKeepingCentre(
+                std::min(width, DeckPage::maximumWidth), below.getHeight()));
             pages[index]->refresh();
         }
         repaint();
@@ -138,8 +159,9 @@ private:
 
     std::vector<std::unique_ptr<DeckPage>> pages;
     std::vector<std::unique_ptr<Tab>> tabs;
-    std::vector<juce::Rectangle<int>> backs;
-    int first = 0, shown = 1, chosen = 0;
+    std::vector<std::pair<DeckPage*, juce::Rectangle<int>>> backs; ///< of the visible pages
+    int chosen = 0;
+    int sheet = 0; ///< the last one shown beside the first page
 };
 
 } // namespace idiophone

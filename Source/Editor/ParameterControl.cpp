@@ -20,8 +20,10 @@ constexpr float markWidth = 11; ///< width of the controller's mark and its gap
 
 } // namespace
 
-ParameterControl::ParameterControl(const ParameterInfo& row, ProcessorView& processor)
-    : info(row), view(processor), shown(std::numeric_limits<double>::quiet_NaN()),
+ParameterControl::ParameterControl(const ParameterInfo& row,
+                                   ProcessorView& processor,
+                                   Shape inShape)
+    : info(row), view(processor), shape(inShape), shown(std::numeric_limits<double>::quiet_NaN()),
       burst([this] { view.parameters.beginChange(info.parameter); },
             [this] { view.parameters.endChange(info.parameter); }) {
     const auto title = fromUtf8(info.name);
@@ -44,6 +46,11 @@ void ParameterControl::makeSlider() {
     auto keyed = std::make_unique<KeyedSlider>(info);
     keyed->onReturn = [this] { value.showEditor(); };
     slider = std::move(keyed);
+    if (shape == Shape::knob) {
+        slider->setSliderStyle(juce::Slider::RotaryHorizontalVerticalDrag);
+        name.setJustificationType(juce::Justification::centred);
+        value.setJustificationType(juce::Justification::centred);
+    }
     slider->setTitle(getTitle());
     slider->setTooltip(parameterTooltip(info));
     slider->textFromValueFunction = [this](double number) {
@@ -222,6 +229,13 @@ void ParameterControl::placeName(juce::Rectangle<int> area) {
     name.setBounds(area);
 }
 
+void ParameterControl::placeKnob() {
+    auto area = getLocalBounds();
+    placeName(area.removeFromTop(18));
+    value.setBounds(area.removeFromBottom(18));
+    slider->setBounds(area);
+}
+
 void ParameterControl::resized() {
     auto area = getLocalBounds();
     if (slider == nullptr) {
@@ -233,6 +247,8 @@ void ParameterControl::resized() {
         placeName(area);
         return;
     }
+    if (shape == Shape::knob)
+        return placeKnob();
     auto line = area.removeFromTop(17);
     value.setBounds(line.removeFromRight(juce::jmax(84, line.getWidth() * 3 / 8)));
     placeName(line);

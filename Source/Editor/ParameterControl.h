@@ -15,7 +15,12 @@ namespace idiophone {
 
 class ParameterControl final : public juce::Component {
 public:
-    ParameterControl(const ParameterInfo& info, ProcessorView& view);
+    enum class Shape {
+        row, ///< name and value above a slider, or beside a switch or list
+        knob ///< name above a knob, value below; for parameters with a slider
+    };
+
+    ParameterControl(const ParameterInfo& info, ProcessorView& view, Shape shape = Shape::row);
 
     void refresh();
 
@@ -40,12 +45,14 @@ private:
     void changeTo(double value);
     void typed();
     void placeName(juce::Rectangle<int> area);
+    void placeKnob();
     void refreshController();
     void showTooltip();
     void showMenu();
 
     const ParameterInfo& info;
     ProcessorView& view;
+    Shape shape;
     double shown;
     bool isLive = true;
     bool isLearning = false;

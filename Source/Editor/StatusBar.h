@@ -1,5 +1,5 @@
 // The status line: the loaded sound or an error, the delay of a stage, sounding modes and output
-// level.
+// level, with a mark for peaks that reach the limiter.
 #pragma once
 
 #include "Editor/DescribedComponent.h"
@@ -14,7 +14,10 @@ namespace idiophone {
 
 class StatusBar final : public DescribedComponent {
 public:
-    StatusBar() : DescribedComponent(juce::AccessibilityRole::staticText) { setTitle("Status"); }
+    StatusBar() : DescribedComponent(juce::AccessibilityRole::staticText) {
+        setTitle("Status");
+        setTooltip("Level; a red mark says that a peak reached the limiter. Click to clear it.");
+    }
 
     /// The screen reader announces a new error.
     void show(StatusView::Status status) {
@@ -24,11 +27,14 @@ public:
         const int decibels = juce::jmax(now, shownDecibels - fallPerUpdate, silentDecibels);
         const bool sameSentence =
             status.isError == shown.isError && status.sentence == shown.sentence;
-        const bool same = decibels == shownDecibels && status.modesMixed == shown.modesMixed &&
-                          sameSentence && status.delaySeconds == shown.delaySeconds &&
+        const bool marks = hasPeaked || now > peakDecibels;
+        const bool same = marks == hasPeaked && decibels == shownDecibels &&
+                          status.modesMixed == shown.modesMixed && sameSentence &&
+                          status.delaySeconds == shown.delaySeconds &&
                           status.lateEvents == shown.lateEvents;
         shown = std::move(status);
         shownDecibels = decibels;
+        hasPeaked = marks;
         if (!same)
             repaint();
         if (sameSentence)
@@ -41,12 +47,16 @@ public:
 
     void paint(juce::Graphics& g) override {
         auto area = getLocalBounds();
-        const auto meter = area.removeFromRight(120).toFloat().withSizeKeepingCentre(120, 6);
+        const auto mark = area.removeFromRight(10).toFloat().withSizeKeepingCentre(6, 6);
+        const auto meter = area.removeFromRight(116).toFloat().withSizeKeepingCentre(112, 6);
         const auto modes = area.removeFromRight(110).withTrimmedRight(12);
         const float filled = static_cast<float>(shownDecibels - silentDecibels) / -silentDecibels;
         g.setColour(colourOf(*this, LookColour::outline));
         g.fillRoundedRectangle(meter, 3);
-        g.setColour(colourOf(*this, shownDecibels >= 0 ? LookColour::error : LookColour::accent));
+        g.setColour(colourOf(*this, hasPeaked ? LookColour::error : LookColour::outline));
+        g.fillEllipse(mark);
+        g.setColour(
+            colourOf(*this, shownDecibels > peakDecibels ? LookColour::error : LookColour::accent));
         g.fillRoundedRectangle(meter.withWidth(meter.getWidth() * juce::jlimit(0.0f, 1.0f, filled)),
                                3);
 
@@ -62,9 +72,15 @@ public:
         g.drawFittedText(seenOf(shown.sentence), area, juce::Justification::centredLeft, 2, 0.85f);
     }
     juce::String description() const override {
-        juce::StringArray parts{fromUtf8(shown.sentence), delayText(), modesText()};
+        juce::StringArray parts{fromUtf8(shown.sentence), delayText(), modesText(),
+                                hasPeaked ? "peaked" : ""};
         parts.removeEmptyStrings();
         return parts.joinIntoString("; ");
+    }
+
+    void mouseDown(const juce::MouseEvent&) override {
+        hasPeaked = false;
+        repaint();
     }
 
 private:
@@ -88,7 +104,9 @@ private:
 
     StatusView::Status shown;
     int shownDecibels = silentDecibels;
+    bool hasPeaked = false; ///< since the last click
     static constexpr int silentDecibels = -60;
+    static constexpr int peakDecibels = -1; ///< the limiter's threshold
 };
 
 } // namespace idiophone

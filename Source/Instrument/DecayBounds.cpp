@@ -208,7 +208,7 @@ double slowestDecay(const DecayBounds& bounds,
     const double most =
         bounds.maximumScale * (live ? live->damping : bounds.most).perSecond(lowestEigenvalue) +
         2 * bounds.maximumExtraShare * std::sqrt(lowestEigenvalue / lowestFraction);
-    return std::min(slowest, lowestEigenvalue / most);
+    return std::min(slowest / settings.decayRatio, lowestEigenvalue / most * settings.decayRatio);
 }
 
 double semitonesBelowEqual(const Instrument& instrument, const KeyTuning& tuning) {

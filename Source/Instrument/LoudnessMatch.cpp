@@ -38,8 +38,8 @@ ParameterValues withOwn(ParameterValues now, const ParameterValues& own) noexcep
 ParameterValues valuesThatMatter(const ParameterValues& values) noexcept {
     ParameterValues result;
     copyInto(result, values,
-             std::array{material, size, thickness, keepPitch, tune, concertPitch, strikeAlong,
-                        strikeAcross, radiation, letRing, contact});
+             std::array{material, decay, size, thickness, keepPitch, tune, concertPitch,
+                        strikeAlong, strikeAcross, radiation, letRing, contact});
     if (static_cast<int>(values[material]) == customMaterial)
         copyInto(result, values, materialFigures);
     if (values[letRing] == 0)
@@ -51,7 +51,8 @@ ParameterValues valuesThatMatter(const ParameterValues& values) noexcept {
         return result;
     }
     copyInto(result, values,
-             std::array{mallet, malletSpeed, malletFollow, velocityCurve, chatter, modalPulse});
+             std::array{mallet, hardness, malletSpeed, malletFollow, velocityCurve, chatter,
+                        modalPulse});
     if (static_cast<int>(values[mallet]) == customMallet)
         copyInto(result, values, malletFigures);
     return result;

@@ -15,6 +15,9 @@ using enum ParameterId;
 /// 0.5 to 0.9 of their speed, which changes (1 + e) by 1 dB either way.
 constexpr double headRestitution = 0.7;
 
+/// The factor of the contact's modulus at full hardness: from wood to brass, or to rubber.
+constexpr double hardest = 60;
+
 StrikePlace placeBeside(double keyAlong, double along, double across) {
     along = std::clamp(along, -1.0, 1.0);
     return {.along = keyAlong + along * (along > 0 ? 1 - keyAlong : keyAlong),
@@ -51,8 +54,9 @@ Striker striker(const KeyMallet& key, const ParameterValues& parameters, double 
     const Mallet& head = racked != nullptr ? *racked : custom;
     const double followed =
         std::pow(key.pitchRatio, parameters[malletFollow] / 100 * (head.forceExponent + 1));
+    const double hardened = std::pow(hardest, parameters[hardness] / 100);
     const double modulusPa =
-        followed * contactModulusPa(head, racked != nullptr ? surfaceCompliance : 0);
+        hardened * followed * contactModulusPa(head, racked != nullptr ? surfaceCompliance : 0);
     return {.massKg = head.massKg * std::pow(key.scale, 3),
             .restitution = headRestitution,
             .law = contactLaw(head.headRadiusMetres * key.scale, modulusPa, head.forceExponent)};

@@ -32,7 +32,8 @@ strikePlace(double keyAlong, const ParameterValues& parameters, std::uint32_t st
 double surfaceCompliancePerPa(const Material& own, const ParameterValues& parameters);
 
 /// Returns the chosen mallet, as scaled for a key, on a surface of that compliance [1/Pa]; 0 is
-/// rigid. The custom mallet's hardness is the modulus of the whole contact on any surface. A mallet
+/// rigid. The custom mallet's hardness is the modulus of the whole contact on any surface. The
+/// parameter "hardness" multiplies the contact's modulus by 1/60 to 60. A mallet
 /// that follows the keys by a share q has a contact of pitchRatio^(q (p+1)) times the modulus, so
 /// its contact time on a heavy object falls as pitchRatio^q. Any thread.
 Striker

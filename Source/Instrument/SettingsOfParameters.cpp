@@ -105,6 +105,7 @@ SynthesisSettings synthesisSettings(const ParameterValues& values) {
             .imperfection = values[imperfection] / 100,
             .frequencyRatio = values[concertPitch] / parameterInfo(concertPitch).defaultValue *
                               std::exp2(values[tune] / 100 / 12),
+            .decayRatio = values[decay],
             .keepPitch = values[keepPitch] != 0,
             .radiation = values[radiation] / 100,
             .material = liveMaterial(values)};

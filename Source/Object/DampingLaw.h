@@ -28,6 +28,11 @@ struct DampingLaw {
     }
 
     bool operator==(const DampingLaw&) const = default;
+
+    /// Returns the law that damps this many times as fast.
+    DampingLaw times(double factor) const noexcept {
+        return {factor * fluidPerSecond, factor * viscoelasticSeconds, factor * lossFactor};
+    }
 };
 
 /// The deviation of a mode's damping from its material's law (`PoleLaw::pole`).

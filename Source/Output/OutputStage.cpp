@@ -15,7 +15,8 @@ constexpr float maximumOwnLevel = 1e5f;
 constexpr std::size_t cell = 64; ///< grid on which silence is detected
 
 float gainOf(const ParameterValues& values) {
-    return juce::Decibels::decibelsToGain(static_cast<float>(values[ParameterId::level]));
+    return juce::Decibels::decibelsToGain(
+        static_cast<float>(values[ParameterId::level] + values[ParameterId::volume]));
 }
 
 /// Tests without a branch per sample.
@@ -35,6 +36,7 @@ void OutputStage::prepare(double sampleRateHz, int maximumBlockSize) {
         ramp->reset(sampleRateHz, rampSeconds);
     ownLeft.resize(static_cast<std::size_t>(maximumBlockSize));
     ownRight.resize(static_cast<std::size_t>(maximumBlockSize));
+    tilt.prepare(sampleRateHz, maximumBlockSize, rampSeconds);
     room.prepare(sampleRateHz, maximumBlockSize, rampSeconds);
     limiter.prepare(sampleRateHz, rampSeconds);
     reset();
@@ -44,6 +46,7 @@ void OutputStage::reset() noexcept {
     startsAtTarget = true;
     gridPosition = 0;
     forgetChanges();
+    tilt.reset();
     room.reset();
     limiter.reset();
 }
@@ -125,7 +128,8 @@ bool OutputStage::processPiece(std::span<const float> left,
             ramp->setCurrentAndTargetValue(ramp->getTargetValue());
     startsAtTarget = false;
 
-    spread(room.process(atOwnLevel({left, right}), values), channels);
+    const auto tilted = tilt.process({left, right}, values[ParameterId::brightness]);
+    spread(room.process(atOwnLevel(tilted), values), channels);
     if (!std::ranges::all_of(channels, [&](const float* channel) {
             return allFinite({channel, left.size()});
         }))

@@ -1,9 +1,10 @@
-// The last stage of plugin and console: it applies room, width, level, bypass and limiter to the
-// sound and writes the output channels. Independent of hosts, files and buses.
+// The last stage of plugin and console: it applies brightness, room, width, level, volume, bypass
+// and limiter to the sound and writes the output channels. Independent of hosts, files and buses.
 #pragma once
 
 #include "Output/Limiter.h"
 #include "Output/Room.h"
+#include "Output/Tilt.h"
 #include "Parameters/ParameterTable.h"
 
 #include <cstddef>
@@ -17,7 +18,7 @@ namespace idiophone {
 /// allocate, lock or throw. At constant parameters the samples do not depend on block sizes.
 class OutputStage {
 public:
-    /// The ramp of level, bypass, width, room and limiter switch. It is long enough to avoid steps
+    /// The ramp of level, bypass, width, brightness, room and limiter switch. It is long enough to avoid steps
     /// and too short to be heard as a fade (by ear).
     static constexpr double rampSeconds = 0.02;
     static_assert(rampSeconds <= Room::earliestSeconds);
@@ -60,6 +61,7 @@ private:
     void moveLevelBehindRoom() noexcept;
     void spread(const Room::Sound& sound, std::span<float* const> channels) noexcept;
 
+    Tilt tilt;
     Room room;
     Limiter limiter;
     /// The level is `ownLevel` times `level`. `ownLevel` applies to the current sound before the

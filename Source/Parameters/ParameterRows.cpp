@@ -10,7 +10,7 @@ namespace {
 using enum ParameterId;
 using enum ParameterScale;
 
-constexpr std::array<ParameterInfo, parameterCount> table{{
+constexpr std::array<ParameterInfo, parameterCount> rows{{
 #define PARAMETER(symbol, ...) {.parameter = symbol, __VA_ARGS__},
 #include "Parameters/ParameterRows.def"
 #undef PARAMETER
@@ -33,6 +33,13 @@ std::vector<std::string_view> with(std::vector<std::string_view> names,
 } // namespace
 
 std::span<const ParameterInfo> parameterTable() {
+    static const auto table = [] {
+        auto counted = rows;
+        for (auto& row : counted)
+            if (row.scale == choice)
+                row.maximum = static_cast<double>(choiceNames(row.parameter).size() - 1);
+        return counted;
+    }();
     return table;
 }
 

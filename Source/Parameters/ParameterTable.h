@@ -75,8 +75,7 @@ std::string formatParameter(const ParameterInfo& info, double value);
 /// a value.
 std::optional<double> parseParameter(const ParameterInfo& info, std::string_view text);
 
-/// Returns the names of a choice, or nothing for other parameters. A choice's range may be longer
-/// than its names. Hosts automate values from 0 to 1, and these must not move when a name is added.
+/// Returns the names of a choice, or nothing for other parameters.
 std::span<const std::string_view> choiceNames(ParameterId parameter);
 
 /// A value for every parameter, in its unit. Plain data that crosses threads by copy.

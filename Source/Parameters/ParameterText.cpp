@@ -68,11 +68,8 @@ std::string formatParameter(const ParameterInfo& info, double value) {
     const double inside = info.clamped(value);
     if (info.scale == onOff)
         return inside != 0 ? "On" : "Off";
-    if (info.scale == choice) {
-        const auto names = choiceNames(info.parameter);
-        const auto index = static_cast<std::size_t>(inside);
-        return index < names.size() ? std::string(names[index]) : "(" + std::to_string(index) + ")";
-    }
+    if (info.scale == choice)
+        return std::string(choiceNames(info.parameter)[static_cast<std::size_t>(inside)]);
     if (info.maximumName != nullptr && inside == info.maximum)
         return info.maximumName;
     std::string text =
@@ -93,8 +90,6 @@ std::optional<double> parseParameter(const ParameterInfo& info, std::string_view
     for (std::size_t i = 0; i < names.size(); ++i)
         if (sameWord(text, names[i]))
             return static_cast<double>(i);
-    if (text.starts_with('(') && text.ends_with(')'))
-        text = text.substr(1, text.size() - 2);
 
     std::istringstream stream{std::string(text)};
     stream.imbue(std::locale::classic()); // the host's locale may have decimal commas

@@ -1,22 +1,14 @@
 #include "Plugin/MidiLearn.h"
 
-#include <cmath>
-
 namespace idiophone {
 
 double controlledValue(const ParameterInfo& info, int controllerValue) noexcept {
-    const double place = controllerValue / 127.0;
-    const auto names = choiceNames(info.parameter);
-    return names.empty() ? info.fromNormalised(place)
-                         : std::round(place * static_cast<double>(names.size() - 1));
+    return info.fromNormalised(controllerValue / 127.0);
 }
 
 MidiLearn::MidiLearn() {
     for (auto& number : numbers)
         number = noController;
-    // The first call builds the list of names, and the audio thread must not do that.
-    for (const auto& info : parameterTable())
-        choiceNames(info.parameter);
 }
 
 void MidiLearn::follow(juce::MidiBufferIterator first,

@@ -12,8 +12,8 @@
 
 namespace idiophone {
 
-/// Returns the value for a controller at 0 to 127, spread evenly over the parameter's scale. For a
-/// choice, spreads over the named values. Neither allocates nor locks.
+/// Returns the value for a controller at 0 to 127, spread evenly over the parameter's scale.
+/// Neither allocates nor locks.
 double controlledValue(const ParameterInfo& info, int controllerValue) noexcept;
 
 /// Each number is an atomic, and neither thread waits for the other.

@@ -86,17 +86,16 @@ double Processor::getTailLengthSeconds() const {
     return shared.tail.seconds(shared.parameters.values(), shared.report);
 }
 
-// A VST3 host sees a program as a fraction of the number of programs, and cannot choose the current
-// one again. So the number never changes, and the last program stands for any sound that is not a
-// factory preset.
+// A VST3 host cannot choose the current program again. So its last program stands for any sound
+// that is not a factory preset.
 
 int Processor::getNumPrograms() {
-    return isVst3() ? vst3Programs : presetCount();
+    return presetCount() + (isVst3() ? 1 : 0);
 }
 
 int Processor::getCurrentProgram() {
     const int index = session.program();
-    return index >= 0 ? index : isVst3() ? vst3Programs - 1 : 0;
+    return index >= 0 ? index : isVst3() ? presetCount() : 0;
 }
 
 const juce::String Processor::getProgramName(int index) {
@@ -104,8 +103,7 @@ const juce::String Processor::getProgramName(int index) {
         return {};
     if (index < presetCount())
         return fromUtf8(factoryPresets()[static_cast<std::size_t>(index)].name);
-    return index == vst3Programs - 1 ? juce::String("Own sound")
-                                     : fromUtf8("\xe2\x80\x93 unused " + std::to_string(index));
+    return "Own sound";
 }
 
 void Processor::getStateInformation(juce::MemoryBlock& destination) {

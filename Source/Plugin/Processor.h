@@ -35,10 +35,8 @@ public:
     juce::AudioProcessorParameter* getBypassParameter() const override;
     double getTailLengthSeconds() const override;
 
-    /// Returns the number of factory presets. A VST3 has 128 programs, as many as MIDI numbers: the
-    /// presets, then unused programs that do nothing. The last one stands for any other sound.
+    /// Returns the number of factory presets. A VST3 has one more program, for any other sound.
     int getNumPrograms() override;
-    static constexpr int vst3Programs = 128;
     int getCurrentProgram() override;
     void setCurrentProgram(int index) override { host.chooseProgram(index); }
     const juce::String getProgramName(int index) override;

@@ -1,6 +1,10 @@
 #include "Plugin/WindowEvents.h"
 
+#include "Instrument/MidiControllers.h"
+
 namespace idiophone {
+
+const MidiEvent WindowEvents::allSoundOff{.sampleOffset = 0, .bytes = {0xb0, midi::allSoundOff, 0}};
 
 bool WindowEvent::releases() const noexcept {
     if (const auto* note = std::get_if<MidiEvent>(&played))
@@ -41,7 +45,7 @@ void WindowEvents::playHand(const WindowEvent& event, Player& player) noexcept {
 
 void WindowEvents::clear() noexcept {
     queue.consume_all([](const WindowEvent&) {});
-    releaseLost = false;
+    releaseLost = silenceAsked = false;
     held.reset();
 }
 

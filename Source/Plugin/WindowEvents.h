@@ -23,14 +23,16 @@ struct WindowEvent {
 class WindowEvents {
 public:
     static constexpr std::size_t capacity = 256;
-    /// Maximum number of notes of one `read`: the queue and a release of every key.
-    static constexpr std::size_t maximumNotes = capacity + 128;
+    /// Maximum number of notes of one `read`: the queue, All Sound Off and a release of every key.
+    static constexpr std::size_t maximumNotes = capacity + 129;
 
     /// [message thread] If the queue is full, drops the event and returns false. If it drops a
     /// release, the next `read` releases all keys and lifts all hands.
     bool push(const WindowEvent& event) noexcept;
     /// [message thread] Queues a note; velocity 0 releases it.
     bool pushNote(int note, int velocity) noexcept;
+    /// [message thread] The next `read` ends all sound at once, behind what is queued.
+    void silence() noexcept { silenceAsked = true; }
 
     /// [audio thread] Hands each pending note to `takeNote`, oldest first, and passes strikes and
     /// drags to the player of their instrument. Drops those for another instrument or without a
@@ -45,6 +47,12 @@ public:
                 playHand(event, *player);
             }
         });
+        if (silenceAsked.exchange(false)) {
+            takeNote(allSoundOff);
+            held.reset();
+            if (player != nullptr)
+                player->liftHands();
+        }
         if (!releaseLost.exchange(false))
             return;
         for (std::size_t note = 0; note < held.size(); ++note)
@@ -59,12 +67,14 @@ public:
     void clear() noexcept;
 
 private:
+    static const MidiEvent allSoundOff;
     static MidiEvent noteEvent(int note, int velocity) noexcept;
     static void playHand(const WindowEvent& event, Player& player) noexcept;
 
     boost::lockfree::spsc_queue<WindowEvent, boost::lockfree::capacity<capacity>> queue;
     std::atomic<bool> releaseLost{false}; ///< because the queue was full
-    std::bitset<128> held;                ///< the audio thread's
+    std::atomic<bool> silenceAsked{false};
+    std::bitset<128> held; ///< the audio thread's
 };
 
 } // namespace idiophone

@@ -14,11 +14,13 @@ double ratio(double value, double reference) noexcept {
 double ratioKeeping(const PitchMode& pitch,
                     double thicknessRatio,
                     double frequencyRatio,
-                    const DampingLaw& damping) noexcept {
+                    const DampingLaw& damping,
+                    double extraRatio) noexcept {
     const double omega = 2 * std::numbers::pi * pitch.hz * frequencyRatio;
     const double ownEigenvalue =
         pitch.eigenvalue + (thicknessRatio * thicknessRatio - 1) * pitch.bending;
-    return stiffnessSoundingAt(omega, damping, pitch.damping, ownEigenvalue) / ownEigenvalue;
+    const ModeDamping mode{pitch.damping.scale, extraRatio * pitch.damping.extraPerSecond};
+    return stiffnessSoundingAt(omega, damping, mode, ownEigenvalue) / ownEigenvalue;
 }
 
 } // namespace
@@ -43,12 +45,15 @@ LiveConditions liveConditions(const Material& reference,
     const double tuning = frequencies / size;
     const double density = ratio(material.densityKgPerM3, reference.densityKgPerM3);
     const double stiffness = ratio(material.youngsModulusPa, reference.youngsModulusPa);
+    const double faster = 1 / settings.decayRatio;
+    const DampingLaw damping = material.damping.times(faster);
     LiveConditions result;
     result.law = {.eigenvalueRatio = settings.keepPitch && pitch != nullptr
                                          ? ratioKeeping(*pitch, settings.thicknessRatio,
-                                                        frequencies, material.damping)
+                                                        frequencies, damping, faster)
                                          : stiffness / density * tuning * tuning,
-                  .damping = material.damping};
+                  .damping = damping,
+                  .extraRatio = faster};
     result.gainRatio = 1 / (density * size * size * size);
     // At equal frequency times size, the radiated pressure is proportional to frequency · shape ·
     // area.

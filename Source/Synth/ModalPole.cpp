@@ -44,8 +44,7 @@ Propagator heavilyDamped(const ModalPole& pole, double seconds) noexcept {
 ModalPole PoleLaw::pole(double referenceEigenvalue, const ModeDamping& mode) const noexcept {
     const double lambda = stiffness(referenceEigenvalue);
     const double ofMaterial = mode.scale * damping.perSecond(lambda);
-    const double extra =
-        mode.extraPerSecond > 0 ? 2 * mode.extraPerSecond * std::sqrt(eigenvalueRatio) : 0;
+    const double extra = mode.extraPerSecond > 0 ? 2 * mode.extraPerSecond * extraFactor() : 0;
     return {lambda, std::clamp(ofMaterial + extra, 0.0, largestDamping)};
 }
 

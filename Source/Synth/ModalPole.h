@@ -5,6 +5,7 @@
 #include "Object/DampingLaw.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <span>
 
@@ -26,12 +27,14 @@ inline constexpr double smallestStiffness = 1e-6, largestStiffness = 1e18, large
 struct PoleLaw {
     double eigenvalueRatio = 1;
     DampingLaw damping;
+    double extraRatio = 1; ///< multiplies the extra decay
 
     bool operator==(const PoleLaw&) const = default;
     double stiffness(double referenceEigenvalue) const noexcept {
         return std::clamp(eigenvalueRatio * referenceEigenvalue, smallestStiffness,
                           largestStiffness);
     }
+    double extraFactor() const noexcept { return extraRatio * std::sqrt(eigenvalueRatio); }
     ModalPole pole(double referenceEigenvalue, const ModeDamping& mode = {}) const noexcept;
 };
 

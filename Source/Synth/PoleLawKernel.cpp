@@ -25,7 +25,7 @@ std::size_t wholeVectors(const PoleLaw& law,
                          double* HWY_RESTRICT damping) {
     const Doubles d;
     const auto ratio = hn::Set(d, law.eigenvalueRatio);
-    const auto rootOfRatio = hn::Set(d, std::sqrt(law.eigenvalueRatio));
+    const auto extraFactor = hn::Set(d, law.extraFactor());
     const auto fluid = hn::Set(d, law.damping.fluidPerSecond);
     const auto viscoelastic = hn::Set(d, law.damping.viscoelasticSeconds);
     const auto loss = hn::Set(d, law.damping.lossFactor);
@@ -41,7 +41,7 @@ std::size_t wholeVectors(const PoleLaw& law,
             hn::Vec<Doubles> scale, extra;
             hn::LoadInterleaved2(d, &dampings[i].scale, scale, extra);
             const auto twice = hn::Mul(hn::Set(d, 2.0), extra);
-            ofPole = hn::Add(hn::Mul(scale, ofPole), hn::Mul(twice, rootOfRatio));
+            ofPole = hn::Add(hn::Mul(scale, ofPole), hn::Mul(twice, extraFactor));
         }
         hn::StoreU(lambda, d, stiffness + i);
         hn::StoreU(hn::Min(hn::Max(ofPole, hn::Zero(d)), hn::Set(d, largestDamping)), d,

@@ -29,6 +29,7 @@ constexpr Range ranges[] = {
     {&SynthesisSettings::thicknessRatio, 0.1, 10},
     {&SynthesisSettings::imperfection, 0, 0.01},
     {&SynthesisSettings::frequencyRatio, Limits::min(), Limits::max()},
+    {&SynthesisSettings::decayRatio, 0.01, 100},
     {&SynthesisSettings::radiation, 0, 1},
 };
 

@@ -46,6 +46,7 @@ struct SynthesisSettings {
     /// 0 to 0.01: relative frequency difference within pairs of modes (Imperfection.h).
     double imperfection = 0;
     double frequencyRatio = 1; ///< > 0: multiplies every frequency (tuning, bend)
+    double decayRatio = 1;     ///< 0.01 to 100: multiplies the time in which every mode decays
     /// Slots with a pitch (SynthesiserSlot) keep it under any material, size and thickness.
     bool keepPitch = false;
     /// 0 (contact microphone at the struck point) to 1 (pressure that the whole surface radiates at

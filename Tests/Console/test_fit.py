@@ -9,7 +9,7 @@ from console import OBJECTS, ConsoleTest, Wave
 BAR = OBJECTS / "stones-72.modal"  # no tube: modes that share a tube are too close for a fit
 PLACES = ("0,0,0", "0.02,0.01,0", "0.035,0,0", "0.06,0.015,0", "0.09,0,0")
 # A hard, light mallet excites all modes.
-HARD = ("--set", "hardness=100000", "--set", "mallet_mass=1", "--set", "tau=0.001")
+HARD = ("--set", "mallet_hardness=100000", "--set", "mallet_mass=1", "--set", "tau=0.001")
 
 
 def wav(channels, rate=48000, bits=32):

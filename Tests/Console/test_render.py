@@ -318,7 +318,7 @@ class Render(ConsoleTest):
                 (XYLOPHONE, "roll_coupling=80", ("contact=Roll",)),
                 ("Scraped Plate", "chatter=100", strike),
                 ("Scraped Plate", "spread=100", strike),
-                ("Scraped Plate", "mallet=Yarn", strike), ("Scraped Plate", "hardness=9", strike),
+                ("Scraped Plate", "mallet=Yarn", strike), ("Scraped Plate", "mallet_hardness=9", strike),
                 ("Scraped Plate", "velocity_curve=4", strike),
                 (XYLOPHONE, "release=2", ("let_ring=off",)),
                 ("Scraped Plate", "release=2", ("let_ring=off",)),

@@ -29,7 +29,7 @@ class Strike(ConsoleTest):
                                20 * wave.level_at(fundamental * aside, 0, 12000))
 
     def test_the_loudest_modes_have_the_reported_levels(self):
-        report, wave = self.strike(PLATE, "--seconds", 1, "--set", "hardness=60")
+        report, wave = self.strike(PLATE, "--seconds", 1, "--set", "mallet_hardness=60")
         first, second = report["loudest_modes"][:2]
         told = second["relative_db"]
         heard = 20 * math.log10(wave.level_at(second["frequency_hz"], 0, 24000) /

@@ -185,9 +185,9 @@ TEST_CASE("Controls show the figures in effect; a change by hand makes them all 
     const auto window = open(processor);
     processor.view().parameters.change(material, firstLibraryMaterial + 8); // steel
     processor.view().parameters.change(mallet, firstRackMallet);            // yarn
-    auto* modulus = find<juce::Label>(*window, "Young's modulus");
+    auto* modulus = find<juce::Label>(*window, "Stiffness");
     runTimersUntil([&] { return modulus->getText() == "200.0 GPa"; });
-    CHECK(find<juce::Label>(*window, "Mallet mass")->getText() == "40.0 g");
+    CHECK(find<juce::Label>(*window, "Mallet weight")->getText() == "40.0 g");
     CHECK(processor.view().parameters.value(youngsModulus) != 200);
 
     modulus->setText("100 GPa", juce::sendNotificationSync);
@@ -199,7 +199,7 @@ TEST_CASE("Controls show the figures in effect; a change by hand makes them all 
     CHECK(processor.view().parameters.value(lossFactor) ==
           Approx(findMaterial("Steel")->damping.lossFactor));
     CHECK(processor.view().parameters.value(mallet) == double{firstRackMallet});
-    find<juce::Label>(*window, "Mallet radius")->setText("20 mm", juce::sendNotificationSync);
+    find<juce::Label>(*window, "Mallet size")->setText("20 mm", juce::sendNotificationSync);
     CHECK(processor.view().parameters.value(mallet) == double{customMallet});
     CHECK(processor.view().parameters.value(malletRadius) == 20);
     CHECK(processor.view().parameters.value(malletMass) == Approx(40));

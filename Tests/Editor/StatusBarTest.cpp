@@ -39,6 +39,23 @@ TEST_CASE("A screen reader can read the status line, including errors") {
     CHECK(saidOf(bar) == "The wok is missing.; heard 250 ms after the key, 2 late; 1 mode");
 }
 
+TEST_CASE("The status line marks a peak that reached the limiter until it is clicked") {
+    StatusBar bar;
+    StatusView::Status status;
+    status.sentence = "A wok.";
+    status.peak = 0.5f;
+    bar.show(status);
+    CHECK(saidOf(bar) == "A wok.; 0 modes");
+    status.peak = 0.95f;
+    bar.show(status);
+    status.peak = 0;
+    bar.show(status);
+    CHECK(saidOf(bar) == "A wok.; 0 modes; peaked");
+    bar.mouseDown(juce::MouseEvent(juce::Desktop::getInstance().getMainMouseSource(), {}, {}, 0, 0,
+                                   0, 0, 0, &bar, &bar, {}, {}, {}, 1, false));
+    CHECK(saidOf(bar) == "A wok.; 0 modes");
+}
+
 TEST_CASE("A screen reader can read the counts of the quality page") {
     Processor processor;
     Look look;

@@ -25,7 +25,7 @@ TEST_CASE("A turn of the wheel or a held arrow key is one gesture and one step")
     GestureLog host;
     processor.addListener(&host);
     const double before = processor.view().parameters.value(ParameterId::level);
-    auto* level = find<juce::Slider>(*window, "Level");
+    auto* level = find<juce::Slider>(*window, "Preset level");
     REQUIRE(level != nullptr);
     const auto source = juce::Desktop::getInstance().getMainMouseSource();
     const auto at = level->getLocalBounds().getCentre().toFloat();

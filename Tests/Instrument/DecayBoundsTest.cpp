@@ -98,6 +98,7 @@ TEST_CASE("No mode decays more slowly than the bound under any settings") {
             SynthesisSettings settings{.sizeRatio = std::exp2(between(-3, 3)),
                                        .thicknessRatio = std::exp2(between(-2, 2)),
                                        .frequencyRatio = std::exp2(between(-2, 2)),
+                                       .decayRatio = std::exp2(between(-4, 3)),
                                        .keepPitch = time % 4 >= 2};
             if (time % 8 < 4)
                 settings.thicknessRatio = 1;

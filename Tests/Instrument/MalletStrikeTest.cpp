@@ -61,8 +61,23 @@ TEST_CASE("A mallet of the rack has its own figures, and its contact depends on 
     // A surface as compliant as the head halves the modulus.
     CHECK(rigidMilliseconds(striker({}, values, 1 / 8.5e8), 1) ==
           Approx(rigidMilliseconds(rigid, 1) * std::pow(2, 0.4)));
-    values.set(mallet, parameterInfo(mallet).maximum); // entry reserved for later: acts as custom
-    CHECK(striker({}, values).massKg == Approx(parameterInfo(malletMass).maximum / 1000));
+}
+
+TEST_CASE("Hardness shortens the contact of any mallet by its own law") {
+    for (int choice = customMallet; choice <= parameterInfo(mallet).maximum; ++choice) {
+        auto values = racked(choice);
+        const auto own = striker({}, values, 1e-10);
+        const double exponent = own.law.exponent;
+        for (const double percent : {-100.0, -30.0, 50.0, 100.0}) {
+            values.set(hardness, percent);
+            const auto harder = striker({}, values, 1e-10);
+            CHECK(harder.massKg == own.massKg);
+            // T is proportional to k^(−1/(p+1)).
+            CHECK(
+                rigidMilliseconds(harder, 1) ==
+                Approx(rigidMilliseconds(own, 1) * std::pow(60, -percent / 100 / (exponent + 1))));
+        }
+    }
 }
 
 TEST_CASE("A rack mallet made custom strikes as before") {

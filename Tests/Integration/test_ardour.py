@@ -32,7 +32,7 @@ def test_a_session_opens_with_the_program_and_the_values_it_was_saved_with(
     expected = render_in_console("Handbell", "let_ring=1", "strike_along=-100")
     session = tmp_path / "session"
     ardour.make_session(session, song_file, "VST3", "Handbell",
-                        [("Let ring", "1"), ("Strike position along", "0")])
+                        [("Let ring", "1"), ("Position", "0")])
     assert_equal_sound(ardour.render(session, expected.shape[1]), expected, IDENTICAL)
 
 

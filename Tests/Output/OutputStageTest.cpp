@@ -88,6 +88,17 @@ TEST_CASE("The level is a gain of 10^(dB/20) from the first sample after a reset
     }
 }
 
+TEST_CASE("Volume adds to the preset's level") {
+    const auto input = sine(1000);
+    for (const double decibels : {-20.0, 6.0}) {
+        PreparedStage together, level;
+        auto values = valuesWith(-12);
+        values.set(ParameterId::volume, decibels);
+        CHECK(processed(together, input, 100, values) ==
+              processed(level, input, 100, valuesWith(-12 + decibels)));
+    }
+}
+
 TEST_CASE("At constant parameters the output does not depend on the block size") {
     const auto input = sine(10000);
     PreparedStage whole;

@@ -290,10 +290,10 @@ TEST_CASE("A room silenced by All Sound Off stays silent when another sound is r
 }
 
 TEST_CASE("Parameters moved after a program change keep their values, in a bounce and live") {
-    constexpr int volume = 7, program = 3;
+    constexpr int volumeControl = 7, program = 3;
     using enum ParameterId;
     const auto moved = [](int value, int stamp) {
-        return juce::MidiMessage::controllerEvent(1, volume, value).withTimeStamp(stamp);
+        return juce::MidiMessage::controllerEvent(1, volumeControl, value).withTimeStamp(stamp);
     };
     const auto change = juce::MidiMessage::programChange(1, program).withTimeStamp(200);
     struct Case {
@@ -315,7 +315,7 @@ TEST_CASE("Parameters moved after a program change keep their values, in a bounc
             processor.setNonRealtime(offline);
             processor.prepareToPlay(rateHz, blockSize);
             ControllerAssignments assignments;
-            assignments[level] = volume;
+            assignments[level] = volumeControl;
             processor.windowSession().controllers.assign(assignments);
             const auto block = [&](const std::vector<juce::MidiMessage>& messages) {
                 juce::MidiBuffer midi;
@@ -365,14 +365,14 @@ TEST_CASE(
     "A value set after a program change counts even while an earlier program is being built") {
     if (!realTimeTrapWorks())
         SKIP("nothing can be done at allocations here");
-    constexpr int volume = 7, program = 3;
+    constexpr int volumeControl = 7, program = 3;
     auto overtaking = programChange(program);
-    overtaking.addEvent(juce::MidiMessage::controllerEvent(1, volume, 100), 1);
+    overtaking.addEvent(juce::MidiMessage::controllerEvent(1, volumeControl, 100), 1);
     const auto loaded = [&](int overtakenAt, int last) {
         Processor processor;
         processor.prepareToPlay(rateHz, blockSize);
         ControllerAssignments assignments;
-        assignments[ParameterId::level] = volume;
+        assignments[ParameterId::level] = volumeControl;
         processor.windowSession().controllers.assign(assignments);
         render(processor, blockSize, blockSize, programChange(vibraphone));
         int allocations = 0;
@@ -392,15 +392,15 @@ TEST_CASE(
 
 TEST_CASE(
     "Undo after a program change restores the values from before the change, not later ones") {
-    constexpr int volume = 7, program = 3;
+    constexpr int volumeControl = 7, program = 3;
     Processor processor;
     processor.prepareToPlay(rateHz, blockSize);
     ControllerAssignments assignments;
-    assignments[ParameterId::level] = volume;
+    assignments[ParameterId::level] = volumeControl;
     processor.windowSession().controllers.assign(assignments);
     const auto before = processor.soundSession().loadedSound().parameters;
     auto midi = programChange(program);
-    midi.addEvent(juce::MidiMessage::controllerEvent(1, volume, 20), 1);
+    midi.addEvent(juce::MidiMessage::controllerEvent(1, volumeControl, 20), 1);
     render(processor, blockSize, blockSize, midi);
     pollForProgram(processor, program);
     CHECK(processor.view().parameters.value(ParameterId::level) != before[ParameterId::level]);

@@ -58,6 +58,19 @@ TEST_CASE("If a key release does not fit the queue, all held keys are released")
     CHECK(readAll(events) == std::vector{61});
 }
 
+TEST_CASE("Silence ends the sound once, behind the notes before it, even if the queue is full") {
+    WindowEvents events;
+    while (events.pushNote(60, 100)) {
+    }
+    events.silence();
+    std::vector<MidiEvent> read;
+    const auto keep = [&](const MidiEvent& event) { read.push_back(event); };
+    events.read(nullptr, keep);
+    REQUIRE(read.size() == WindowEvents::capacity + 1);
+    CHECK(read.back().bytes == std::array<std::uint8_t, 3>{0xb0, 120, 0});
+    CHECK(readAll(events).empty());
+}
+
 TEST_CASE("Cleared events are not read, and no key counts as held") {
     WindowEvents events;
     events.pushNote(60, 100);

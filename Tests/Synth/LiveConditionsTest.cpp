@@ -35,6 +35,18 @@ TEST_CASE("Eigenvalues, gains and radiation follow live material, size and tunin
     CHECK(live.radiationRatio == Approx(2 * 1.5 * 4));
 }
 
+TEST_CASE("Every mode decays in the time of the decay ratio, at its own frequency") {
+    const auto own = syntheticObject({100}).material;
+    const ModeDamping mode{.scale = 0.5, .extraPerSecond = 3};
+    const double eigenvalue = 4e6;
+    const auto before = liveConditions(own, {}).law.pole(eigenvalue, mode);
+    for (const double ratio : {0.05, 8.0}) {
+        const auto after = liveConditions(own, {.decayRatio = ratio}).law.pole(eigenvalue, mode);
+        CHECK(after.stiffness == before.stiffness);
+        CHECK(after.damping == Approx(before.damping / ratio));
+    }
+}
+
 TEST_CASE("A kept pitch sounds at its damped frequency in any material, size and thickness") {
     const auto own = syntheticObject({100}).material;
     const double omega = 2 * std::numbers::pi * 200;
@@ -48,6 +60,7 @@ TEST_CASE("A kept pitch sounds at its damped frequency in any material, size and
                 SynthesisSettings settings{.sizeRatio = size,
                                            .thicknessRatio = thickness,
                                            .frequencyRatio = 1.5,
+                                           .decayRatio = size < 1 ? 0.5 : 2,
                                            .keepPitch = true};
                 settings.material = LiveMaterial{.youngsModulusPa = 3 * own.youngsModulusPa,
                                                  .densityKgPerM3 = own.densityKgPerM3 / 5,

@@ -1,0 +1,48 @@
+#include "Output/Tilt.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace idiophone {
+
+void Tilt::prepare(double sampleRateHz, int maximumBlockSize, double rampSeconds) {
+    gain.reset(sampleRateHz, rampSeconds);
+    const double warped = std::tan(std::numbers::pi * middleHz / sampleRateHz);
+    coefficient = static_cast<float>(warped / (1 + warped));
+    for (auto& channel : channels)
+        channel.tilted.resize(static_cast<std::size_t>(maximumBlockSize));
+    reset();
+}
+
+void Tilt::reset() noexcept {
+    startsAtTarget = true;
+    for (auto& channel : channels)
+        channel.state = 0;
+}
+
+Room::Sound Tilt::process(const Room::Sound& sound, double brightness) noexcept {
+    const double decibels = maximumDecibels * brightness / 100;
+    gain.setTargetValue(static_cast<float>(std::pow(10, decibels / 20)));
+    if (startsAtTarget)
+        gain.setCurrentAndTargetValue(gain.getTargetValue());
+    startsAtTarget = false;
+    auto& [left, right] = channels;
+    for (std::size_t i = 0; i < sound.left.size(); ++i) {
+        const float high = gain.getNextValue();
+        const auto tilt = [&](Channel& channel, float sample) {
+            const float step = coefficient * (sample - channel.state);
+            const float low = channel.state + step;
+            channel.state = low + step;
+            // Written so that a gain of 1 returns the sample's own bits.
+            channel.tilted[i] = sample + (1 / high - 1) * low + (high - 1) * (sample - low);
+        };
+        tilt(left, sound.left[i]);
+        tilt(right, sound.right[i]);
+    }
+    for (auto& channel : channels)
+        juce::dsp::util::snapToZero(channel.state);
+    return {std::span(left.tilted).first(sound.left.size()),
+            std::span(right.tilted).first(sound.left.size())};
+}
+
+} // namespace idiophone
