@@ -60,7 +60,7 @@ int main(int count, char** arguments) {
                  std::to_string(start) + ", " + std::to_string(bytes.size() - start) + "}},\n";
     }
     std::ofstream out(arguments[3], std::ios::binary);
-    out << R"(#include "Instrument/EmbeddedFiles.h"
+    out << R"(#include "Object/EmbeddedFiles.h"
 
 namespace idiophone {
 

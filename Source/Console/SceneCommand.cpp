@@ -4,7 +4,7 @@
 #include "Console/ParameterAssignments.h"
 #include "Console/SceneRender.h"
 #include "Console/SofaHead.h"
-#include "Instrument/EmbeddedFiles.h"
+#include "Object/EmbeddedFiles.h"
 #include "Instrument/ImpulseLine.h"
 #include "Object/OneLine.h"
 #include "Object/TextFile.h"

@@ -2,10 +2,11 @@
 // selects that material; dragging elsewhere mixes live.
 #pragma once
 
+#include "Editor/Appearance.h"
 #include "Editor/DescribedComponent.h"
 #include "Editor/GestureBurst.h"
 #include "Editor/Look.h"
-#include "Editor/MaterialColour.h"
+#include "Editor/MaterialInEffect.h"
 #include "Editor/MaterialPlane.h"
 #include "Editor/ProcessorView.h"
 #include "Editor/Utf8.h"
@@ -38,7 +39,7 @@ public:
 
     /// Moves the ring if the material has changed.
     void refresh() {
-        const auto now = placeOf(materialNow());
+        const auto now = placeOf(figuresInEffect(view));
         if (now.fast == shown.fast && now.ringing == shown.ringing)
             return;
         shown = now;
@@ -121,18 +122,6 @@ private:
     static constexpr float dotRadius = 4.5f, reach = 8;
     static constexpr int legendHeight = 16;
 
-    Material materialNow() const {
-        using enum ParameterId;
-        const auto value = [this](ParameterId id) { return view.parameters.effectiveValue(id); };
-        Material now;
-        now.youngsModulusPa = value(youngsModulus) * 1e9;
-        now.densityKgPerM3 = value(density);
-        now.damping = {.fluidPerSecond = value(fluidDamping),
-                       .viscoelasticSeconds = value(viscoelasticDamping) * 1e-6,
-                       .lossFactor = value(lossFactor)};
-        return now;
-    }
-
     juce::Rectangle<float> map() const {
         return getLocalBounds().withTrimmedBottom(legendHeight).toFloat().reduced(8);
     }
@@ -196,7 +185,7 @@ private:
                                 .withCentre(seenAt(placeOf(material))));
         const auto font = Look::textFont(11);
         for (std::size_t i = 0; i < library.size(); ++i) {
-            const auto [red, green, blue] = colourOf(library[i]);
+            const auto [red, green, blue] = appearanceOf(library[i]).colour;
             const auto dot = taken[i];
             g.setColour(juce::Colour::fromFloatRGBA(red, green, blue, 1));
             g.fillEllipse(dot);

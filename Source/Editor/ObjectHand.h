@@ -1,4 +1,4 @@
-// The mouse as a hand: strikes and scrapes objects of the picture, and lights the touched place.
+// The mouse as a hand: strikes and scrapes objects of the picture.
 #pragma once
 
 #include "Editor/ObjectScene.h"
@@ -17,18 +17,22 @@ public:
 
     explicit ObjectHand(ProcessorView& processor) : view(processor) {}
 
-    /// Strikes an object. Lower on the object (nearer to the player) or a faster mouse is harder.
-    /// On a stage, plays `stageNote` instead.
-    void strike(const ScenePick& pick, double pixelsPerSecond, std::optional<int> stageNote) {
+    /// The velocity of a click there. Lower on the object (nearer to the player) or a faster mouse
+    /// is harder.
+    static int velocityOf(const ScenePick& pick, double pixelsPerSecond) {
         const double hard =
             std::max(pick.towardsPlayer, std::min(pixelsPerSecond / fastestPixelsPerSecond, 1.0));
-        const int velocity = juce::roundToInt(softest + (hardest - softest) * hard);
+        return juce::roundToInt(softest + (hardest - softest) * hard);
+    }
+    /// Strikes an object. On a stage, plays `stageNote` instead.
+    void strike(const ScenePick& pick, double pixelsPerSecond, std::optional<int> stageNote) {
+        const int velocity = velocityOf(pick, pixelsPerSecond);
         note = stageNote;
         if (note)
             view.instrument.playNote(*note, velocity);
         else
             view.instrument.strikeObject(pick.object, pick.pointMetres, velocity);
-        touch(pick);
+        struck = pick;
     }
     /// Scrapes from the last place to this one. An object entered on the way is struck. Without a
     /// pick the scrape ends.
@@ -43,7 +47,7 @@ public:
             view.instrument.scrapeObject(struck->object, struck->pointMetres, pressure);
         scraping = true;
         view.instrument.scrapeObject(pick->object, pick->pointMetres, pressure);
-        touch(*pick);
+        struck = pick;
     }
     /// Releases the object that is struck or scraped.
     void lift() {
@@ -56,28 +60,10 @@ public:
     }
     bool isScraping() const { return scraping; }
 
-    /// Fades the light by one frame, unless the hand scrapes.
-    void fade() {
-        if (scraping)
-            return;
-        brightness *= glowFallPerFrame;
-        if (brightness < faintestGlow)
-            brightness = 0;
-    }
-    void darken() { brightness = 0; }
-    float glow() const { return brightness; } ///< 1 at the strike
-    const ScenePlace& glowPlace() const { return litPlace; }
-
 private:
     static constexpr double softest = 45, hardest = 127; ///< velocities
     static constexpr double fastestPixelsPerSecond = 3000;
-    static constexpr float glowFallPerFrame = 0.85f, faintestGlow = 0.01f;
 
-    void touch(const ScenePick& pick) {
-        struck = pick;
-        brightness = 1;
-        litPlace = pick.place;
-    }
     void endScrape() {
         if (scraping && struck)
             view.instrument.scrapeObject(struck->object, struck->pointMetres, 0);
@@ -88,8 +74,6 @@ private:
     std::optional<ScenePick> struck; ///< last place, until the hand is lifted
     std::optional<int> note;         ///< played on a stage
     bool scraping = false;
-    float brightness = 0;
-    ScenePlace litPlace{};
 };
 
 } // namespace idiophone

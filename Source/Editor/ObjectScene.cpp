@@ -1,8 +1,5 @@
 #include "Editor/ObjectScene.h"
 
-#include "Editor/MaterialColour.h"
-#include "Geometry/ObjectMesh.h"
-
 #include <algorithm>
 #include <cstdint>
 #include <juce_audio_basics/juce_audio_basics.h>
@@ -16,6 +13,9 @@ using Eigen::Vector3d;
 /// Strength of a click on a stage, where bodies have no near end: half way from soft to hard.
 constexpr double stageStrength = 0.5;
 
+/// Faces that round objects may be divided into, of all objects together.
+constexpr std::size_t maximumFineFaces = 24'000;
+
 constexpr std::int64_t boxesForStage = 5'000'000; // limit per click, about 0.1 s
 
 Eigen::AlignedBox3d boxOf(const ModalObject& object) {
@@ -23,26 +23,6 @@ Eigen::AlignedBox3d boxOf(const ModalObject& object) {
     for (std::size_t i = 0; i + 2 < object.vertices.size(); i += 3)
         box.extend(Eigen::Vector3f(&object.vertices[i]).cast<double>());
     return box;
-}
-
-/// The sides of the box, oriented outward.
-Mesh meshOf(const Eigen::AlignedBox3d& box) {
-    Mesh mesh{Eigen::MatrixXd(8, 3), Eigen::MatrixXi{{0, 2, 1},
-                                                     {1, 2, 3},
-                                                     {4, 5, 6},
-                                                     {5, 7, 6},
-                                                     {0, 1, 4},
-                                                     {1, 5, 4},
-                                                     {2, 6, 3},
-                                                     {3, 6, 7},
-                                                     {0, 4, 2},
-                                                     {2, 4, 6},
-                                                     {1, 3, 5},
-                                                     {3, 7, 5}}};
-    for (int corner = 0; corner < 8; ++corner)
-        mesh.vertices.row(corner) =
-            box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner)).transpose();
-    return mesh;
 }
 
 } // namespace
@@ -69,8 +49,10 @@ ObjectScene::keyboardOf(const std::vector<InstrumentView::PlayedObject>& played)
         const double length = played[i].sizeRatio * boxes[i].sizes().x();
         const double height = played[i].sizeRatio * boxes[i].sizes().z();
         const bool behind = juce::MidiMessage::isMidiNoteBlack(played[i].lowestNote);
-        Placement placement{
-            .pivot = boxes[i].center(), .axes = turned, .scale = played[i].sizeRatio};
+        Placement placement{.pivot = boxes[i].center(),
+                            .axes = turned,
+                            .scale = played[i].sizeRatio,
+                            .isBehind = behind};
         if (height > length) {
             placement.origin << (behind ? x - column / 2 : x), (behind ? column : 0), -height / 2;
             x += behind ? 0 : column;
@@ -103,17 +85,16 @@ ObjectScene::ObjectScene(const std::vector<InstrumentView::PlayedObject>& played
                        .nearest = -depth / 2,
                        .farthest = depth / 2}};
     }
-    Eigen::Index facesLeft = maximumFaces;
+    std::size_t facesLeft = maximumFaces;
     for (std::size_t i = 0; i < played.size(); ++i) {
         const auto& object = *played[i].object;
-        const auto faces = static_cast<Eigen::Index>(object.faceCount());
+        const auto faces = object.faceCount();
         const bool isBox = faces > facesLeft;
-        facesLeft -= isBox ? 0 : faces;
-        addFaces(object, isBox ? meshOf(boxOf(object)) : objectMesh(object), placements[i]);
+        // Few objects are drawn finer than many.
+        const auto finest = std::min(facesLeft, maximumFineFaces / played.size());
+        addFaces(isBox ? boxMesh(boxOf(object)) : drawingMesh(object, finest), placements[i]);
+        facesLeft -= std::min(facesLeft, runs.back().vertexCount / 3);
         runs.back().isBox = isBox;
-        if (isBox)
-            std::fill(ownVertices.begin() + static_cast<std::ptrdiff_t>(runs.back().firstVertex),
-                      ownVertices.end(), -1);
         objectOfFace.resize(corners.size() / 3, i);
     }
     if (corners.empty())
@@ -130,19 +111,15 @@ ObjectScene::ObjectScene(const std::vector<InstrumentView::PlayedObject>& played
         surface.emplace(surfaceOf(0, corners.size()));
 }
 
-void ObjectScene::addFaces(const ModalObject& object,
-                           const Mesh& mesh,
-                           const Placement& placement) {
-    const auto normals = cornerNormals(mesh);
+void ObjectScene::addFaces(const DrawingMesh& mesh, const Placement& placement) {
     runs.push_back({.firstVertex = corners.size(),
-                    .vertexCount = static_cast<std::size_t>(3 * mesh.faceCount()),
-                    .colour = colourOf(object.material)});
-    for (Eigen::Index corner = 0; corner < 3 * mesh.faceCount(); ++corner) {
-        const auto vertex = mesh.faces(corner / 3, corner % 3);
-        corners.push_back(
-            {.place = scenePlace(placement.inScene(mesh.vertices.row(vertex).transpose())),
-             .normal = scenePlace(placement.axes * normals.row(corner).transpose())});
-        ownVertices.push_back(vertex);
+                    .vertexCount = mesh.corners.size(),
+                    .form = mesh.form,
+                    .isClosed = mesh.isClosed});
+    for (const auto& corner : mesh.corners) {
+        corners.push_back({.place = scenePlace(placement.inScene(corner.place.cast<double>())),
+                           .normal = scenePlace(placement.axes * corner.normal.cast<double>())});
+        meshPlaces.push_back(corner.onMesh);
     }
     addBox(runs.back());
 }
@@ -166,6 +143,8 @@ void ObjectScene::addBox(SceneObject& run) {
     for (const auto& corner : std::span(corners).subspan(run.firstVertex, run.vertexCount))
         box.extend(vectorOf(corner.place));
     run.radius = box.diagonal().norm() / 2;
+    run.middle = scenePlace(box.center());
+    run.halfExtent = scenePlace(box.sizes() / 2);
     for (int index = 0; index < 8; ++index)
         boxCorners.push_back(
             scenePlace(box.corner(static_cast<Eigen::AlignedBox3f::CornerType>(index))));
@@ -189,19 +168,27 @@ std::vector<ScenePlace> ObjectScene::offsetsOf(std::size_t object,
     const Eigen::Matrix3f axes = placements[object].axes.cast<float>();
     const auto& run = runs[object];
     std::vector<ScenePlace> offsets(run.vertexCount);
-    for (std::size_t corner = 0; corner < run.vertexCount; ++corner) {
-        const auto vertex = ownVertices[run.firstVertex + corner];
-        if (vertex >= 0)
-            Eigen::Map<Eigen::Vector3f>(offsets[corner].data()) =
-                axes * Eigen::Vector3f(&displacements[3 * static_cast<std::size_t>(vertex)]);
+    for (std::size_t corner = 0; corner < run.vertexCount && !run.isBox; ++corner) {
+        const auto& [vertices, weights] = meshPlaces[run.firstVertex + corner];
+        Eigen::Vector3f sum = Eigen::Vector3f::Zero();
+        for (std::size_t i = 0; i < vertices.size(); ++i)
+            sum += weights[i] *
+                   Eigen::Vector3f(&displacements[3 * static_cast<std::size_t>(vertices[i])]);
+        Eigen::Map<Eigen::Vector3f>(offsets[corner].data()) = axes * sum;
     }
     return offsets;
 }
 
-ScenePick ObjectScene::pickOf(std::size_t object, const Vector3d& hitMetres) const {
-    ScenePick pick{.object = object, .place = scenePlace(hitMetres)};
-    Eigen::Map<Vector3d>(pick.pointMetres.data()) = placements[object].onMesh(hitMetres);
+ScenePick ObjectScene::pickOf(std::size_t object, const SurfacePoint& hit) const {
+    ScenePick pick{
+        .object = object, .place = scenePlace(hit.pointMetres), .normal = scenePlace(hit.normal)};
+    Eigen::Map<Vector3d>(pick.pointMetres.data()) = placements[object].onMesh(hit.pointMetres);
     return pick;
+}
+
+ScenePlace ObjectScene::normalAt(const ScenePlace& place) const {
+    return surface ? scenePlace(surface->nearestPoint(vectorOf(place).cast<double>()).normal)
+                   : ScenePlace{0, 0, 1};
 }
 
 std::optional<ScenePick> ObjectScene::pick(const ScenePlace& origin,
@@ -212,7 +199,7 @@ std::optional<ScenePick> ObjectScene::pick(const ScenePlace& origin,
         surface->firstHit(vectorOf(origin).cast<double>(), vectorOf(direction).cast<double>());
     if (!hit)
         return std::nullopt;
-    auto pick = pickOf(objectOfFace[static_cast<std::size_t>(hit->face)], hit->pointMetres);
+    auto pick = pickOf(objectOfFace[static_cast<std::size_t>(hit->face)], *hit);
     const auto& placement = placements[pick.object];
     const double depth = placement.farthest - placement.nearest;
     pick.towardsPlayer =
@@ -250,7 +237,7 @@ std::optional<ScenePick> ObjectScene::pick(const ScenePlace& origin,
         if (!hit || !((hit->pointMetres - start).norm() < nearestMetres))
             continue;
         nearestMetres = (hit->pointMetres - start).norm();
-        nearest = pickOf(object, hit->pointMetres);
+        nearest = pickOf(object, *hit);
         nearest->place = scenePlace(pose * vectorOf(nearest->place));
         nearest->towardsPlayer = stageStrength;
     }

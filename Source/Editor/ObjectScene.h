@@ -3,7 +3,9 @@
 // of windows and OpenGL.
 #pragma once
 
+#include "Editor/DrawingMesh.h"
 #include "Editor/ProcessorView.h"
+#include "Editor/SceneObject.h"
 #include "Geometry/SurfaceQuery.h"
 
 #include <Eigen/Geometry>
@@ -16,43 +18,17 @@
 
 namespace idiophone {
 
-/// Metres; x points right, y away from the player, z up.
-using ScenePlace = std::array<float, 3>;
-
-template <class Vector>
-ScenePlace scenePlace(const Eigen::MatrixBase<Vector>& vector) {
-    const Eigen::Vector3f place = vector.template cast<float>();
-    return {place.x(), place.y(), place.z()};
-}
-
-inline Eigen::Vector3f vectorOf(const ScenePlace& place) {
-    return Eigen::Vector3f(place.data());
-}
-
 /// From the object's coordinates, scaled to its size, to the stage.
 inline Eigen::Isometry3f poseOf(const BodyNow& body) {
     return Eigen::Translation3f(Eigen::Vector3f(body.originMetres.data())) *
            Eigen::Quaternionf(body.turn.data());
 }
 
-struct SceneVertex {
-    ScenePlace place;
-    std::array<float, 3> normal; ///< unit, or zero
-};
-
-/// A range of vertices, three per face.
-struct SceneObject {
-    std::size_t firstVertex = 0;
-    std::size_t vertexCount = 0;
-    std::array<float, 3> colour{}; ///< red, green, blue; 0 to 1
-    float radius = 0;              ///< half the diagonal of its box, in metres
-    bool isBox = false;            ///< drawn as a box, because the face limit is reached
-};
-
 struct ScenePick {
     std::size_t object = 0;              ///< index into the played objects
     std::array<double, 3> pointMetres{}; ///< on the object's own mesh
     ScenePlace place{};
+    ScenePlace normal{};      ///< unit normal of the surface in the scene
     double towardsPlayer = 0; ///< 0 at the object's far end, 1 at its near end
 };
 
@@ -61,7 +37,7 @@ class ObjectScene {
 public:
     /// Limit on the faces of all objects together; objects beyond it are drawn as boxes. A face
     /// takes about 450 bytes, and the maximum takes a few seconds to build.
-    static constexpr Eigen::Index maximumFaces = 1'000'000;
+    static constexpr std::size_t maximumFaces = 1'000'000;
 
     enum class Layout {
         keyboard, ///< several objects, or a single one
@@ -85,6 +61,12 @@ public:
     /// Converts a point of an object's mesh, in metres, to the scene. The object must exist.
     ScenePlace placeOf(std::size_t object, const std::array<double, 3>& pointMetres) const;
 
+    /// Whether the object stands in the second row of a keyboard, that of the accidentals.
+    bool isBehind(std::size_t object) const { return placements[object].isBehind; }
+
+    /// The unit normal of the surface nearest to a place of the scene; upward on a stage.
+    ScenePlace normalAt(const ScenePlace& place) const;
+
     /// The displacement of each scene vertex of an object. `displacements` is [N,3], one for each
     /// vertex of the mesh, in the mesh's directions and units.
     std::vector<ScenePlace> offsetsOf(std::size_t object,
@@ -107,20 +89,21 @@ private:
         Eigen::Matrix3d axes = Eigen::Matrix3d::Identity(); ///< object axes as columns
         double scale = 1;
         double nearest = 0, farthest = 0; ///< range of y in the scene
+        bool isBehind = false;
     };
 
     static std::vector<Placement>
     keyboardOf(const std::vector<InstrumentView::PlayedObject>& played);
 
-    void addFaces(const ModalObject& object, const Mesh& mesh, const Placement& placement);
+    void addFaces(const DrawingMesh& mesh, const Placement& placement);
     void addBox(SceneObject& run);
-    ScenePick pickOf(std::size_t object, const Eigen::Vector3d& hitMetres) const;
+    ScenePick pickOf(std::size_t object, const SurfacePoint& hit) const;
     SurfaceQuery surfaceOf(std::size_t firstVertex, std::size_t vertexCount) const;
 
     std::vector<SceneVertex> corners;
     std::vector<SceneObject> runs;
     std::vector<Placement> placements;
-    std::vector<std::int32_t> ownVertices; ///< mesh vertex of each corner; −1: none
+    std::vector<MeshPlace> meshPlaces; ///< of each corner on its object's mesh
     std::vector<std::size_t> objectOfFace;
     std::vector<ScenePlace> boxCorners;
     std::vector<std::size_t> firstBoxCorners; ///< per object; objects without faces have no corners

@@ -1,6 +1,7 @@
 #include "Editor/ObjectView.h"
 
 #include "Editor/Look.h"
+#include "Editor/MaterialInEffect.h"
 #include "Editor/OpenGlSupport.h"
 
 #include <algorithm>
@@ -12,22 +13,17 @@ namespace idiophone {
 namespace {
 
 constexpr int framesPerSecond = 30;
-constexpr int ticksToWait = 50;       // ticks of the window's timer before OpenGL counts as missing
-constexpr float glowFraction = 0.02f; // of the scene's radius
-constexpr float darkDecibels = -60;   // an object at or below this level is not lit
+constexpr int ticksToWait = 50; // ticks of the window's timer before OpenGL counts as missing
 constexpr float pixelsToDrag = 4;
 
 } // namespace
 
-ObjectView::ObjectView(ProcessorView& processor) : view(processor), hand(processor) {
+ObjectView::ObjectView(ProcessorView& processor)
+    : view(processor), strikes(processor), hand(processor) {
     setTitle("Instrument");
     setDescription("Click to strike, drag to scrape; drag beside it to turn, wheel to zoom");
     setOpaque(true);
-    juce::OpenGLPixelFormat format;
-    format.multisamplingLevel = 4;
-    format.depthBufferBits = 24;
-    context.setPixelFormat(format);
-    context.setMultisamplingEnabled(true);
+    context.setOpenGLVersionRequired(juce::OpenGLContext::openGL3_2);
     context.setContinuousRepainting(false);
     context.setRenderer(&renderer);
     if (hasOpenGl())
@@ -55,51 +51,44 @@ void ObjectView::refresh() {
         shownInstrument = playing;
         newScene();
     }
+    followMaterial();
 }
 
 void ObjectView::newScene() {
-    played = view.instrument.playedObjects();
-    bodies = view.stage.stageBodies();
-    onStage = view.stage.hasStage();
-    try {
-        scene = std::make_shared<const ObjectScene>(
-            played, onStage ? ObjectScene::Layout::stage : ObjectScene::Layout::keyboard);
-    } catch (const std::bad_alloc&) { // keep playing without a picture
-        played.clear();
-        bodies.clear();
-        onStage = false;
-        scene = std::make_shared<const ObjectScene>(played);
-    }
-    if (!scene->empty())
-        camera.lookAt(bodies.empty() ? scene->outline() : scene->outline(bodies));
+    shown = ShownInstrument::of(view);
+    appearances.clear();
+    followMaterial();
+    if (!shown.scene->empty())
+        camera.lookAt(shown.outline());
     paths.reset();
-    if (!onStage)
-        paths.showStruckPlaces(view, played, *scene);
-    hand.darken();
-    lights.clear();
-    vibration.reset(played);
+    if (!shown.onStage)
+        paths.showStruckPlaces(view, shown.played, *shown.scene);
+    strikes.reset(*shown.scene, shown.onStage);
+    outline.show(std::nullopt);
+    vibration.reset(shown.played);
     cameraMoved();
+}
+
+/// Looks at the current material, which may have changed.
+void ObjectView::followMaterial() {
+    auto now = appearancesOf(view, shown.played);
+    if (now == appearances)
+        return;
+    appearances = std::move(now);
+    redraw();
 }
 
 void ObjectView::showSound(const SoundFrame& frame) {
     if (frame.instrumentNumber != shownInstrument)
         return;
-    std::vector<float> loudness(played.size(), 0);
-    for (const auto& slot : frame.slots)
-        if (const auto object = static_cast<std::size_t>(slot.object); object < loudness.size())
-            loudness[object] = std::max(
-                loudness[object],
-                1 - juce::Decibels::gainToDecibels(slot.amplitude, darkDecibels) / darkDecibels);
     const bool wasMoving = moves();
     if (frame.object >= 0)
         vibration.follow(static_cast<std::size_t>(frame.object), frame.modes);
-    const bool bodiesMoved = onStage && frame.bodies != bodies;
+    const bool bodiesMoved = shown.onStage && frame.bodies != shown.bodies;
     if (bodiesMoved)
-        bodies = frame.bodies;
-    if (loudness != lights || wasMoving || moves() || bodiesMoved) {
-        lights = std::move(loudness);
+        shown.bodies = frame.bodies;
+    if (strikes.follow(frame, shown.played, *shown.scene) || wasMoving || moves() || bodiesMoved)
         wake();
-    }
 }
 
 void ObjectView::showMode(std::optional<std::size_t> mode) {
@@ -124,7 +113,7 @@ void ObjectView::wake() {
 }
 
 void ObjectView::timerCallback() {
-    hand.fade();
+    strikes.advance(1.0 / framesPerSecond);
     vibration.advance(1.0 / framesPerSecond);
     if (!moves() || !isShowing())
         stopTimer();
@@ -138,33 +127,28 @@ void ObjectView::cameraMoved() {
 }
 
 void ObjectView::redraw() {
-    std::optional<std::vector<SceneBody>> drawnBodies;
-    if (onStage) {
-        drawnBodies.emplace();
-        for (const auto& body : bodies) {
-            SceneBody next{.object = static_cast<std::size_t>(body.object)};
-            Eigen::Map<Eigen::Matrix4f>(next.pose.data()) = poseOf(body).matrix();
-            drawnBodies->push_back(next);
-        }
-    }
-    renderer.show({.scene = scene,
-                   .viewProjection = camera.viewProjection(aspect()),
-                   .eye = camera.eye(aspect()),
-                   .background = colourOf(*this, LookColour::panel),
-                   .accent = colourOf(*this, LookColour::accent),
-                   .glowPlace = hand.glowPlace(),
-                   .glow = hand.glow(),
-                   .glowMetres = glowFraction * scene->radius(),
-                   .lights = lights,
-                   .motion = scene->empty() ? std::nullopt : vibration.motionIn(*scene),
-                   .bodies = std::move(drawnBodies)});
+    SceneFrame frame{.scene = shown.scene,
+                     .furniture = shown.furniture,
+                     .appearances = appearances,
+                     .viewProjection = camera.viewProjection(aspect()),
+                     .eye = camera.eye(aspect()),
+                     .background = colourOf(*this, LookColour::panel),
+                     .accent = colourOf(*this, LookColour::accent),
+                     .isDark = colourOf(*this, LookColour::panel).getPerceivedBrightness() < 0.5f,
+                     .motion =
+                         shown.scene->empty() ? std::nullopt : vibration.motionIn(*shown.scene),
+                     .bodies = shown.drawnBodies()};
+    strikes.addTo(frame, shown.scene->radius());
+    renderer.show(frame);
     context.triggerRepaint();
 }
 
 void ObjectView::paint(juce::Graphics& g) {
     if (renderer.works()) {
-        if (!scene->empty())
-            paths.paint(g, *this, *scene, camera, layers.path);
+        if (!shown.scene->empty()) {
+            paths.paint(g, *this, *shown.scene, camera, layers.path);
+            outline.paint(g, *this, *shown.scene, camera);
+        }
         return;
     }
     g.fillAll(colourOf(*this, LookColour::panel));
@@ -189,13 +173,12 @@ std::optional<ScenePick> ObjectView::pickAt(juce::Point<float> position) const {
     const float x = 2 * position.x / static_cast<float>(getWidth()) - 1;
     const float y = 1 - 2 * position.y / static_cast<float>(getHeight());
     const auto ray = camera.rayThrough(x, y, aspect());
-    return onStage ? scene->pick(ray.origin, ray.direction, bodies)
-                   : scene->pick(ray.origin, ray.direction);
+    return shown.pick(ray);
 }
 
 /// Returns the note that sets an object in motion: its own key, or else one in the middle.
 int ObjectView::noteFor(std::size_t object) const {
-    const auto& own = played[object];
+    const auto& own = shown.played[object];
     const auto range = view.instrument.keyRange();
     return own.lowestNote == own.highestNote ? own.lowestNote : (range.lowest + range.highest) / 2;
 }
@@ -205,7 +188,10 @@ std::optional<ScenePick> ObjectView::strikeAt(juce::Point<float> position, doubl
     const auto pick = pickAt(position);
     if (pick) {
         hand.strike(*pick, pixelsPerSecond,
-                    onStage ? std::optional(noteFor(pick->object)) : std::nullopt);
+                    shown.onStage ? std::optional(noteFor(pick->object)) : std::nullopt);
+        if (!shown.onStage)
+            strikes.strike(*pick, *shown.scene,
+                           float(ObjectHand::velocityOf(*pick, pixelsPerSecond)) / 127);
         wake();
     }
     return pick;
@@ -218,7 +204,21 @@ void ObjectView::drawTo(juce::Point<float> position) {
     }
 }
 
+/// Outlines the object under the mouse. Bodies on a stage move away under it, so not there.
+void ObjectView::hover(std::optional<ScenePick> pick) {
+    std::optional<HoverOutline::Hover> next;
+    if (pick && !shown.onStage && !layers.drawsPath) {
+        const auto& own = shown.played[pick->object];
+        next = {.object = pick->object,
+                .note = own.lowestNote == own.highestNote ? own.lowestNote : -1,
+                .velocity = ObjectHand::velocityOf(*pick, 0)};
+    }
+    if (outline.show(next))
+        repaint();
+}
+
 void ObjectView::mouseMove(const juce::MouseEvent& event) {
+    hover(pickAt(event.position));
     const double seconds = (event.eventTime - cameAt).inSeconds();
     if (seconds > 0)
         cameAtPixelsPerSecond = double(event.position.getDistanceFrom(cameFrom)) / seconds;
@@ -227,7 +227,7 @@ void ObjectView::mouseMove(const juce::MouseEvent& event) {
 }
 
 void ObjectView::mouseDown(const juce::MouseEvent& event) {
-    if (event.mods.isLeftButtonDown() && layers.drawsPath && !onStage) {
+    if (event.mods.isLeftButtonDown() && layers.drawsPath && !shown.onStage) {
         drawTo(event.position);
         if (paths.isDrawing())
             return;
@@ -244,12 +244,15 @@ void ObjectView::mouseDrag(const juce::MouseEvent& event) {
     if (paths.isDrawing())
         return drawTo(event.position);
     if (!turningFrom) {
-        if (onStage || layers.drawsPath) // the path's instrument may no longer exist
+        if (shown.onStage || layers.drawsPath) // the path's instrument may no longer exist
             return;
         if (hand.isScraping() || event.getDistanceFromDragStart() > pixelsToDrag) {
-            hand.dragTo(pickAt(event.position), event.isPressureValid()
-                                                    ? double(event.pressure)
-                                                    : ObjectHand::defaultPressure);
+            const auto pick = pickAt(event.position);
+            hand.dragTo(pick, event.isPressureValid() ? double(event.pressure)
+                                                      : ObjectHand::defaultPressure);
+            if (pick)
+                strikes.touch(*pick);
+            hover(std::nullopt);
             wake();
         }
         return;

@@ -2,12 +2,15 @@
 // the objects or with the right button turn the view. On a stage, clicks set bodies in motion.
 #pragma once
 
+#include "Editor/HoverOutline.h"
 #include "Editor/ObjectHand.h"
 #include "Editor/ObjectScene.h"
 #include "Editor/OrbitCamera.h"
 #include "Editor/PathOverlay.h"
 #include "Editor/PictureRenderer.h"
 #include "Editor/ProcessorView.h"
+#include "Editor/ShownInstrument.h"
+#include "Editor/StrikePicture.h"
 #include "Editor/VibrationPicture.h"
 
 #include <juce_gui_basics/juce_gui_basics.h>
@@ -40,7 +43,7 @@ public:
     void setLayers(const Layers& wanted);
 
     /// Whether the instrument is on a stage, where keys set bodies in motion.
-    bool isOnStage() const { return onStage; }
+    bool isOnStage() const { return shown.onStage; }
 
     /// Strikes the object at a position of the component, see ObjectHand. Returns nothing on the
     /// background.
@@ -51,6 +54,7 @@ public:
     void resized() override { cameraMoved(); }
     void lookAndFeelChanged() override { cameraMoved(); }
     void mouseMove(const juce::MouseEvent& event) override;
+    void mouseExit(const juce::MouseEvent&) override { hover(std::nullopt); }
     void mouseDown(const juce::MouseEvent& event) override;
     void mouseDrag(const juce::MouseEvent& event) override;
     void mouseUp(const juce::MouseEvent& event) override;
@@ -61,32 +65,33 @@ public:
 private:
     void timerCallback() override;
     void newScene();
+    void followMaterial();
     float aspect() const;
     std::optional<ScenePick> pickAt(juce::Point<float> position) const;
     int noteFor(std::size_t object) const;
     void drawTo(juce::Point<float> position);
-    bool moves() const { return hand.glow() > 0 || vibration.moves(); }
+    bool moves() const { return strikes.moves() || vibration.moves(); }
+    void hover(std::optional<ScenePick> pick);
     void wake();
     void cameraMoved();
     void redraw();
 
     ProcessorView& view;
     int shownInstrument = -1;
-    std::vector<InstrumentView::PlayedObject> played;
-    std::shared_ptr<const ObjectScene> scene; ///< never nullptr after construction
-    bool onStage = false;
-    std::vector<BodyNow> bodies; ///< on a stage: bodies as drawn
+    ShownInstrument shown;
+    std::vector<Appearance> appearances; ///< of each object, by the current material
     OrbitCamera camera;
     PathOverlay paths;
     juce::OpenGLContext context;
     PictureRenderer renderer{context};
     int ticksWithoutContext = 0;
-    std::vector<float> lights;
+    StrikePicture strikes;
     VibrationPicture vibration;
     Layers layers;
 
     // Mouse input.
     ObjectHand hand;
+    HoverOutline outline;
     std::optional<juce::Point<float>> turningFrom;
     juce::Point<float> cameFrom;
     juce::Time cameAt;

@@ -1,78 +1,53 @@
 #include "Editor/PictureRenderer.h"
 
-#include <cstddef>
-#include <span>
-#include <utility>
+#include "Editor/Shaders.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <iterator>
+#include <string>
 
 using namespace juce::gl;
 
 namespace idiophone {
 namespace {
 
-constexpr const char* vertexShader = R"(
-attribute vec3 place;
-attribute vec3 normal;
-attribute vec3 offset;
-uniform mat4 viewProjection;
-uniform mat4 pose;
-uniform float offsetScale;
-varying vec3 seenPlace;
-varying vec3 seenNormal;
-varying float outward;
+constexpr GLint shadowUnit = 0, floorUnit = 1; // of textures
 
-void main()
-{
-    vec4 moved = pose * vec4(place + offsetScale * offset, 1.0);
-    seenPlace = moved.xyz;
-    seenNormal = (pose * vec4(normal, 0.0)).xyz;
-    outward = dot(offset, normal);
-    gl_Position = viewProjection * moved;
+using Eigen::Vector3f;
+
+Vector3f linear(const std::array<float, 3>& colour) {
+    const auto channel = [](float value) { return value * value; }; // as `developed` in the shaders
+    return {channel(colour[0]), channel(colour[1]), channel(colour[2])};
 }
-)";
 
-// The shader has two lamps, a gloss and a rim, and lights both sides of a sheet. `glow` marks the
-// struck place, and `light` shows the loudness of the object.
-constexpr const char* fragmentShader = R"(
-uniform vec3 colour;
-uniform vec3 eye;
-uniform vec3 glowPlace;
-uniform vec3 accent;
-uniform vec3 ink;
-uniform float glow;
-uniform float glowRadius;
-uniform float light;
-uniform float nodes;
-varying vec3 seenPlace;
-varying vec3 seenNormal;
-varying float outward;
-
-void main()
-{
-    vec3 view = normalize(eye - seenPlace);
-    vec3 n = normalize(seenNormal);
-    if (dot(n, view) < 0.0)
-        n = -n;
-    vec3 key = normalize(vec3(-0.4, -0.5, 0.8));
-    vec3 fill = normalize(vec3(0.8, 0.3, 0.3));
-    float diffuse = 0.28 + 0.62 * max(dot(n, key), 0.0) + 0.18 * max(dot(n, fill), 0.0);
-    float gloss = pow(max(dot(n, normalize(key + view)), 0.0), 40.0);
-    float rim = pow(1.0 - max(dot(n, view), 0.0), 3.0);
-    vec3 off = (seenPlace - glowPlace) / glowRadius;
-
-    float far = clamp(outward, -1.0, 1.0);
-    vec3 swing = far > 0.0 ? vec3(0.90, 0.38, 0.25) : vec3(0.25, 0.52, 0.90);
-    vec3 own = mix(colour, swing, nodes * 0.85 * sqrt(abs(far)));
-    float width = 1.5 * fwidth(far);
-    float node = nodes * (1.0 - smoothstep(0.5 * width, width + 1e-6, abs(far)));
-    own = mix(own, ink, node);
-
-    vec3 lit = own * diffuse + vec3(0.22 * gloss + 0.08 * rim);
-    lit += accent * (0.35 * light + glow * exp(-dot(off, off)));
-    gl_FragColor = vec4(lit, 1.0);
+Vector3f linear(juce::Colour colour) {
+    return linear(std::array{colour.getFloatRed(), colour.getFloatGreen(), colour.getFloatBlue()});
 }
-)";
 
-constexpr std::array<float, 16> asLaidOut{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+void set(juce::OpenGLShaderProgram& program, const char* name, const Vector3f& value) {
+    program.setUniform(name, value.x(), value.y(), value.z());
+}
+
+void setMatrix(juce::OpenGLShaderProgram& program, const char* name, const Eigen::Matrix4f& value) {
+    program.setUniformMat4(name, value.data(), 1, false);
+}
+
+Eigen::Matrix4f matrixOf(const std::array<float, 16>& columns) {
+    return Eigen::Map<const Eigen::Matrix4f>(columns.data());
+}
+
+/// The radius of a box's edges in metres; 0 for other shapes.
+float bevelOf(const SceneObject& shape) {
+    constexpr float share = 0.2f, largest = 0.003f;
+    return shape.form == Form::box ? std::min(share * std::ranges::min(shape.halfExtent), largest)
+                                   : 0;
+}
+
+Vector3f longestAxis(const SceneObject& shape) {
+    const auto longest = std::ranges::max_element(shape.halfExtent) - shape.halfExtent.begin();
+    return Vector3f::Unit(longest);
+}
 
 } // namespace
 
@@ -82,18 +57,17 @@ void PictureRenderer::show(const SceneFrame& next) {
 }
 
 void PictureRenderer::newOpenGLContextCreated() {
-    auto made = std::make_unique<juce::OpenGLShaderProgram>(context);
-    using juce::OpenGLHelpers;
-    if (!made->addVertexShader(OpenGLHelpers::translateVertexShaderToV3(vertexShader)) ||
-        !made->addFragmentShader(OpenGLHelpers::translateFragmentShaderToV3(fragmentShader)))
+    for (std::size_t finish = 0; finish < finishCount; ++finish) {
+        finishPrograms[finish] =
+            linkedProgram(context, "scene.vert", "scene.frag", "FINISH " + std::to_string(finish));
+        if (!finishPrograms[finish])
+            return;
+    }
+    roomProgram = linkedProgram(context, "room.vert", "room.frag");
+    depthProgram = linkedProgram(context, "depth.vert", "depth.frag");
+    if (!roomProgram || !depthProgram)
         return;
-    // Attribute 0 must always be read from a buffer.
-    glBindAttribLocation(made->getProgramID(), 0, "place");
-    if (!made->link())
-        return;
-    program = std::move(made);
-    glGenBuffers(1, &buffer);
-    glGenBuffers(1, &offsetBuffer);
+    buffers.create();
     ready = true;
 }
 
@@ -104,113 +78,198 @@ void PictureRenderer::renderOpenGL() {
         shown = frame;
     }
     juce::OpenGLHelpers::clear(shown.background);
-    glClear(GL_DEPTH_BUFFER_BIT);
     if (!ready || shown.scene == nullptr || shown.scene->empty())
         return;
-
+    GLint view[4]; // x, y, width and height of the window in pixels
+    glGetIntegerv(GL_VIEWPORT, view);
+    glDisable(GL_BLEND);
+    glDisable(GL_SCISSOR_TEST);
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LESS);
-    glDisable(GL_BLEND);
-    glBindBuffer(GL_ARRAY_BUFFER, buffer);
-    if (uploaded != shown.scene) {
-        const auto vertices = shown.scene->vertices();
-        glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices.size_bytes()),
-                     vertices.data(), GL_STATIC_DRAW);
-        uploaded = shown.scene;
+    if (uploaded != shown.scene)
+        upload(shown);
+    if (shown.motion && shown.motion->offsets != uploadedOffsets) {
+        buffers.uploadOffsets(*shown.motion->offsets);
+        uploadedOffsets = shown.motion->offsets;
     }
-    if (shown.motion && shown.motion->offsets != uploadedOffsets)
-        uploadOffsets(shown.motion->offsets);
-    draw(shown);
-    glBindBuffer(GL_ARRAY_BUFFER, 0);
+    const auto parts = partsOf(shown);
+    buffers.bind();
+    if (!hasShadows || shown.bodies)
+        drawShadows(shown, parts);
+    glViewport(0, 0, view[2], view[3]);
+    if (image.begin(view[2], view[3])) {
+        glClear(GL_DEPTH_BUFFER_BIT);
+        drawRoom(shown);
+        drawScene(shown, parts);
+        image.finish();
+    }
+    buffers.unbind();
     glDisable(GL_DEPTH_TEST);
+    glViewport(view[0], view[1], view[2], view[3]);
 }
 
-void PictureRenderer::uploadOffsets(std::shared_ptr<const std::vector<ScenePlace>> offsets) {
-    glBindBuffer(GL_ARRAY_BUFFER, offsetBuffer);
-    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(std::span(*offsets).size_bytes()),
-                 offsets->data(), GL_STREAM_DRAW);
-    uploadedOffsets = std::move(offsets);
+void PictureRenderer::upload(const SceneFrame& shown) {
+    std::vector<SceneVertex> vertices(shown.scene->vertices().begin(),
+                                      shown.scene->vertices().end());
+    const auto& furniture = shown.furniture->vertices();
+    vertices.insert(vertices.end(), furniture.begin(), furniture.end());
+    buffers.upload(vertices);
+    uploaded = shown.scene;
+    hasShadows = false;
+    auto sky = floorLight.compute(placedVertices(shown), shown.furniture->floorHeight());
+    if (shown.bodies)
+        sky.clear();
+    sky.resize(sky.empty() ? 0 : vertices.size(), 255); // the mallet is not part of the scene
+    buffers.uploadSky(sky);
 }
 
-void PictureRenderer::draw(const SceneFrame& shown) {
-    program->use();
-    const auto set = [&](const char* name, const ScenePlace& value) {
-        program->setUniform(name, value[0], value[1], value[2]);
-    };
-    const auto setColour = [&](const char* name, juce::Colour colour) {
-        set(name, {colour.getFloatRed(), colour.getFloatGreen(), colour.getFloatBlue()});
-    };
-    program->setUniformMat4("viewProjection", shown.viewProjection.data(), 1, false);
-    set("eye", shown.eye);
-    set("glowPlace", shown.glowPlace);
-    setColour("accent", shown.accent);
-    setColour("ink", shown.background);
-    program->setUniform("glow", shown.glow);
-    program->setUniform("glowRadius", shown.glowMetres);
-
-    glBindBuffer(GL_ARRAY_BUFFER, buffer);
-    readVertices(0);
-    if (shown.bodies) {
-        for (const auto& body : *shown.bodies)
-            if (body.object < shown.scene->objects().size())
-                drawObject(shown, body.object, body.pose);
-    } else
-        for (std::size_t i = 0; i < shown.scene->objects().size(); ++i)
-            drawObject(shown, i, asLaidOut);
-    glDisableVertexAttribArray(attribute("place"));
-    glDisableVertexAttribArray(attribute("normal"));
-}
-
-GLuint PictureRenderer::attribute(const char* name) const {
-    return static_cast<GLuint>(glGetAttribLocation(program->getProgramID(), name));
-}
-
-/// Binds the attributes to the vertices of the bound buffer, from vertex `first` on.
-void PictureRenderer::readVertices(std::size_t first) const {
-    for (const auto& [name, part] : {std::pair("place", offsetof(SceneVertex, place)),
-                                     {"normal", offsetof(SceneVertex, normal)}}) {
-        glEnableVertexAttribArray(attribute(name));
-        glVertexAttribPointer(attribute(name), 3, GL_FLOAT, GL_FALSE, sizeof(SceneVertex),
-                              reinterpret_cast<const void*>(first * sizeof(SceneVertex) + part));
-    }
-}
-
-void PictureRenderer::drawObject(const SceneFrame& shown,
-                                 std::size_t index,
-                                 const std::array<float, 16>& pose) {
-    const auto& object = shown.scene->objects()[index];
-    const auto offset = attribute("offset");
-    const bool moves = shown.motion && shown.motion->object == index &&
-                       shown.motion->offsets->size() == object.vertexCount;
-    program->setUniformMat4("pose", pose.data(), 1, false);
-    program->setUniform("colour", object.colour[0], object.colour[1], object.colour[2]);
-    program->setUniform("light", index < shown.lights.size() ? shown.lights[index] : 0.0f);
-    program->setUniform("offsetScale", moves ? shown.motion->scale : 0.0f);
-    program->setUniform("nodes", moves && shown.motion->showsNodes ? 1.0f : 0.0f);
-    const auto count = static_cast<GLsizei>(object.vertexCount);
-    if (!moves) {
-        glVertexAttrib3f(offset, 0, 0, 0);
-        glDrawArrays(GL_TRIANGLES, static_cast<GLint>(object.firstVertex), count);
+/// Draws the depths seen from the lamp, in a cube around the scene.
+void PictureRenderer::drawShadows(const SceneFrame& shown, std::span<const PicturePart> parts) {
+    const Vector3f lamp = vectorOf(SceneLight::lamp).normalized();
+    const Vector3f right = lamp.unitOrthogonal(), up = lamp.cross(right);
+    const float reach = floorLight.reach();
+    const auto& middle = floorLight.middle();
+    fromLamp.setIdentity();
+    for (int row = 0; const Vector3f& axis : {right, up, Vector3f(-lamp)})
+        fromLamp.row(row++) << axis.transpose() / reach, -axis.dot(middle) / reach;
+    if (!shadows.begin())
         return;
+    depthProgram->use();
+    setMatrix(*depthProgram, "viewProjection", fromLamp);
+    glEnable(GL_POLYGON_OFFSET_FILL);
+    glPolygonOffset(2, 4);
+    for (const auto& part : parts) {
+        if (part.look.finish == Finish::glass)
+            continue;
+        setMatrix(*depthProgram, "pose", part.pose);
+        buffers.draw(part.shape.firstVertex, part.shape.vertexCount);
     }
-    // The offset buffer holds only this object's vertices, so read places and normals from its
-    // first vertex too.
-    glBindBuffer(GL_ARRAY_BUFFER, offsetBuffer);
-    glEnableVertexAttribArray(offset);
-    glVertexAttribPointer(offset, 3, GL_FLOAT, GL_FALSE, sizeof(ScenePlace), nullptr);
-    glBindBuffer(GL_ARRAY_BUFFER, buffer);
-    readVertices(object.firstVertex);
-    glDrawArrays(GL_TRIANGLES, 0, count);
-    glDisableVertexAttribArray(offset);
-    readVertices(0);
+    glDisable(GL_POLYGON_OFFSET_FILL);
+    shadows.finish();
+    hasShadows = !shown.bodies;
+}
+
+void PictureRenderer::setLook(juce::OpenGLShaderProgram& program, const SceneFrame& shown) const {
+    program.use();
+    program.setUniform("dark", shown.isDark ? 1.0f : 0.0f);
+    set(program, "backdrop", linear(shown.background));
+    set(program, "eye", vectorOf(shown.eye));
+}
+
+void PictureRenderer::drawRoom(const SceneFrame& shown) {
+    auto& program = *roomProgram;
+    setLook(program, shown);
+    const Eigen::Matrix4f toScene = matrixOf(shown.viewProjection).inverse();
+    const auto rayThrough = [&](float x, float y) -> Vector3f {
+        return (toScene * Eigen::Vector4f(x, y, 1, 1)).hnormalized() - vectorOf(shown.eye);
+    };
+    const Vector3f straight = rayThrough(0, 0);
+    set(program, "rayMiddle", straight);
+    set(program, "rayRight", rayThrough(1, 0) - straight);
+    set(program, "rayUp", rayThrough(0, 1) - straight);
+    const auto& area = floorLight.area();
+    program.setUniform("floorHeight", area.height);
+    set(program, "middle", floorLight.middle());
+    program.setUniform("reach", floorLight.reach());
+    program.setUniform("floorLight", floorUnit);
+    program.setUniform("floorArea", area.left, area.front, area.width, area.depth);
+    glActiveTexture(GL_TEXTURE0 + floorUnit);
+    floorLight.bindTexture();
+    glActiveTexture(GL_TEXTURE0);
+    glDepthMask(GL_FALSE);
+    glDepthFunc(GL_ALWAYS);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    glDepthFunc(GL_LESS);
+    glDepthMask(GL_TRUE);
+}
+
+/// Sets what all parts of a finish share.
+void PictureRenderer::prepare(juce::OpenGLShaderProgram& program, const SceneFrame& shown) const {
+    setLook(program, shown);
+    setMatrix(program, "viewProjection", matrixOf(shown.viewProjection));
+    set(program, "accent", linear(shown.accent));
+    set(program, "ink",
+        vectorOf({shown.background.getFloatRed(), shown.background.getFloatGreen(),
+                  shown.background.getFloatBlue()}));
+    program.setUniform("shadowMap", shadowUnit);
+    setMatrix(program, "shadowFrom", fromLamp);
+    program.setUniform("shadowTexel", 2 * floorLight.reach() / float(ShadowMap::size));
+}
+
+void PictureRenderer::drawScene(const SceneFrame& shown, std::span<const PicturePart> parts) {
+    shadows.bindTexture();
+    for (std::size_t finish = 0; finish < finishCount; ++finish) {
+        std::vector<PicturePart> own;
+        std::ranges::copy_if(parts, std::back_inserter(own), [&](const PicturePart& part) {
+            return static_cast<std::size_t>(part.look.finish) == finish;
+        });
+        if (own.empty() || finish == static_cast<std::size_t>(Finish::glass))
+            continue;
+        prepare(*finishPrograms[finish], shown);
+        for (const auto& part : own)
+            drawPart(shown, part);
+    }
+    drawGlass(shown, parts);
+}
+
+/// Draws the far walls of glass, then the near ones.
+void PictureRenderer::drawGlass(const SceneFrame& shown, std::span<const PicturePart> parts) {
+    prepare(*finishPrograms[static_cast<std::size_t>(Finish::glass)], shown);
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+    glDepthMask(GL_FALSE);
+    glEnable(GL_CULL_FACE);
+    for (const auto hidden : {GL_FRONT, GL_BACK}) {
+        glCullFace(hidden);
+        for (const auto& part : parts)
+            if (part.look.finish == Finish::glass)
+                drawPart(shown, part);
+    }
+    glDisable(GL_CULL_FACE);
+    glDepthMask(GL_TRUE);
+    glDisable(GL_BLEND);
+}
+
+void PictureRenderer::drawPart(const SceneFrame& shown, const PicturePart& part) {
+    auto& program = *finishPrograms[static_cast<std::size_t>(part.look.finish)];
+    const auto& shape = part.shape;
+    const bool moves = part.object && shown.motion && shown.motion->object == *part.object &&
+                       shown.motion->offsets->size() == shape.vertexCount;
+    setMatrix(program, "pose", part.pose);
+    set(program, "colour", linear(part.look.colour));
+    set(program, "boxMiddle", vectorOf(shape.middle));
+    set(program, "boxHalf", vectorOf(shape.halfExtent));
+    program.setUniform("bevel", bevelOf(shape));
+    set(program, "along", longestAxis(shape));
+    program.setUniform("turned", shape.form == Form::turned ? 1.0f : 0.0f);
+    program.setUniform("seed", float(part.number % 61) + 0.5f);
+    const auto glow =
+        part.object && *part.object < shown.glows.size() ? shown.glows[*part.object] : ObjectGlow{};
+    set(program, "glowPlace", vectorOf(glow.place));
+    program.setUniform("glow", glow.brightness);
+    program.setUniform("glowRadius", glow.metres);
+    program.setUniform("offsetScale", moves ? shown.motion->scale : 0.0f);
+    program.setUniform("nodes", moves && shown.motion->showsNodes ? 1.0f : 0.0f);
+    if (shape.isClosed)
+        glEnable(GL_CULL_FACE); // its far side is hidden
+    if (moves)
+        buffers.drawMoved(shape.firstVertex, shape.vertexCount);
+    else
+        buffers.draw(shape.firstVertex, shape.vertexCount);
+    if (part.look.finish != Finish::glass)
+        glDisable(GL_CULL_FACE);
 }
 
 void PictureRenderer::openGLContextClosing() {
     ready = false;
-    program.reset();
-    glDeleteBuffers(1, &buffer);
-    glDeleteBuffers(1, &offsetBuffer);
-    buffer = offsetBuffer = 0;
+    for (auto& program : finishPrograms)
+        program.reset();
+    roomProgram.reset();
+    depthProgram.reset();
+    buffers.release();
+    image.release();
+    shadows.release();
+    floorLight.release();
     uploaded.reset();
     uploadedOffsets.reset();
 }

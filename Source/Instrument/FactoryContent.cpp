@@ -1,6 +1,6 @@
 #include "Instrument/FactoryContent.h"
 
-#include "Instrument/EmbeddedFiles.h"
+#include "Object/EmbeddedFiles.h"
 
 #include <string>
 

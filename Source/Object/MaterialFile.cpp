@@ -3,6 +3,7 @@
 #include "Object/ColourText.h"
 #include "Object/FileBytes.h"
 #include "Object/MaterialJson.h"
+#include "Object/MaterialKind.h"
 #include "Object/OneLine.h"
 #include "Object/TextFile.h"
 #include "Object/UntrustedJson.h"
@@ -101,6 +102,9 @@ Material parseObject(const json& object, const std::string& defaultName) {
         } else if (key == "colour") { // MaterialLibrary reads the colour
             if (!value.is_string() || !parseColour(value.get<std::string>()))
                 throw Fault{"'colour' is not of the form '#6b3324'"};
+        } else if (key == "kind") { // MaterialLibrary reads the kind
+            if (!value.is_string() || !parseMaterialKind(value.get<std::string>()))
+                throw Fault{"'kind' is none of wood, metal, glass, stone, ceramic and plastic"};
         } else if (key != "t60_s") { // `idiophone materials --json` adds the T60 for readers
             throw Fault{"a material has no " + inQuotes(key)};
         }

@@ -1,6 +1,6 @@
 #include "Scene/FactoryScenes.h"
 
-#include "Instrument/EmbeddedFiles.h"
+#include "Object/EmbeddedFiles.h"
 #include "Scene/SceneText.h"
 
 namespace idiophone {

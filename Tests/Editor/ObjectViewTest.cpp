@@ -250,6 +250,7 @@ TEST_CASE("Closing the 3D view releases the object that it holds") {
 
 TEST_CASE("Objects beyond the face limit are boxes of the same size and can be struck") {
     auto object = syntheticObject({440});
+    object.body = BodyKind::solid; // drawn without a thickness of its own
     object.vertices = {0, 0, 0, 0.2f, 0, 0, 0, 0.1f, 0.01f};
     const auto withFaces = [&](std::size_t count) {
         object.faces.clear();

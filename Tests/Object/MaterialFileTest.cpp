@@ -105,6 +105,7 @@ TEST_CASE("An invalid material is refused in one sentence that names the file an
           {with("1e-4", "-1e-4"), "loss factor"},
           {with("\"a guess\"", "1"), "'elasticity' that is not a text"},
           {with("\"elasticity\"", "\"colour\""), "no 'colour'"},
+          {with("\"name\"", "\"kind\""), "'kind' is none of wood"},
           {with(R"({"elasticity": "a guess", "damping": "another"})", "[]"), "'source' is neither"},
           {R"({"youngs_modulus_pa": 1e10, "density_kg_per_m3": 800, "poisson_ratio": 0.3})",
            "no damping"},

@@ -1,4 +1,5 @@
 #include "Object/Material.h"
+#include "Object/MaterialKind.h"
 
 #include <catch2/catch_approx.hpp>
 #include <catch2/catch_test_macros.hpp>
@@ -39,6 +40,9 @@ TEST_CASE("Material names are found in upper and lower case") {
     CHECK(materialColour("ROSEWOOD") == 0x6b3324);
     CHECK(materialColour("Maple") == 0xcca878);
     CHECK_FALSE(materialColour("unobtainium"));
+    CHECK(materialKind("PADAUK") == MaterialKind::wood);
+    CHECK(materialKind("Tin") == MaterialKind::metal);
+    CHECK_FALSE(materialKind("unobtainium"));
 }
 
 TEST_CASE("The choice parameter has enough values for the library") {

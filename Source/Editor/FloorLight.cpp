@@ -1,0 +1,54 @@
+#include "Editor/FloorLight.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+using namespace juce::gl;
+
+namespace idiophone {
+
+std::vector<std::uint8_t> FloorLight::compute(std::span<const SceneVertex> vertices,
+                                              float floorHeight) {
+    constexpr float longestSide = 288; // texels
+    Eigen::AlignedBox3f box(Eigen::Vector3f::Zero());
+    if (!vertices.empty())
+        box = Eigen::AlignedBox3f(vectorOf(vertices.front().place));
+    for (const auto& vertex : vertices)
+        box.extend(vectorOf(vertex.place));
+    centre = box.center();
+    radius = std::max(box.diagonal().norm() / 2, 1e-4f);
+    const float margin = 0.2f * radius + 1.5f * box.sizes().z();
+    const Eigen::Vector2f size = box.sizes().head<2>().array() + 2 * margin;
+    const float texel = size.maxCoeff() / longestSide;
+    floor = {.left = box.min().x() - margin,
+             .front = box.min().y() - margin,
+             .width = size.x(),
+             .depth = size.y(),
+             .height = floorHeight,
+             .columns = static_cast<int>(std::ceil(size.x() / texel)),
+             .rows = static_cast<int>(std::ceil(size.y() / texel))};
+    auto light = sceneLight(vertices, floor);
+    if (texture == 0)
+        glGenTextures(1, &texture);
+    bindTexture();
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RG8, floor.columns, floor.rows, 0, GL_RG, GL_UNSIGNED_BYTE,
+                 light.floor.data());
+    for (const auto name : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+        glTexParameteri(GL_TEXTURE_2D, name, GL_LINEAR);
+    for (const auto name : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
+        glTexParameteri(GL_TEXTURE_2D, name, GL_CLAMP_TO_EDGE);
+    return std::move(light.sky);
+}
+
+void FloorLight::bindTexture() const {
+    glBindTexture(GL_TEXTURE_2D, texture);
+}
+
+void FloorLight::release() {
+    glDeleteTextures(1, &texture);
+    texture = 0;
+}
+
+} // namespace idiophone

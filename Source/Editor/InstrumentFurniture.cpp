@@ -1,0 +1,111 @@
+#include "Editor/InstrumentFurniture.h"
+
+#include "Editor/KeyboardFurniture.h"
+#include "Editor/ObjectStand.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace idiophone {
+namespace {
+
+/// Speed of sound in air over four: a closed tube is a quarter of a wave long.
+constexpr double quarterWaveMetresPerSecond = 343.0 / 4;
+constexpr float endCorrection = 0.61f; // of the radius, at the open end (Levine & Schwinger 1948)
+constexpr float tubeShare = 0.86f;     // of the bar's width
+
+/// The length in metres of the tube that shares a mode with the bar; 0 if there is none.
+float tubeMetresOf(const InstrumentView::PlayedObject& played, float radius) {
+    const auto& object = *played.object;
+    for (std::size_t mode = 0; mode < object.modeCount(); ++mode)
+        if (object.isShared(mode))
+            return std::max(static_cast<float>(quarterWaveMetresPerSecond * played.sizeRatio /
+                                               object.dampedFrequencyHz(mode)) -
+                                endCorrection * radius,
+                            radius);
+    return 0;
+}
+
+} // namespace
+
+InstrumentFurniture::InstrumentFurniture(const std::vector<InstrumentView::PlayedObject>& played,
+                                         const ObjectScene& scene,
+                                         bool onStage,
+                                         std::span<const BodyNow> bodies)
+    : built(scene.vertices().size()) {
+    const auto objects = scene.objects();
+    if (onStage)
+        addForStage(scene, bodies);
+    else if (objects.size() > 1)
+        addForKeyboard(played, scene);
+    else if (!scene.empty())
+        floor = addStand(built, objects.front(), scene.vertices(),
+                         appearanceOf(played.front().object->material).finish);
+    addMallet();
+}
+
+void InstrumentFurniture::addMallet() {
+    constexpr int sides = 24;
+    constexpr Appearance birch{Finish::wood, {0.80f, 0.66f, 0.46f}};
+    using Vector = FurnitureParts::Vector;
+    built.addBall(Vector::Zero(), 1, sides);
+    malletParts.first = built.finish({});
+    built.addRod(Vector::Zero(), Vector::UnitZ(), 1, 1, sides / 2);
+    malletParts.second = built.finish(birch);
+    built.parts.resize(built.parts.size() - 2);
+}
+
+void InstrumentFurniture::addForKeyboard(const std::vector<InstrumentView::PlayedObject>& played,
+                                         const ObjectScene& scene) {
+    std::vector<KeyboardBar> bars;
+    float front = std::numeric_limits<float>::max();
+    for (const auto& object : scene.objects())
+        front = std::min(front, object.middle[1]);
+    for (std::size_t i = 0; i < played.size(); ++i) {
+        const auto& object = scene.objects()[i];
+        if (object.vertexCount == 0)
+            continue;
+        const auto half = vectorOf(object.halfExtent);
+        const float tubeRadius = tubeShare * half.x();
+        bars.push_back({.middle = vectorOf(object.middle),
+                        .half = half,
+                        .tubeRadius = tubeRadius,
+                        .tubeMetres = tubeMetresOf(played[i], tubeRadius),
+                        .isBehind = scene.isBehind(i),
+                        .finish = appearanceOf(played[i].object->material).finish});
+    }
+    if (bars.empty())
+        return;
+    floor = bars.front().half.z() > bars.front().half.y() ? addChimeFrame(built, bars)
+                                                          : addKeyboardFrame(built, bars);
+}
+
+void InstrumentFurniture::addForStage(const ObjectScene& scene, std::span<const BodyNow> bodies) {
+    std::vector<bool> isDone(scene.objects().size());
+    floor = std::numeric_limits<float>::max();
+    for (const auto& body : bodies) {
+        const auto index = static_cast<std::size_t>(body.object);
+        if (index >= isDone.size() || scene.objects()[index].vertexCount == 0)
+            continue;
+        const auto& object = scene.objects()[index];
+        for (const auto& corner : scene.outline(std::span(&body, 1)))
+            floor = std::min(floor, corner[2]);
+        if (isDone[index])
+            continue;
+        isDone[index] = true;
+        if (isTableTop(object)) {
+            const float below = addLegs(built, object);
+            built.parts.back().object = index;
+            floor = std::min(floor, body.originMetres[2] + below);
+        }
+    }
+    for (std::size_t i = 0; i < isDone.size(); ++i)
+        if (isDie(scene.objects()[i])) {
+            addPips(built, scene.objects()[i]);
+            built.parts.back().object = i;
+        }
+    if (bodies.empty())
+        floor = 0;
+}
+
+} // namespace idiophone

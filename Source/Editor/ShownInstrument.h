@@ -1,0 +1,34 @@
+// The instrument that the picture shows: its objects, their scene and what carries them.
+#pragma once
+
+#include "Editor/InstrumentFurniture.h"
+#include "Editor/ObjectScene.h"
+#include "Editor/OrbitCamera.h"
+#include "Editor/ProcessorView.h"
+#include "Editor/SceneFrame.h"
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace idiophone {
+
+/// For the message thread. `scene` and `furniture` are never nullptr.
+struct ShownInstrument {
+    std::vector<InstrumentView::PlayedObject> played;
+    std::shared_ptr<const ObjectScene> scene;
+    std::shared_ptr<const InstrumentFurniture> furniture;
+    bool onStage = false;
+    std::vector<BodyNow> bodies; ///< on a stage: bodies as drawn
+
+    /// The current instrument. If there is too little memory for its picture, there are no objects.
+    static ShownInstrument of(const ProcessorView& view);
+
+    /// What the camera frames: objects or bodies, and the stand of a single object.
+    std::vector<ScenePlace> outline() const;
+    std::optional<ScenePick> pick(const ViewRay& ray) const;
+    /// The bodies to draw; nothing if objects stand as laid out.
+    std::optional<std::vector<SceneBody>> drawnBodies() const;
+};
+
+} // namespace idiophone

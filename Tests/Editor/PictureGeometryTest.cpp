@@ -1,0 +1,214 @@
+// Tests of the drawn meshes, the furniture and the light, which need no screen.
+#include "Editor/InstrumentFurniture.h"
+#include "Editor/PictureParts.h"
+#include "Editor/SceneLight.h"
+#include "Support/TestSound.h"
+
+#include "Instrument/FactoryContent.h"
+
+#include <algorithm>
+#include <catch2/catch_approx.hpp>
+#include <catch2/catch_test_macros.hpp>
+#include <cmath>
+#include <vector>
+
+using namespace idiophone;
+using namespace idiophone::test;
+using Catch::Approx;
+
+namespace {
+
+struct Picture {
+    explicit Picture(const char* preset) {
+        const auto presets = factoryPresets();
+        const auto found = std::ranges::find(presets, preset, &Preset::name);
+        processor.setCurrentProgram(static_cast<int>(found - presets.begin()));
+        const auto view = processor.view();
+        played = view.instrument.playedObjects();
+        bodies = view.stage.stageBodies();
+        const bool onStage = view.stage.hasStage();
+        scene = std::make_shared<const ObjectScene>(
+            played, onStage ? ObjectScene::Layout::stage : ObjectScene::Layout::keyboard);
+        furniture = std::make_shared<const InstrumentFurniture>(played, *scene, onStage, bodies);
+    }
+
+    Processor processor;
+    std::vector<InstrumentView::PlayedObject> played;
+    std::vector<BodyNow> bodies;
+    std::shared_ptr<const ObjectScene> scene;
+    std::shared_ptr<const InstrumentFurniture> furniture;
+};
+
+ModalObject flatSheet() {
+    auto sheet = syntheticObject({440});
+    sheet.body = BodyKind::shell;
+    sheet.thicknessMetres = 0.02;
+    sheet.vertices = {0, 0, 0, 0.4f, 0, 0, 0.4f, 0.3f, 0, 0, 0.3f, 0};
+    sheet.faces = {0, 1, 2, 0, 2, 3};
+    return sheet;
+}
+
+/// A level square with its upper side towards the sky.
+std::vector<SceneVertex> square(float halfSide, float height) {
+    std::vector<SceneVertex> vertices;
+    const float places[6][2]{{-1, -1}, {1, -1}, {1, 1}, {-1, -1}, {1, 1}, {-1, 1}};
+    for (const auto& [x, y] : places)
+        vertices.push_back({{x * halfSide, y * halfSide, height}, {0, 0, 1}});
+    return vertices;
+}
+
+} // namespace
+
+TEST_CASE("An open sheet is drawn with its thickness and closed edges") {
+    const auto mesh = drawingMesh(flatSheet(), 1000);
+    CHECK(mesh.corners.size() == 3 * (2 + 2 + 8)); // both sides, and two faces for each edge
+    CHECK(mesh.form == Form::box);
+    CHECK(mesh.isClosed);
+    for (const auto& corner : mesh.corners) {
+        CHECK(std::abs(corner.place.z()) == Approx(0.01));
+        // Normals look outward.
+        const Eigen::Vector3f outward = corner.place - Eigen::Vector3f(0.2f, 0.15f, 0);
+        CHECK(corner.normal.dot(outward) > 0);
+    }
+}
+
+TEST_CASE("Round objects are drawn rounder than their mesh and move with it") {
+    const Picture picture("Handbell");
+    const auto& object = *picture.played.front().object;
+    const auto coarse = drawingMesh(object, object.faceCount());
+    const auto fine = drawingMesh(object, 4 * object.faceCount());
+    CHECK(coarse.form == Form::turned);
+    CHECK(coarse.corners.size() == 3 * object.faceCount());
+    REQUIRE(fine.corners.size() == 4 * coarse.corners.size());
+    for (const auto& corner : fine.corners) {
+        Eigen::Vector3f onMesh = Eigen::Vector3f::Zero();
+        float sum = 0;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const auto vertex = static_cast<std::size_t>(corner.onMesh.vertices[i]);
+            onMesh += corner.onMesh.weights[i] * Eigen::Vector3f(&object.vertices[3 * vertex]);
+            sum += corner.onMesh.weights[i];
+        }
+        CHECK(sum == Approx(1));
+        CHECK((corner.place - onMesh).norm() < 0.002f); // bent by less than 2 mm
+    }
+}
+
+TEST_CASE("Bars share modes with tubes that are twice as long an octave lower") {
+    const Picture picture("Vibraphone");
+    std::vector<FurniturePart> tubes, discs;
+    for (const auto& part : picture.furniture->parts())
+        if (part.turnsAbout)
+            discs.push_back(part);
+    CHECK(discs.size() == picture.played.size());
+    // The pipes are one part; the lowest reaches about a quarter of a wave below the bars.
+    const auto& last = picture.furniture->parts().back().shape;
+    const auto vertices = std::span(picture.furniture->vertices())
+                              .first(last.firstVertex + last.vertexCount -
+                                     picture.scene->vertices().size()); // without the mallet
+    const auto deepestBelow = [&](std::size_t object) {
+        const auto& bar = picture.scene->objects()[object];
+        float lowest = 0;
+        for (const auto& vertex : vertices) {
+            const float x = vertex.place[0] - bar.middle[0], y = vertex.place[1] - bar.middle[1];
+            if (std::hypot(x, y) < bar.halfExtent[0])
+                lowest = std::min(lowest, vertex.place[2] - bar.middle[2]);
+        }
+        return -lowest;
+    };
+    CHECK(deepestBelow(0) == Approx(0.48).margin(0.04)); // F3: 343 m/s / (4 · 174.6 Hz) = 0.49 m
+    CHECK(deepestBelow(12) == Approx(0.24).margin(0.04));
+    CHECK(picture.furniture->floorHeight() < -deepestBelow(0));
+}
+
+TEST_CASE("Bars without tubes have rails and cords, but no pipes") {
+    const Picture picture("Glockenspiel");
+    CHECK_FALSE(picture.furniture->parts().empty());
+    CHECK(std::ranges::none_of(picture.furniture->parts(),
+                               [](const auto& part) { return part.turnsAbout.has_value(); }));
+    CHECK(picture.furniture->floorHeight() > -0.2f);
+}
+
+TEST_CASE("The floor is below every object and all that carries it") {
+    for (const char* preset : {"Rosewood Xylophone", "Tubular Bells", "Handbell", "Glass Bowls",
+                               "Wok", "Steel Plate", "Steel Ring", "Wooden Table"}) {
+        INFO(preset);
+        const Picture picture(preset);
+        const float floor = picture.furniture->floorHeight();
+        float lowest = 1;
+        for (const auto& vertex : picture.scene->vertices())
+            lowest = std::min(lowest, vertex.place[2]);
+        for (const auto& part : picture.furniture->parts())
+            lowest = std::min(lowest, part.shape.middle[2] - part.shape.halfExtent[2]);
+        CHECK(lowest > floor - 0.02f);
+        CHECK(lowest < floor + 0.1f); // something stands on it
+    }
+}
+
+TEST_CASE("Dice have 21 pips that follow their bodies") {
+    const Picture picture("Dice on Rosewood");
+    const auto part = std::ranges::find_if(picture.furniture->parts(), [&](const auto& candidate) {
+        return candidate.object && picture.played[*candidate.object].object->name == "die";
+    });
+    REQUIRE(part != picture.furniture->parts().end());
+    // A disc of 20 sides has a wall of 40 faces and two caps of 20.
+    CHECK(part->shape.vertexCount == 21 * 3 * 80);
+}
+
+TEST_CASE("Furniture cannot be struck") {
+    const Picture picture("Handbell");
+    // From the side, below the bell's mouth, where the posts stand.
+    const auto& bell = picture.scene->objects().front();
+    CHECK_FALSE(
+        picture.scene->pick({-1, 0, bell.middle[2] - 1.2f * bell.halfExtent[2]}, {1, 0, 0}));
+}
+
+TEST_CASE("A square above the floor shades what is under it, and not what is far away") {
+    const auto vertices = square(0.5f, 0.2f);
+    const FloorArea area{
+        .left = -2, .front = -2, .width = 4, .depth = 4, .height = 0, .columns = 40, .rows = 40};
+    const auto light = sceneLight(vertices, area);
+    REQUIRE(light.floor.size() == 2 * 40 * 40);
+    const auto at = [&](int column, int row) {
+        const auto texel = 2 * static_cast<std::size_t>(40 * row + column);
+        return std::pair<int, int>(light.floor[texel], light.floor[texel + 1]);
+    };
+    const auto [lampBelow, skyBelow] = at(20, 19);
+    CHECK(lampBelow < 10);
+    CHECK(skyBelow < 80);
+    const auto [lampAway, skyAway] = at(1, 38);
+    CHECK(lampAway == 255);
+    CHECK(skyAway > 245);
+    CHECK(light.sky == std::vector<std::uint8_t>(vertices.size(), 255)); // nothing is above it
+}
+
+TEST_CASE("A surface under another sees less of the sky") {
+    auto vertices = square(0.1f, 0);
+    const auto roof = square(1, 0.1f);
+    vertices.insert(vertices.end(), roof.begin(), roof.end());
+    const auto light = sceneLight(vertices, {.columns = 1, .rows = 1});
+    REQUIRE(light.sky.size() == 12);
+    for (std::size_t vertex = 0; vertex < 12; ++vertex)
+        CHECK((vertex < 6 ? light.sky[vertex] < 40 : light.sky[vertex] == 255));
+}
+
+TEST_CASE("A frame is drawn with its bodies, their furniture and its mallets") {
+    const Picture picture("Dice on Rosewood");
+    SceneFrame frame;
+    frame.scene = picture.scene;
+    frame.furniture = picture.furniture;
+    frame.appearances.resize(picture.played.size());
+    const auto die = static_cast<std::size_t>(
+        std::ranges::find_if(picture.played,
+                             [](const auto& each) { return each.object->name == "die"; }) -
+        picture.played.begin());
+    SceneBody body{.object = die};
+    Eigen::Map<Eigen::Matrix4f>(body.pose.data()) =
+        Eigen::Affine3f(Eigen::Translation3f(0, 0, 5)).matrix();
+    frame.bodies = {body, body};
+    frame.mallets.resize(1);
+    const auto parts = partsOf(frame);
+    const auto count = [&](auto&& condition) { return std::ranges::count_if(parts, condition); };
+    CHECK(count([&](const auto& part) { return part.object == die; }) == 2);
+    CHECK(count([](const auto& part) { return part.pose(2, 3) == 5; }) == 4); // with their pips
+    CHECK(parts.size() == 4 + 2);                                             // head and stick
+}
