@@ -30,7 +30,8 @@ CellRenderer::CellRenderer(const Instrument& played,
       synth(copySlots(played), sampleRateHz, cellStrategy->hasMallets() ? 2 : 1),
       strategy(std::move(cellStrategy)), held(contacts), hand(scrapingHand),
       motor(cellSamples / sampleRateHz), slotTouched(synth.slotCount(), false),
-      slotHeld(synth.slotCount(), false), slotPressed(synth.slotCount(), 0) {
+      slotHeld(synth.slotCount(), false), slotPressed(synth.slotCount(), 0),
+      slotDamping(synth.slotCount(), 0) {
     strategy->layOut(cell, synth.slotCount());
     strategy->layOut(remains, synth.slotCount());
 }
@@ -152,7 +153,9 @@ void CellRenderer::updateDampers(const ParameterValues& values, const KeyState& 
     const double silencing = decayPerSecond(silencingSeconds);
     for (std::size_t slot = 0; slot < slotHeld.size(); ++slot) {
         const double fraction = slotHeld[slot] ? slotPressed[slot] * slotPressed[slot] : 1;
-        synth.setDamping(slot, silenced ? silencing : fraction * released);
+        const double damping = silenced ? silencing : fraction * released;
+        if (std::exchange(slotDamping[slot], damping) != damping)
+            synth.setDamping(slot, damping);
     }
 }
 

@@ -92,6 +92,7 @@ private:
     float gainAtStart = 1, gainAtEnd = 1;    ///< of the newest cell; linear in between
     std::vector<bool> slotTouched, slotHeld; ///< [slots]
     std::vector<float> slotPressed;          ///< [slots] maximum pressure of its keys
+    std::vector<double> slotDamping;         ///< [slots] set last
 };
 
 } // namespace idiophone

@@ -13,6 +13,10 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
+/// Sums over modes are split into this many, so that the compiler can use SIMD.
+constexpr std::size_t sums = 4;
+static_assert(DrivingPoint::maximumModes % sums == 0);
+
 using Vector = std::array<double, 3>;
 
 Vector cross(const Vector& a, const Vector& b) noexcept {
@@ -86,24 +90,33 @@ DrivingPoint::DrivingPoint(const ModalObject& object,
             squaredShapes[i] *= static_cast<double>(object.gains[i].real());
         eigenvalues[i] = live.law.eigenvalueRatio * object.eigenvalueAt(i, thickness);
     }
+    for (std::size_t i = modes; i % sums != 0; ++i)
+        squaredShapes[i] = eigenvalues[i] = 0;
 }
 
 DrivingPoint::Yielding DrivingPoint::yieldingIn(double contactSeconds) const noexcept {
     const double perSquare = std::pow(contactSeconds / turnOfContact, 2); // 1/r²
-    double mobility = rigidPerKg, compliance = 0;
-    for (std::size_t i = 0; i < modes; ++i) {
-        const double ratio = perSquare * eigenvalues[i];
-        const double share = squaredShapes[i] / (1 + ratio * ratio);
-        mobility += share;
-        compliance += ratio * share;
-    }
-    return {mobility, compliance * perSquare};
+    std::array<double, sums> mobility{rigidPerKg}, compliance{};
+    for (std::size_t i = 0; i < modes; i += sums)
+        for (std::size_t k = 0; k < sums; ++k) {
+            const double ratio = perSquare * eigenvalues[i + k];
+            const double share = squaredShapes[i + k] / (1 + ratio * ratio);
+            mobility[k] += share;
+            compliance[k] += ratio * share;
+        }
+    const auto total = [](const auto& parts) {
+        return (parts[0] + parts[1]) + (parts[2] + parts[3]);
+    };
+    return {total(mobility), total(compliance) * perSquare};
 }
 
 double DrivingPoint::impulseMobilityPerKg(double contactSeconds) const noexcept {
     double sum = rigidPerKg;
+    const double firstNull = std::pow(4 * pi / contactSeconds, 2);
     for (std::size_t i = 0; i < modes; ++i)
-        sum += squaredShapes[i] * pulsePower(std::sqrt(eigenvalues[i]) / (2 * pi) * contactSeconds);
+        if (eigenvalues[i] < firstNull)
+            sum += squaredShapes[i] *
+                   pulsePower(std::sqrt(eigenvalues[i]) / (2 * pi) * contactSeconds);
     return sum;
 }
 

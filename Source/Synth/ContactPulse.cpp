@@ -3,6 +3,7 @@
 #include "Synth/ComplexProduct.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -51,6 +52,15 @@ Motion ForcedResponse::motion(std::complex<double> phase) const noexcept {
 }
 
 double contactSecondsClearOf(std::span<const double> resonancesHz, double seconds) noexcept {
+    // Further resonances are far enough from every candidate.
+    constexpr double near = 0.05;
+    std::array<double, 64> nearHz;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < resonancesHz.size() && count < nearHz.size(); ++i)
+        if (std::abs(resonancesHz[i] * seconds - 1) < near)
+            nearHz[count++] = resonancesHz[i];
+    if (count < nearHz.size())
+        resonancesHz = std::span(nearHz).first(count);
     // If a contact equals a resonance's period to the last bit, rounding must not decide.
     constexpr double rounding = 1e-6;
     constexpr double farEnough = 0.01 - rounding;

@@ -77,10 +77,11 @@ bool GroupResidues::compute(const StrikePoint& point,
     bool areSmall = true;
     for (std::size_t c = 0; c < used.size(); ++c)
         for (const auto part : {&ChannelResidues::re, &ChannelResidues::im}) {
-            const auto values = std::span(used[c].*part).first(bank.paddedSize());
-            std::ranges::transform(std::span(known[c].*part).first(values.size()), values.begin(),
-                                   [factor](float value) { return factor * value; });
-            areSmall = areSmall && allWithin(values, largestResidue);
+            float* const values = (used[c].*part).data();
+            const float* const from = (known[c].*part).data();
+            for (std::size_t g = 0; g < bank.paddedSize(); ++g)
+                values[g] = factor * from[g];
+            areSmall = areSmall && allWithin({values, bank.paddedSize()}, largestResidue);
         }
     isKnown = areSmall;
     if (areSmall)

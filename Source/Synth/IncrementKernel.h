@@ -1,5 +1,5 @@
-// Computes state increments of oscillating modes, with SIMD chosen at run time. Counts are whole
-// blocks.
+// Computes state increments of oscillating modes and moves their states, with SIMD chosen at run
+// time. Counts are whole blocks.
 #pragma once
 
 #include "Synth/ModeStates.h"
@@ -52,5 +52,15 @@ void joinIncrements(const PoleArrays& poles,
                     std::size_t channels,
                     ModeStates& states,
                     AlignedVector<float>& energies) noexcept;
+
+/// Moves the states of `count` modes from `first` on by free motion over any time, with a relative
+/// error of single precision; sets their `energies` to |s|² in the louder channel.
+void moveStates(const PoleArrays& poles,
+                const IncrementMove& move,
+                std::size_t first,
+                std::size_t count,
+                std::size_t channels,
+                ModeStates& states,
+                AlignedVector<float>& energies) noexcept;
 
 } // namespace idiophone

@@ -25,11 +25,6 @@ double ratioKeeping(const PitchMode& pitch,
 
 } // namespace
 
-bool soundsAt(const ModalPole& pole, double sampleRateHz) noexcept {
-    const double hz = naturalFrequencyHz(pole);
-    return hz >= lowestSoundingHz && hz < highestSoundingShare * sampleRateHz;
-}
-
 double LiveConditions::frequencyRatio() const noexcept {
     return std::sqrt(law.eigenvalueRatio);
 }

@@ -13,7 +13,10 @@ inline constexpr double lowestSoundingHz = 20;
 /// Upper edge of the band, as a share of the sample rate; exclusive.
 inline constexpr double highestSoundingShare = 0.49;
 
-bool soundsAt(const ModalPole& pole, double sampleRateHz) noexcept;
+inline bool soundsAt(const ModalPole& pole, double sampleRateHz) noexcept {
+    return pole.stiffness >= stiffnessAt(lowestSoundingHz) &&
+           pole.stiffness < stiffnessAt(highestSoundingShare * sampleRateHz);
+}
 
 /// The mode whose frequency is the pitch of a key's sound.
 struct PitchMode {

@@ -119,15 +119,8 @@ void ModalBank::advanceBlock(std::size_t block, double seconds, double factor) n
     const std::size_t first = block * modeBlock;
     const std::size_t end = first + modeBlock;
     modes.heavy().save(states, first, end, channelCount);
-    for (std::size_t c = 0; c < channelCount; ++c) {
-        double* x = states.x[c].data();
-        double* y = states.y[c].data();
-        rotateModes(modes.arrays(), first, modeBlock, seconds, factor, x + first, y + first);
-        for (std::size_t g = first; g < end; ++g) {
-            const auto size = static_cast<float>(x[g] * x[g] + y[g] * y[g]);
-            energy[g] = c == 0 ? size : std::max(energy[g], size);
-        }
-    }
+    moveStates(modes.arrays(), {seconds, seconds / modes.sampleSeconds(), -std::log2(factor)},
+               first, modeBlock, channelCount, states, energy);
     modes.heavy().advance(first, end, seconds, factor, channelCount, states);
     modes.heavy().measure(first, end, states, channelCount, energy);
     clearFaint(block);

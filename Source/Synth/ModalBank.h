@@ -64,7 +64,8 @@ public:
     const float* energies() const noexcept { return energy.data(); }
     float energyOfLoudest(std::size_t block) const noexcept;
 
-    /// Moves one block by exact free motion over any time, times `factor`; then `clearFaint`.
+    /// Moves one block by free motion over any time, times `factor`, with a relative error of
+    /// single precision; then `clearFaint`.
     void advanceBlock(std::size_t block, double seconds, double factor) noexcept;
     /// Sets states to zero that are below `faintestVelocity`, not finite or absurdly large.
     void clearFaint(std::size_t block) noexcept;

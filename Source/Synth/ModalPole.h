@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 #include <span>
 
 namespace idiophone {
@@ -87,7 +88,13 @@ inline bool isOscillating(const ModalPole& pole) noexcept {
     return pole.damping * pole.damping < 4 * oscillatingShare * pole.stiffness;
 }
 
-/// Returns √λ/2π, which decides at any damping whether a mode is in the audible band.
+/// Returns the λ of a natural frequency, which decides at any damping whether a mode is in the
+/// audible band.
+constexpr double stiffnessAt(double naturalHz) noexcept {
+    const double omega = 2 * std::numbers::pi * naturalHz;
+    return omega * omega;
+}
+/// Returns √λ/2π.
 double naturalFrequencyHz(const ModalPole& pole) noexcept;
 
 /// Returns √(λ − d²/4) [rad/s], or 0 if over-damped.

@@ -116,12 +116,13 @@ void ModalResonator::applySettings(const SynthesisSettings& settings) noexcept {
     groups.set(wanted);
     if (regroups)
         clearOldBank();
-    if (regroups || (groups.areBehind() && (!active.blocks().none() || contacts.sounding() ||
-                                            (!bankIsOld && active.holdsAboveTau()))))
+    // What is neither heard nor asleep waits for its turn or for a strike with its former poles.
+    const bool moves = regroups || (groups.areBehind() && (!silent() || tauFalls));
+    if (moves)
         movePoles(regroups);
     if (contactsMove)
         contacts.holdAgain(cellIndex);
-    if ((polesMove || tauFalls) && !bankIsOld)
+    if ((moves || tauFalls) && !bankIsOld)
         active.wake(cellIndex);
 }
 

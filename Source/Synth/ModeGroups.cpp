@@ -1,6 +1,5 @@
 #include "Synth/ModeGroups.h"
 
-#include "Synth/LiveConditions.h"
 #include "Synth/ModeCompression.h"
 
 #include <algorithm>
@@ -29,6 +28,7 @@ ModeGroups::ModeGroups(const ModalObject& modalObject,
       groupDampings(modeDampings),
       lostShares(count * (maximumGroup - 1) / 2) { // for groups of the maximum size
     std::iota(groupStarts.begin(), groupStarts.end(), 0);
+    mergedGroups.reserve(count / 2);
     requestedSilences.reserve(count);
     silencedModes.reserve(count);
 }
@@ -117,16 +117,15 @@ void ModeGroups::findShares(std::size_t groups) noexcept {
 /// Computes the values of each group from its modes.
 void ModeGroups::computeValues() noexcept {
     lostSharesLaw.reset();
+    mergedGroups.clear();
     for (std::size_t g = 0; g < count; ++g) {
+        if (groupStarts[g + 1] - groupStarts[g] > 1)
+            mergedGroups.push_back(static_cast<std::int32_t>(g));
         const auto weights = ofGroup<double>(g, *modeWeights);
         groupEigenvalues[g] = mergedEigenvalue(ofGroup<double>(g, modeEigenvalues), weights);
         if (!modeDampings.empty())
             groupDampings[g] = mergedDamping(ofGroup<ModeDamping>(g, modeDampings), weights);
     }
-}
-
-bool ModeGroups::inBand(std::size_t g) const noexcept {
-    return soundsAt({.stiffness = current.law.stiffness(groupEigenvalues[g])}, sampleRate);
 }
 
 std::span<const std::uint8_t> ModeGroups::silences() const noexcept {
@@ -140,36 +139,34 @@ std::span<const std::uint8_t> ModeGroups::silences() const noexcept {
 
 void ModeGroups::merge(std::span<const std::complex<float>> modes,
                        ChannelResidues& residues) noexcept {
-    const auto set = [&residues](std::size_t g, std::complex<float> residue) {
-        residues.re[g] = residue.real();
-        residues.im[g] = residue.imag();
-    };
-    if (count == modes.size()) {
-        for (std::size_t g = 0; g < count; ++g)
-            set(g, modes[g]);
-    } else {
-        if (lostSharesLaw != groupedLaw)
-            findLostShares();
-        std::span<const float> shares(lostShares);
-        for (std::size_t g = 0; g < count; ++g) {
-            const auto members = ofGroup(g, modes);
-            set(g, members.size() == 1 ? members[0] : mergedResidue(members, shares));
-            shares = shares.subspan(pairsOf(members.size()));
-        }
+    float* const re = residues.re.data();
+    float* const im = residues.im.data();
+    for (std::size_t g = 0; g < count; ++g) {
+        const std::complex<float> first = modes[index(groupStarts[g])];
+        re[g] = first.real();
+        im[g] = first.imag();
+    }
+    if (lostSharesLaw != groupedLaw && !mergedGroups.empty())
+        findLostShares();
+    std::span<const float> shares(lostShares);
+    for (const std::int32_t g : mergedGroups) {
+        const auto members = ofGroup(index(g), modes);
+        const std::complex<float> residue = mergedResidue(members, shares);
+        re[g] = residue.real();
+        im[g] = residue.imag();
+        shares = shares.subspan(pairsOf(members.size()));
     }
     for (std::size_t g = count; g % modeBlock != 0; ++g)
-        set(g, 0);
+        re[g] = im[g] = 0;
 }
 
 void ModeGroups::findLostShares() noexcept {
     lostSharesLaw = groupedLaw;
     std::span<float> shares(lostShares);
-    for (std::size_t g = 0; g < count; ++g) {
-        const auto eigenvaluesOfModes = ofGroup<double>(g, modeEigenvalues);
-        if (eigenvaluesOfModes.size() == 1)
-            continue;
+    for (const std::int32_t g : mergedGroups) {
+        const auto eigenvaluesOfModes = ofGroup<double>(index(g), modeEigenvalues);
         idiophone::findLostShares(eigenvaluesOfModes, groupedLaw, shares,
-                                  ofGroup<ModeDamping>(g, modeDampings));
+                                  ofGroup<ModeDamping>(index(g), modeDampings));
         shares = shares.subspan(pairsOf(eigenvaluesOfModes.size()));
     }
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "Synth/Imperfection.h"
+#include "Synth/LiveConditions.h"
 #include "Synth/ModalPole.h"
 #include "Synth/ModeResidues.h"
 #include "Synth/SynthesisScratch.h"
@@ -73,7 +74,9 @@ public:
     void keep() noexcept;
     std::span<const ModeShare> shares() const noexcept { return scratch.groupShares; }
 
-    bool inBand(std::size_t g) const noexcept;
+    bool inBand(std::size_t g) const noexcept {
+        return soundsAt({.stiffness = current.law.stiffness(groupEigenvalues[g])}, sampleRate);
+    }
     bool silenced(std::size_t g) const noexcept {
         return !silencedModes.empty() && silencedModes[index(groupStarts[g])] != 0;
     }
@@ -108,6 +111,7 @@ private:
     ModeWeights modeWeights;
     std::size_t count;                      ///< G
     std::vector<std::int32_t> groupStarts;  ///< [M+1]
+    std::vector<std::int32_t> mergedGroups; ///< those of several modes, ascending
     std::vector<double> modeEigenvalues;    ///< [M] reference eigenvalues at the live thickness
     std::vector<double> groupEigenvalues;   ///< [M], of which G are used
     std::vector<ModePair> modePairs;        ///< of equal modes

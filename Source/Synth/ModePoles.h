@@ -30,8 +30,8 @@ public:
     }
     std::size_t audibleCount() const noexcept { return audibleModes; }
     const float* audibleWeights() const noexcept { return audibles.data(); } ///< 1 or 0
-    /// Frequencies of lightly damped modes within the band in Hz, silenced or not. A contact time
-    /// must keep clear of them.
+    /// Damped frequencies of lightly damped modes within the band in Hz, silenced or not. A contact
+    /// time must keep clear of them.
     std::span<const double> resonances() const noexcept {
         return std::span(resonancesHz).first(resonanceCount);
     }

@@ -34,10 +34,20 @@ HWY_INLINE Complex rotation(Vector decay, Vector frequency, double seconds) {
     return {hn::Mul(size, hn::Cos(d, rest)), hn::Mul(size, hn::Sin(d, rest))};
 }
 
+/// Half as many floats as fit, so that there are as many as doubles.
+using Singles = hn::Rebind<float, Doubles>;
+using SingleComplex = ComplexOf<hn::Vec<Singles>>;
+
 /// Sets table entries far below rounding to zero, so that no product is denormal.
-HWY_INLINE Vector cleared(Vector value) {
-    const Doubles d;
-    return hn::IfThenElseZero(hn::Gt(hn::Abs(value), hn::Set(d, faintestTableEntry)), value);
+HWY_INLINE hn::Vec<Singles> cleared(hn::Vec<Singles> value) {
+    const Singles f;
+    return hn::IfThenElseZero(
+        hn::Gt(hn::Abs(value), hn::Set(f, static_cast<float>(faintestTableEntry))), value);
+}
+
+HWY_INLINE SingleComplex demoted(Complex value) {
+    const Singles f;
+    return {hn::DemoteTo(f, value.re), hn::DemoteTo(f, value.im)};
 }
 
 PolesFound coefficients(PoleArrays& poles,
@@ -47,8 +57,10 @@ PolesFound coefficients(PoleArrays& poles,
                         float* HWY_RESTRICT audibles,
                         double* HWY_RESTRICT resonancesHz) {
     const Doubles d;
-    const hn::Rebind<float, Doubles> f;
+    const Singles f;
     PolesFound found;
+    const auto lowest = hn::Set(d, stiffnessAt(band.lowestHz));
+    const auto highest = hn::Set(d, stiffnessAt(band.highestHz));
     for (std::size_t g = 0; g < count; g += lanes) {
         const auto stiffness = hn::Load(d, poles.stiffness.data() + g);
         const auto damping = hn::Load(d, poles.damping.data() + g);
@@ -65,9 +77,8 @@ PolesFound coefficients(PoleArrays& poles,
         hn::Store(hn::DemoteTo(f, halfTurns), f, poles.halfTurnsPerSample.data() + g);
         hn::Store(hn::DemoteTo(f, octaves), f, poles.octavesPerSample.data() + g);
 
-        const auto hz = hn::Div(hn::Sqrt(stiffness), hn::Set(d, 2 * std::numbers::pi));
-        const auto isAudible =
-            hn::And(hn::Ge(hz, hn::Set(d, band.lowestHz)), hn::Lt(hz, hn::Set(d, band.highestHz)));
+        const auto hz = hn::Mul(frequency, hn::Set(d, 0.5 / std::numbers::pi));
+        const auto isAudible = hn::And(hn::Ge(stiffness, lowest), hn::Lt(stiffness, highest));
         hn::Store(hn::DemoteTo(f, hn::IfThenElseZero(isAudible, hn::Set(d, 1.0))), f, audibles + g);
         const auto square = hn::Mul(damping, damping);
         const auto isLight = hn::Lt(square, hn::Mul(hn::Set(d, 4e-4), stiffness));
@@ -82,9 +93,9 @@ PolesFound coefficients(PoleArrays& poles,
 
 /// Writes entries of one table part for each lane: `values` are those of `lanes` modes, entry by
 /// entry.
-HWY_INLINE void storeTables(const hn::Vec<hn::Rebind<float, Doubles>> (&values)[subBlockSamples],
+HWY_INLINE void storeTables(const hn::Vec<Singles> (&values)[subBlockSamples],
                             float* HWY_RESTRICT tables) {
-    const hn::Rebind<float, Doubles> f;
+    const Singles f;
     alignas(64) float four[4 * lanes];
     for (std::size_t k = 0; k < subBlockSamples; k += 4) {
         hn::StoreInterleaved4(values[k], values[k + 1], values[k + 2], values[k + 3], f, four);
@@ -96,48 +107,42 @@ HWY_INLINE void storeTables(const hn::Vec<hn::Rebind<float, Doubles>> (&values)[
 
 void rotations(PoleArrays& poles, std::size_t first, std::size_t count, double sampleSeconds) {
     const Doubles d;
-    const hn::Rebind<float, Doubles> f;
+    const Singles f;
     for (std::size_t g = first; g < first + count; g += lanes) {
-        const Complex sample = rotation(hn::Load(d, poles.decay.data() + g),
-                                        hn::Load(d, poles.frequency.data() + g), sampleSeconds);
-        hn::Store(hn::DemoteTo(f, sample.re), f, poles.sampleRe.data() + g);
-        hn::Store(hn::DemoteTo(f, sample.im), f, poles.sampleIm.data() + g);
-        hn::Vec<hn::Rebind<float, Doubles>> re[subBlockSamples], im[subBlockSamples];
-        Complex power{hn::Set(d, 1.0), hn::Zero(d)};
-        for (std::size_t k = 0; k < subBlockSamples; ++k) {
-            re[k] = hn::DemoteTo(f, cleared(power.re));
-            im[k] = hn::DemoteTo(f, hn::Neg(cleared(power.im)));
-            power = product(power, sample);
+        Complex power = rotation(hn::Load(d, poles.decay.data() + g),
+                                 hn::Load(d, poles.frequency.data() + g), sampleSeconds);
+        SingleComplex single = demoted(power);
+        hn::Store(single.re, f, poles.sampleRe.data() + g);
+        hn::Store(single.im, f, poles.sampleIm.data() + g);
+        // The entries are products of at most four of ρ, ρ², ρ⁴ and ρ⁸, conjugated.
+        hn::Vec<Singles> re[subBlockSamples], im[subBlockSamples];
+        re[0] = hn::Set(f, 1.0f);
+        im[0] = hn::Zero(f);
+#pragma GCC unroll 4
+        for (std::size_t half = 1; half < subBlockSamples; half *= 2) {
+#pragma GCC unroll 8
+            for (std::size_t k = 0; k < half; ++k) {
+                const SingleComplex entry = product(SingleComplex{single.re, hn::Neg(single.im)},
+                                                    SingleComplex{re[k], im[k]});
+                re[half + k] = entry.re;
+                im[half + k] = entry.im;
+            }
+            power = product(power, power);
+            single = demoted(power);
         }
+        hn::Store(single.re, f, poles.subBlockRe.data() + g);
+        hn::Store(single.im, f, poles.subBlockIm.data() + g);
+        const auto fallen = hn::MulAdd(single.re, single.re, hn::Mul(single.im, single.im));
+        if (!hn::AllTrue(f, hn::Gt(fallen, hn::Set(f, 1e-12f))))
+            for (auto* part : {re, im})
+                for (std::size_t k = 0; k < subBlockSamples; ++k)
+                    part[k] = cleared(part[k]);
         storeTables(re, poles.tables.data() + 2 * subBlockSamples * g);
         storeTables(im, poles.tables.data() + 2 * subBlockSamples * g + subBlockSamples);
-        hn::Store(hn::DemoteTo(f, power.re), f, poles.subBlockRe.data() + g);
-        hn::Store(hn::DemoteTo(f, power.im), f, poles.subBlockIm.data() + g);
         const Complex two = product(power, power);
         const Complex four = product(two, two);
         hn::Store(four.re, d, poles.cellRe.data() + g);
         hn::Store(four.im, d, poles.cellIm.data() + g);
-    }
-}
-
-void rotate(const PoleArrays& poles,
-            std::size_t first,
-            std::size_t count,
-            double seconds,
-            double factor,
-            double* HWY_RESTRICT x,
-            double* HWY_RESTRICT y) {
-    const Doubles d;
-    const auto gain = hn::Set(d, factor);
-    const double* HWY_RESTRICT decay = poles.decay.data() + first;
-    const double* HWY_RESTRICT frequency = poles.frequency.data() + first;
-    for (std::size_t g = 0; g < count; g += lanes) {
-        const Complex motion =
-            rotation(hn::Load(d, decay + g), hn::Load(d, frequency + g), seconds);
-        const Complex state = product(Complex{hn::Mul(gain, motion.re), hn::Mul(gain, motion.im)},
-                                      Complex{hn::Load(d, x + g), hn::Load(d, y + g)});
-        hn::Store(state.re, d, x + g);
-        hn::Store(state.im, d, y + g);
     }
 }
 
@@ -151,7 +156,6 @@ namespace idiophone {
 
 HWY_EXPORT(coefficients);
 HWY_EXPORT(rotations);
-HWY_EXPORT(rotate);
 
 PolesFound coefficientsOfPoles(PoleArrays& poles,
                                std::size_t count,
@@ -168,16 +172,6 @@ void rotationsOfPoles(PoleArrays& poles,
                       std::size_t count,
                       double sampleSeconds) noexcept {
     HWY_DYNAMIC_DISPATCH(rotations)(poles, first, count, sampleSeconds);
-}
-
-void rotateModes(const PoleArrays& poles,
-                 std::size_t first,
-                 std::size_t count,
-                 double seconds,
-                 double factor,
-                 double* x,
-                 double* y) noexcept {
-    HWY_DYNAMIC_DISPATCH(rotate)(poles, first, count, seconds, factor, x, y);
 }
 
 } // namespace idiophone

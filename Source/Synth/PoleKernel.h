@@ -1,5 +1,5 @@
-// Computes rotations and tables of oscillating modes from their poles, and free motion over any
-// time, with SIMD chosen at run time. Counts are whole blocks.
+// Computes rotations and tables of oscillating modes from their poles, with SIMD chosen at run
+// time. Counts are whole blocks.
 #pragma once
 
 #include "Synth/AlignedVector.h"
@@ -38,7 +38,7 @@ struct AudibleBand {
 };
 
 /// Fills in the arrays from `velocityShare` on, from λ and d. Sets audibles[g] to 1 in the band and
-/// 0 elsewhere. Writes the frequencies of lightly damped modes in the band to
+/// 0 elsewhere. Writes the damped frequencies of lightly damped modes in the band to
 /// `resonancesHz`, which has room for count + 8. Returns their number, and whether every mode
 /// oscillates.
 struct PolesFound {
@@ -58,15 +58,5 @@ void rotationsOfPoles(PoleArrays& poles,
                       std::size_t first,
                       std::size_t count,
                       double sampleSeconds) noexcept;
-
-/// Multiplies `count` states x + iy by `factor` e^{(−α + iω)t}: free motion of the modes from
-/// `first` on over `seconds`, which may be hours.
-void rotateModes(const PoleArrays& poles,
-                 std::size_t first,
-                 std::size_t count,
-                 double seconds,
-                 double factor,
-                 double* x,
-                 double* y) noexcept;
 
 } // namespace idiophone

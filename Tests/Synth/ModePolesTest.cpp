@@ -56,9 +56,9 @@ TEST_CASE("Modes outside the band or silenced are inaudible, and silenced ones r
     }
     CHECK(poles.audibleCount() == 2);
     REQUIRE(poles.resonances().size() == 3);
-    CHECK(std::abs(poles.resonances()[0] - 900) < 1e-9);
-    CHECK(std::abs(poles.resonances()[1] - 700) < 1e-9);
-    CHECK(std::abs(poles.resonances()[2] - 19999) < 1e-9);
+    CHECK(std::abs(poles.resonances()[0] - 900) < 1e-3);
+    CHECK(std::abs(poles.resonances()[1] - 700) < 1e-3);
+    CHECK(std::abs(poles.resonances()[2] - 19999) < 1e-3);
 }
 
 TEST_CASE("Modes near or beyond critical damping are heavy and do not rotate") {

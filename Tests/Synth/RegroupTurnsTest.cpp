@@ -95,3 +95,15 @@ TEST_CASE("A strike on a silent object has the poles of a frequency ratio set be
     };
     CHECK(play(true) == play(false));
 }
+
+TEST_CASE("A ringing mode that a bend lifts into the band sounds from its object's turn on") {
+    Synthesiser synthesiser({slotOf(ringingObject({15}, 0.1, {1}))}, sampleRate);
+    synthesiser.setSettings(exactSettings());
+    const auto sound = render(synthesiser, {{0, unitStrike()}}, 100, [&](int cell) {
+        if (cell == 50)
+            synthesiser.setFrequencyRatio(0, 4);
+    });
+    const auto bent = sound.begin() + 50 * cellSamples;
+    CHECK(std::all_of(sound.begin(), bent, [](float sample) { return sample == 0; }));
+    CHECK(std::any_of(bent, sound.end(), [](float sample) { return std::abs(sample) > 0.5f; }));
+}
