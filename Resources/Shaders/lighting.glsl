@@ -20,9 +20,9 @@ float band(float value, float from, float to, float soft)
 vec3 studio(vec3 direction, float rough)
 {
     float soft = 0.04 + 0.9 * rough;
-    vec3 wall = mix(vec3(0.62, 0.63, 0.65), vec3(0.085, 0.095, 0.115), dark);
-    vec3 high = mix(vec3(0.95, 0.97, 1.0), vec3(0.20, 0.23, 0.28), dark);
-    vec3 ground = mix(vec3(0.40, 0.385, 0.365), vec3(0.035, 0.033, 0.033), dark);
+    vec3 wall = mix(vec3(0.44, 0.45, 0.47), vec3(0.085, 0.095, 0.115), dark);
+    vec3 high = mix(vec3(0.60, 0.62, 0.66), vec3(0.20, 0.23, 0.28), dark);
+    vec3 ground = mix(vec3(0.30, 0.29, 0.275), vec3(0.035, 0.033, 0.033), dark);
     vec3 light = mix(wall, high, smoothstep(0.0, 1.0, direction.z));
     light = mix(ground, light, smoothstep(-0.08 - soft, 0.08 + soft, direction.z));
     float fade = 1.0 / (1.0 + 2.5 * rough);

@@ -84,11 +84,11 @@ Surface surfaceOf(vec3 normal)
 {
     vec3 at = ownPlace - boxMiddle;
     vec3 lines = turned > 0.5 ? vec3(0.0, length(at.xy) * 600.0, at.z * 900.0) + seed
-                              : grained(at) * vec3(6.0, 1100.0, 1100.0) + seed;
+                              : grained(at) * vec3(5.0, 650.0, 650.0) + seed;
     float brushed = (noise(lines) - 0.5) * visible(lines);
     vec3 across = turned > 0.5 ? vec3(0.0, 0.0, 1.0) : cross(along, normal);
     vec3 bent = normalize(normal + across * (0.11 * brushed));
-    return Surface(colour * (1.0 + 0.2 * brushed), bent, 0.20, 0.9);
+    return Surface(colour * (1.0 + 0.30 * brushed), bent, 0.20, 0.9);
 }
 #elif FINISH == STONE
 Surface surfaceOf(vec3 normal)
@@ -181,6 +181,6 @@ void main()
 #endif
 
     vec3 off = (seenPlace - glowPlace) / glowRadius;
-    seen += accent * (0.9 * glow * exp(-dot(off, off)));
+    seen += accent * (mix(2.4, 0.9, dark) * glow * exp(-dot(off, off)));
     shown = vec4(mix(developed(seen), ink, node), alpha);
 }

@@ -16,7 +16,7 @@ float heightAt(double age, float strength) {
         1 - std::exp(-std::max(age - MalletSwings::contactSeconds, 0.0) / riseSeconds);
     const double leaving =
         std::max(age - leaveSeconds, 0.0) / (MalletSwings::swingSeconds - leaveSeconds);
-    return static_cast<float>((0.16 + 0.28 * double(strength)) * risen + 1.6 * leaving * leaving);
+    return static_cast<float>((0.10 + 0.16 * double(strength)) * risen + 1.6 * leaving * leaving);
 }
 
 } // namespace
@@ -41,7 +41,7 @@ std::vector<DrawnMallet> MalletSwings::mallets(float headMetres, float stickMetr
     std::vector<DrawnMallet> result;
     for (const auto& [place, normal, strength, side, age] : swings) {
         // The hand is on the player's side, above the surface, and rises less than the head.
-        Vector3f reach = Vector3f(0.28f * side, -0.86f, 0.2f) + 0.35f * normal;
+        Vector3f reach = Vector3f(0.26f * side, -0.92f, 0.06f) + 0.16f * normal;
         constexpr float flattest = 0.3f;
         reach += std::max(flattest - reach.dot(normal), 0.0f) * normal;
         const float height = stickMetres * heightAt(age, strength);

@@ -3,6 +3,7 @@
 #include "Editor/Look.h"
 #include "Editor/MaterialInEffect.h"
 #include "Editor/OpenGlSupport.h"
+#include "Editor/PlainPicture.h"
 
 #include <algorithm>
 #include <cmath>
@@ -56,15 +57,14 @@ void ObjectView::refresh() {
 
 void ObjectView::newScene() {
     shown = ShownInstrument::of(view);
-    appearances.clear();
-    followMaterial();
+    appearances = appearancesOf(view, shown.played);
     if (!shown.scene->empty())
         camera.lookAt(shown.outline());
     paths.reset();
     if (!shown.onStage)
         paths.showStruckPlaces(view, shown.played, *shown.scene);
     strikes.reset(*shown.scene, shown.onStage);
-    outline.show(std::nullopt);
+    hover(std::nullopt);
     vibration.reset(shown.played);
     cameraMoved();
 }
@@ -126,7 +126,7 @@ void ObjectView::cameraMoved() {
     redraw();
 }
 
-void ObjectView::redraw() {
+SceneFrame ObjectView::frameNow() {
     SceneFrame frame{.scene = shown.scene,
                      .furniture = shown.furniture,
                      .appearances = appearances,
@@ -139,25 +139,26 @@ void ObjectView::redraw() {
                          shown.scene->empty() ? std::nullopt : vibration.motionIn(*shown.scene),
                      .bodies = shown.drawnBodies()};
     strikes.addTo(frame, shown.scene->radius());
-    renderer.show(frame);
+    return frame;
+}
+
+void ObjectView::redraw() {
+    if (ticksWithoutContext >= ticksToWait)
+        return repaint();
+    renderer.show(frameNow());
     context.triggerRepaint();
 }
 
 void ObjectView::paint(juce::Graphics& g) {
-    if (renderer.works()) {
-        if (!shown.scene->empty()) {
-            paths.paint(g, *this, *shown.scene, camera, layers.path);
-            outline.paint(g, *this, *shown.scene, camera);
-        }
+    const bool isPlain = !renderer.works();
+    if (isPlain)
+        g.fillAll(colourOf(*this, LookColour::panel));
+    if (shown.scene->empty() || (isPlain && ticksWithoutContext < ticksToWait))
         return;
-    }
-    g.fillAll(colourOf(*this, LookColour::panel));
-    if (ticksWithoutContext < ticksToWait)
-        return;
-    g.setColour(colourOf(*this, LookColour::dimText));
-    g.setFont(Look::textFont());
-    g.drawFittedText("There is no OpenGL here to draw the instrument with. Everything else works.",
-                     getLocalBounds().reduced(12), juce::Justification::centred, 3);
+    if (isPlain)
+        paintPlainPicture(g, getLocalBounds().toFloat(), frameNow());
+    paths.paint(g, *this, *shown.scene, camera, layers.path);
+    outline.paint(g, *this, *shown.scene, camera);
 }
 
 // Mouse input.

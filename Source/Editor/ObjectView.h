@@ -21,7 +21,7 @@
 
 namespace idiophone {
 
-/// Draws only when something has changed or moves. Shows a message if there is no OpenGL.
+/// Draws only when something has changed or moves. Without OpenGL the picture is plain.
 class ObjectView final : public juce::Component, private juce::Timer {
 public:
     struct Layers {
@@ -74,6 +74,7 @@ private:
     void hover(std::optional<ScenePick> pick);
     void wake();
     void cameraMoved();
+    SceneFrame frameNow();
     void redraw();
 
     ProcessorView& view;

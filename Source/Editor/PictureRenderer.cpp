@@ -94,7 +94,7 @@ void PictureRenderer::renderOpenGL() {
     }
     const auto parts = partsOf(shown);
     buffers.bind();
-    if (!hasShadows || shown.bodies)
+    if (!hasShadows || shown.bodies || !shown.mallets.empty())
         drawShadows(shown, parts);
     glViewport(0, 0, view[2], view[3]);
     if (image.begin(view[2], view[3])) {
@@ -146,7 +146,7 @@ void PictureRenderer::drawShadows(const SceneFrame& shown, std::span<const Pictu
     }
     glDisable(GL_POLYGON_OFFSET_FILL);
     shadows.finish();
-    hasShadows = !shown.bodies;
+    hasShadows = !shown.bodies && shown.mallets.empty();
 }
 
 void PictureRenderer::setLook(juce::OpenGLShaderProgram& program, const SceneFrame& shown) const {

@@ -65,7 +65,7 @@ private:
         constexpr float first = 0.14f, last = 2.2f, everywhere = 1e6f; // of the object's radius
         const auto spread = static_cast<float>(1 - std::exp(-light.age / spreadSeconds));
         const auto flash = static_cast<float>(std::exp(-light.age / flashSeconds));
-        const float lasting = light.loudness * light.loudness * (1 - 0.55f * spread);
+        const float lasting = light.loudness * (1 - 0.5f * spread);
         return {.place = light.place,
                 .metres = radius * (evenly ? everywhere : first + (last - first) * spread),
                 .brightness = std::max(lasting, light.age < settledSeconds ? flash : 0.0f)};

@@ -46,6 +46,7 @@ public:
     bool follow(const SoundFrame& frame,
                 const std::vector<InstrumentView::PlayedObject>& played,
                 const ObjectScene& scene) {
+        secondsWithoutFrame = 0;
         std::vector<float> loudness(played.size(), 0);
         for (const auto& slot : frame.slots)
             if (const auto object = static_cast<std::size_t>(slot.object); object < loudness.size())
@@ -61,6 +62,7 @@ public:
         swings.advance(seconds);
         glows.advance(seconds);
         byHand.seconds -= seconds;
+        secondsWithoutFrame += seconds;
         if (discsTurn())
             discTurns = std::remainder(
                 discTurns + seconds * view.parameters.value(ParameterId::motorSpeed), 1.0);
@@ -85,7 +87,9 @@ private:
         return 1 - juce::Decibels::gainToDecibels(slot.amplitude, darkDecibels) / darkDecibels;
     }
     bool discsTurn() const {
-        return glows.sounds() && view.parameters.value(ParameterId::motorDepth) > 0;
+        constexpr double secondsToStop = 0.5; // if the host stops the sound
+        return glows.sounds() && secondsWithoutFrame < secondsToStop &&
+               view.parameters.value(ParameterId::motorDepth) > 0;
     }
     /// Shows the strike of a key, unless the hand has shown it.
     void showKeyStrike(const SlotNow& slot,
@@ -119,6 +123,7 @@ private:
         double seconds = 0; ///< until its sound has arrived
     } byHand;
     double discTurns = 0;
+    double secondsWithoutFrame = 0; ///< since the last frame of the sound
     bool onStage = false;
 };
 

@@ -1,6 +1,8 @@
 // Tests of the drawn meshes, the furniture and the light, which need no screen.
 #include "Editor/InstrumentFurniture.h"
+#include "Editor/OrbitCamera.h"
 #include "Editor/PictureParts.h"
+#include "Editor/PlainPicture.h"
 #include "Editor/SceneLight.h"
 #include "Support/TestSound.h"
 
@@ -211,4 +213,30 @@ TEST_CASE("A frame is drawn with its bodies, their furniture and its mallets") {
     CHECK(count([&](const auto& part) { return part.object == die; }) == 2);
     CHECK(count([](const auto& part) { return part.pose(2, 3) == 5; }) == 4); // with their pips
     CHECK(parts.size() == 4 + 2);                                             // head and stick
+}
+
+TEST_CASE("The plain picture shows a bar in its colour, and the background beside it") {
+    const Picture picture("Rosewood Xylophone");
+    OrbitCamera camera;
+    camera.lookAt(picture.scene->outline());
+    SceneFrame frame;
+    frame.scene = picture.scene;
+    frame.furniture = picture.furniture;
+    frame.appearances.assign(picture.played.size(), {Finish::wood, {0.8f, 0.4f, 0}});
+    frame.viewProjection = camera.viewProjection(2);
+    frame.eye = camera.eye(2);
+    juce::Image image(juce::Image::ARGB, 400, 200, true);
+    {
+        juce::Graphics g(image);
+        paintPlainPicture(g, {0, 0, 400, 200}, frame);
+    }
+    auto onTop = picture.scene->objects()[10].middle;
+    onTop[2] += picture.scene->objects()[10].halfExtent[2];
+    const auto [x, y] = camera.seenAt(onTop, 2);
+    const auto bar =
+        image.getPixelAt(juce::roundToInt(200 * (x + 1)), juce::roundToInt(100 * (1 - y)));
+    CHECK(bar.getAlpha() > 200);
+    CHECK(bar.getFloatRed() > 0.6f);
+    CHECK(bar.getFloatGreen() == Approx(bar.getFloatRed() / 2).margin(0.02));
+    CHECK(image.getPixelAt(1, 1).getAlpha() == 0);
 }
