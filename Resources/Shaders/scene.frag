@@ -65,12 +65,12 @@ Surface surfaceOf(vec3 normal)
     vec2 pith = vec2(0.035 + 0.06 * fract(seed * 5.3), -0.06 - 0.05 * fract(seed * 3.7));
     float age = length(at.yz + pith) / 0.0031 + 2.6 * wave;
     float year = fract(age);
-    float strength = 0.35 + 0.65 * noise(vec3(floor(age) * 3.7, seed, 0.5));
+    float strength = 0.35 + 0.65 * hash(vec3(floor(age) * 3.7, seed, 0.5));
     float late = strength * smoothstep(0.1, 0.85, year) * (1.0 - smoothstep(0.86, 1.0, year));
     late = mix(0.28, late, 1.0 - smoothstep(0.25, 0.8, fwidth(age)));
-    vec3 fine = at * vec3(26.0, 1150.0, 1150.0), pores = at * vec3(75.0, 1900.0, 1900.0);
+    vec3 fine = at * vec3(40.0, 1300.0, 1300.0);
     float fibre = mix(0.5, noise(fine), visible(fine));
-    float pore = smoothstep(0.70, 0.86, noise(pores)) * visible(pores);
+    float pore = 1.0 - smoothstep(0.10, 0.26, fibre);
     float figure = 0.6 * noise(at * vec3(3.0, 30.0, 30.0) + 7.0) + 0.4 * noise(at * vec3(5.0, 210.0, 210.0));
     vec3 shade = colour * mix(1.16, 0.52, late) * (0.84 + 0.32 * fibre) * (0.52 + 0.80 * figure);
     shade *= 0.84 + 0.32 * fract(seed * 7.13);
@@ -122,14 +122,11 @@ Surface surfaceOf(vec3 normal)
 }
 #endif
 
-// The share of the lamp's light that arrives: two taps beside the place.
+// The share of the lamp's light that arrives. The sampler mixes four comparisons.
 float lampSeen(vec3 normal)
 {
     vec3 from = seenPlace + normal * shadowTexel * 2.0;
-    vec3 at = (shadowFrom * vec4(from, 1.0)).xyz * 0.5 + 0.5;
-    vec2 aside = vec2(0.9, 0.4) / vec2(textureSize(shadowMap, 0));
-    return 0.5 * (texture(shadowMap, vec3(at.xy + aside, at.z)) +
-                  texture(shadowMap, vec3(at.xy - aside, at.z)));
+    return texture(shadowMap, (shadowFrom * vec4(from, 1.0)).xyz * 0.5 + 0.5);
 }
 
 void main()
@@ -165,7 +162,8 @@ void main()
     vec3 mirrored = studio(reflect(-view, n), surface.rough) * (0.25 + 0.75 * open);
     vec3 halfway = normalize(lamp + view);
     float sharp = 2.0 / (surface.rough * surface.rough + 0.001);
-    float gloss = pow(max(dot(n, halfway), 0.0), sharp) * (sharp + 2.0) / 40.0;
+    float lobe = 1.0 / (1.0 + 0.6 * sharp * (1.0 - max(dot(n, halfway), 0.0)));
+    float gloss = lobe * lobe * (sharp + 2.0) / 40.0;
     vec3 reflected = mirrored * fresnel + min(gloss, 4.0) * surface.mirrors * lampColour() * lit;
     float alpha = 1.0;
 #if FINISH == METAL
@@ -181,6 +179,7 @@ void main()
 #endif
 
     vec3 off = (seenPlace - glowPlace) / glowRadius;
-    seen += accent * (mix(2.4, 0.9, dark) * glow * exp(-dot(off, off)));
+    float near = 1.0 / (1.0 + 0.6 * dot(off, off));
+    seen += accent * (mix(2.4, 0.9, dark) * glow * near * near);
     shown = vec4(mix(developed(seen), ink, node), alpha);
 }

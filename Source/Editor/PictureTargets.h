@@ -24,7 +24,7 @@ private:
 /// The distances from the lamp, for shadows. OpenGL thread.
 class ShadowMap {
 public:
-    static constexpr int size = 2048; ///< texels along each side
+    static constexpr int size = 1280; ///< texels along each side
 
     /// Begins drawing depths. Returns false if the driver refuses the map.
     bool begin();
