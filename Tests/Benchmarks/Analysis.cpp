@@ -53,6 +53,7 @@ Result<TimedAnalysis> timed(const Body& body, unsigned threads) {
     const auto processorStart = std::clock();
     const auto start = Clock::now();
     auto object = analyse(body.mesh, {.name = body.name,
+                                      .source = body.name,
                                       .material = *findMaterial("Steel"),
                                       .maxFrequencyHz = body.highestHz,
                                       .threads = threads});
