@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 
@@ -15,8 +16,9 @@ constexpr float maximumOwnLevel = 1e5f;
 constexpr std::size_t cell = 64; ///< grid on which silence is detected
 
 float gainOf(const ParameterValues& values) {
-    return juce::Decibels::decibelsToGain(
-        static_cast<float>(values[ParameterId::level] + values[ParameterId::volume]));
+    // JUCE's function returns 0 below −100 dB, and levels are divided by each other.
+    const double decibels = values[ParameterId::level] + values[ParameterId::volume];
+    return static_cast<float>(std::pow(10, decibels / 20));
 }
 
 /// Tests without a branch per sample.

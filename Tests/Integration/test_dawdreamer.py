@@ -111,7 +111,7 @@ def test_loudness_is_matched_while_the_mallet_is_automated(host):
     host = host()
     mallet = host.index("Mallet")
     change = numpy.full(3 * SAMPLE_RATE, host.plugin.get_parameter(mallet), numpy.float32)
-    change[SAMPLE_RATE // 2:] = 1 / 31  # yarn, the first of the rack
+    change[SAMPLE_RATE // 2:] = 1 / 7  # yarn, the first of the seven of the rack
     host.plugin.set_automation(mallet, change)
     later = Performance.scale(2 * SAMPLE_RATE)
 

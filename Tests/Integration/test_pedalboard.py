@@ -39,7 +39,7 @@ def change(plugin):
 
 def sound_parameters(plugin):
     return [parameter for name, parameter in plugin.parameters.items()
-            if name not in ("bypass", "program")]
+            if name not in ("bypass", "program", "volume")]
 
 
 def test_it_renders_the_song_as_the_console_does(load, song, console_render):

@@ -99,6 +99,21 @@ TEST_CASE("Volume adds to the preset's level") {
     }
 }
 
+TEST_CASE("From the lowest level and volume the sound comes back") {
+    PreparedStage stage;
+    const auto input = sine(4800);
+    auto lowest = valuesWith(-60);
+    lowest.set(ParameterId::volume, -60);
+    processed(stage, input, 100, lowest);
+    stage.changeSound(lowest);
+    processed(stage, input, 100, lowest);
+    stage.changeSound(valuesWith(0));
+    processed(stage, input, 100, valuesWith(0));
+    const auto output = processed(stage, input, 100, valuesWith(0));
+    for (std::size_t i = 0; i < input.size(); ++i)
+        CHECK_THAT(output[i], WithinAbs(input[i], 1e-4));
+}
+
 TEST_CASE("At constant parameters the output does not depend on the block size") {
     const auto input = sine(10000);
     PreparedStage whole;
