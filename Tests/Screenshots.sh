@@ -106,9 +106,15 @@ for look in dark light; do
 done
 
 # Places in the window of 1180 x 860.
-next_preset() { for _ in $(seq "$1"); do click 729 22; done; sleep 1; }
 nodal_lines() { click 124 56; }
 browse() { click 505 22; sleep 0.5; }
+choose() { # a preset by its name
+    browse
+    xdotool type "$1"
+    sleep 0.5
+    xdotool key Down Return
+    sleep 1.5
+}
 draw_path() { click 262 56; }
 
 for look in light dark; do
@@ -118,37 +124,33 @@ for look in light dark; do
     sleep 0.5
     shot "$look-browser"
     xdotool key Escape key Escape
-    next_preset 9
+    choose vibraphone
     size 1560 960
     for key in 300 700; do click "$key" 935; done
     held 1100 935 "$look-vibraphone" # while it rings
     size 1180 860
-    next_preset 4
+    choose handbell
     nodal_lines
     click 590 200
     shot "$look-handbell-nodes"
     nodal_lines
     drag 540 190 640 330 "$look-handbell-scraped"
-    next_preset 8
+    choose 'rosewood xylophone'
     other_look
 done
 
 # Bodies on a stage, in the air and as they roll.
 size 1180 860
-browse
-xdotool type "dice"
-sleep 0.5
-xdotool key Down Return
-sleep 1
+choose dice
 for key in 300 500 700; do click "$key" 835; done
 shot stage-dice
-next_preset 1
+choose cylinder
 click 187 56 # plays it
 sleep 1
 shot stage-cylinder
-next_preset 2
+choose 'rosewood xylophone'
 
-# By keys alone: on from the picture to the mallet's hardness, and its menu.
+# By keys alone: on from the picture to a knob of the Play page, and its menu.
 click 590 240
 # shellcheck disable=SC2046
 xdotool key $(yes Tab | head -19)
@@ -166,12 +168,12 @@ shot_with_menus light-menu
 xdotool key Escape
 
 # A strike path drawn by hand over the steel plate.
-next_preset 3
+choose 'steel plate'
 draw_path
 drag 380 250 800 300 light-path-drawing
 shot light-path-drawn
 draw_path
-next_preset 18
+choose 'rosewood xylophone'
 other_look
 
 # Files, dropped on the picture: a mesh.
