@@ -203,8 +203,8 @@ TEST_CASE("The volume share of a tetrahedron that is turned inside out is negati
     Eigen::Matrix<double, 4, 3> corners;
     corners << 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1;
     ElementNodes nodes = straightElement(corners);
-    nodes.row(4) += Eigen::RowVector3d(0, 0.2, 0.2);
+    nodes.row(4) += Eigen::RowVector3d(0, 0.1, 0.1);
     CHECK(leastVolumeShare(nodes) > 0);
-    nodes.row(4) += Eigen::RowVector3d(0, 0.2, 0.2);
+    nodes.row(4) += Eigen::RowVector3d(0, 0.1, 0.1);
     CHECK(leastVolumeShare(nodes) < 0);
 }
