@@ -1,5 +1,5 @@
-// What carries the objects of the picture: frames, cords and tubes of keyboards, stands of bells
-// and bowls, legs of tables; and the pips of dice. It cannot be struck.
+// The furniture of the picture: frames, cords and tubes of keyboards, stands of bells and bowls,
+// legs of tables. It cannot be struck. The pips of dice belong to it too.
 #pragma once
 
 #include "Editor/FurnitureParts.h"

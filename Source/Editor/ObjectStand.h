@@ -1,5 +1,5 @@
-// What carries a single object: a stand for a bell, a ring for a bowl, pegs for a sheet, legs for a
-// table. And the pips of a die.
+// The support of a single object: a stand for a bell, a ring for a bowl, pegs for a sheet, legs for
+// a table. Also draws the pips of a die.
 #pragma once
 
 #include "Editor/FurnitureParts.h"

@@ -1,4 +1,4 @@
-// What the picture is drawn into: a multisampled image, and the lamp's depth map.
+// The images that the picture is drawn into: a multisampled one, and the lamp's depth map.
 #pragma once
 
 #include <juce_opengl/juce_opengl.h>

@@ -1,4 +1,4 @@
-// The instrument that the picture shows: its objects, their scene and what carries them.
+// The instrument that the picture shows: its objects, their scene and its furniture.
 #pragma once
 
 #include "Editor/InstrumentFurniture.h"
@@ -24,7 +24,8 @@ struct ShownInstrument {
     /// The current instrument. If there is too little memory for its picture, there are no objects.
     static ShownInstrument of(const ProcessorView& view);
 
-    /// What the camera frames: objects or bodies, and the stand of a single object.
+    /// Returns the places that the camera frames: of objects or bodies, and of a single object's
+    /// stand.
     std::vector<ScenePlace> outline() const;
     std::optional<ScenePick> pick(const ViewRay& ray) const;
     /// The bodies to draw; nothing if objects stand as laid out.

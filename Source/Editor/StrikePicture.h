@@ -1,4 +1,4 @@
-// What strikes look like: mallets, lights, and the discs that turn while bars sound.
+// Draws strikes: mallets, lights, and the discs that turn while bars sound.
 #pragma once
 
 #include "Editor/MalletAppearance.h"

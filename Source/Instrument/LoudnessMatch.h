@@ -20,7 +20,7 @@ namespace idiophone {
 /// Immutable: any number of threads may use it at once. Nothing allocates, locks or throws.
 class LoudnessMatch {
 public:
-    /// What a gain depends on.
+    /// The inputs of a gain.
     struct Goal {
         ParameterValues values; ///< those that matter: see `valuesThatMatter`
         int wheel = -1;         ///< at rest for strikes, as it does not affect them; −1: no goal

@@ -116,7 +116,7 @@ void ModalResonator::applySettings(const SynthesisSettings& settings) noexcept {
     groups.set(wanted);
     if (regroups)
         clearOldBank();
-    // What is neither heard nor asleep waits for its turn or for a strike with its former poles.
+    // A silent object that does not sleep keeps its former poles until its turn or a strike.
     const bool moves = regroups || (groups.areBehind() && (!silent() || tauFalls));
     if (moves)
         movePoles(regroups);
