@@ -12,7 +12,7 @@
 
 namespace idiophone {
 
-/// Immutable. The shapes and sizes of the objects decide what carries them.
+/// Immutable. The shapes and sizes of the objects decide the furniture.
 class InstrumentFurniture {
 public:
     /// `played` are the objects of the scene. On a stage, `bodies` are those before the first note.
