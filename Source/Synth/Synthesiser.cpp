@@ -92,6 +92,7 @@ void Synthesiser::setSettings(const SynthesisSettings& settings) noexcept {
 }
 
 void Synthesiser::settle() noexcept {
+    implementation->isNew = false;
     implementation->settle();
 }
 

@@ -36,9 +36,9 @@ public:
     /// Takes effect at the next `beginCell`. After the first cell a change regroups the modes of a
     /// few slots in each cell; until its turn a slot keeps its groups, with new poles.
     void setSettings(const SynthesisSettings& settings) noexcept;
-    /// Applies the settings to all slots at once, groups included, as the first cell, strike or
-    /// force after construction or `reset` does otherwise. Takes time with the number of modes.
-    /// Nothing may sound.
+    /// Applies the settings to all slots at once, groups included. The first cell, strike or force
+    /// after construction or `reset` does so otherwise. Changes after it are spread over cells,
+    /// also before the first cell. Takes time with the number of modes. Nothing may sound.
     void settle() noexcept;
 
     /// Sets an extra fluid damping of one slot (a mute, a damper). From the next `beginCell` on,

@@ -83,6 +83,30 @@ TEST_CASE("After a change of material a bounded number of modes regroup in each 
     CHECK(merged == std::ptrdiff_t{slots});
 }
 
+TEST_CASE("A settled synthesiser regroups a bounded number of modes in its first cell") {
+    const ModalObject object = denseObject();
+    Synthesiser synthesiser(std::vector<SynthesiserSlot>(slots, slotOf(object)), sampleRate);
+    std::array<float, cellSamples> samples{};
+    const auto mergedAfterFirstCell = [&] {
+        synthesiser.setSettings(settingsOf(30));
+        synthesiser.beginCell(CellOutput{samples});
+        return std::ranges::count_if(synthesiser.status(), [](const SlotStatus& slot) {
+            return slot.groups < static_cast<std::int32_t>(modes);
+        });
+    };
+    synthesiser.setSettings(settingsOf(2));
+    SECTION("Without settling, all of them") {
+        CHECK(mergedAfterFirstCell() == std::ptrdiff_t{slots});
+    }
+    SECTION("Settled with other settings, a cell's worth") {
+        synthesiser.settle();
+        CHECK(mergedAfterFirstCell() <= std::ptrdiff_t{RegroupTurns::modesPerCell / modes + 1});
+        CHECK(synthesiser.strike(0, unitStrike(), 0, CellOutput{samples}));
+        synthesiser.beginCell(CellOutput{samples});
+        CHECK(synthesiser.status()[0].groups < static_cast<std::int32_t>(modes));
+    }
+}
+
 TEST_CASE("A strike on a silent object has the poles of a frequency ratio set before") {
     const ModalObject object = ringingObject({440}, 5, {1});
     const auto play = [&](bool isSetFirst) {
