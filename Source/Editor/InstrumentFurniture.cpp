@@ -26,6 +26,29 @@ float tubeMetresOf(const InstrumentView::PlayedObject& played, float radius) {
     return 0;
 }
 
+/// Returns the bars that lie along y on a stage, from left to right.
+std::vector<KeyboardBar> barsOf(const std::vector<InstrumentView::PlayedObject>& played,
+                                const ObjectScene& scene,
+                                std::span<const BodyNow> bodies) {
+    constexpr float leastLength = 2; // over the width, and the width over the height at least 1
+    std::vector<KeyboardBar> bars;
+    for (const auto& body : bodies) {
+        const auto index = static_cast<std::size_t>(body.object);
+        Eigen::AlignedBox3f box;
+        for (const auto& corner : scene.outline(std::span(&body, 1)))
+            box.extend(vectorOf(corner));
+        if (box.isEmpty())
+            continue;
+        const Eigen::Vector3f half = box.sizes() / 2;
+        if (half.y() > leastLength * half.x() && half.x() > half.z())
+            bars.push_back({.middle = box.center(),
+                            .half = half,
+                            .finish = appearanceOf(played[index].object->material).finish});
+    }
+    std::ranges::sort(bars, {}, [](const KeyboardBar& bar) { return bar.middle.x(); });
+    return bars;
+}
+
 } // namespace
 
 InstrumentFurniture::InstrumentFurniture(const std::vector<InstrumentView::PlayedObject>& played,
@@ -35,7 +58,7 @@ InstrumentFurniture::InstrumentFurniture(const std::vector<InstrumentView::Playe
     : built(scene.vertices().size()) {
     const auto objects = scene.objects();
     if (onStage)
-        addForStage(scene, bodies);
+        addForStage(played, scene, bodies);
     else if (objects.size() > 1)
         addForKeyboard(played, scene);
     else if (!scene.empty())
@@ -80,7 +103,9 @@ void InstrumentFurniture::addForKeyboard(const std::vector<InstrumentView::Playe
                                                           : addKeyboardFrame(built, bars);
 }
 
-void InstrumentFurniture::addForStage(const ObjectScene& scene, std::span<const BodyNow> bodies) {
+void InstrumentFurniture::addForStage(const std::vector<InstrumentView::PlayedObject>& played,
+                                      const ObjectScene& scene,
+                                      std::span<const BodyNow> bodies) {
     std::vector<bool> isDone(scene.objects().size());
     floor = std::numeric_limits<float>::max();
     for (const auto& body : bodies) {
@@ -104,6 +129,9 @@ void InstrumentFurniture::addForStage(const ObjectScene& scene, std::span<const 
             addPips(built, scene.objects()[i]);
             built.parts.back().object = i;
         }
+    constexpr std::size_t fewestBars = 5; // of an instrument
+    if (const auto bars = barsOf(played, scene, bodies); bars.size() >= fewestBars)
+        floor = std::min(floor, addKeyboardFrame(built, bars));
     if (bodies.empty())
         floor = 0;
 }

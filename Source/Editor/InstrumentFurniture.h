@@ -33,7 +33,9 @@ private:
     void addMallet();
     void addForKeyboard(const std::vector<InstrumentView::PlayedObject>& played,
                         const ObjectScene& scene);
-    void addForStage(const ObjectScene& scene, std::span<const BodyNow> bodies);
+    void addForStage(const std::vector<InstrumentView::PlayedObject>& played,
+                     const ObjectScene& scene,
+                     std::span<const BodyNow> bodies);
 
     FurnitureParts built;
     std::pair<FurniturePart, FurniturePart> malletParts;

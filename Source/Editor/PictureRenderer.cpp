@@ -99,8 +99,9 @@ void PictureRenderer::renderOpenGL() {
     glViewport(0, 0, view[2], view[3]);
     if (image.begin(view[2], view[3])) {
         glClear(GL_DEPTH_BUFFER_BIT);
-        drawRoom(shown);
-        drawScene(shown, parts);
+        drawSolids(shown, parts);
+        drawRoom(shown); // after the solids, whose pixels it need not compute
+        drawGlass(shown, parts);
         image.finish();
     }
     buffers.unbind();
@@ -173,14 +174,22 @@ void PictureRenderer::drawRoom(const SceneFrame& shown) {
     program.setUniform("reach", floorLight.reach());
     program.setUniform("floorLight", floorUnit);
     program.setUniform("floorArea", area.left, area.front, area.width, area.depth);
+    program.setUniform("moving", shown.bodies ? 1.0f : 0.0f);
+    setShadows(program);
     glActiveTexture(GL_TEXTURE0 + floorUnit);
     floorLight.bindTexture();
     glActiveTexture(GL_TEXTURE0);
     glDepthMask(GL_FALSE);
-    glDepthFunc(GL_ALWAYS);
+    glDepthFunc(GL_LEQUAL); // at the far end of the depths
     glDrawArrays(GL_TRIANGLES, 0, 3);
     glDepthFunc(GL_LESS);
     glDepthMask(GL_TRUE);
+}
+
+void PictureRenderer::setShadows(juce::OpenGLShaderProgram& program) const {
+    program.setUniform("shadowMap", shadowUnit);
+    setMatrix(program, "shadowFrom", fromLamp);
+    program.setUniform("shadowTexel", 2 * floorLight.reach() / float(ShadowMap::size));
 }
 
 /// Sets what all parts of a finish share.
@@ -191,12 +200,10 @@ void PictureRenderer::prepare(juce::OpenGLShaderProgram& program, const SceneFra
     set(program, "ink",
         vectorOf({shown.background.getFloatRed(), shown.background.getFloatGreen(),
                   shown.background.getFloatBlue()}));
-    program.setUniform("shadowMap", shadowUnit);
-    setMatrix(program, "shadowFrom", fromLamp);
-    program.setUniform("shadowTexel", 2 * floorLight.reach() / float(ShadowMap::size));
+    setShadows(program);
 }
 
-void PictureRenderer::drawScene(const SceneFrame& shown, std::span<const PicturePart> parts) {
+void PictureRenderer::drawSolids(const SceneFrame& shown, std::span<const PicturePart> parts) {
     shadows.bindTexture();
     for (std::size_t finish = 0; finish < finishCount; ++finish) {
         std::vector<PicturePart> own;
@@ -205,11 +212,15 @@ void PictureRenderer::drawScene(const SceneFrame& shown, std::span<const Picture
         });
         if (own.empty() || finish == static_cast<std::size_t>(Finish::glass))
             continue;
+        // Near parts first: hidden pixels are not computed.
+        std::ranges::sort(own, {}, [eye = vectorOf(shown.eye)](const PicturePart& part) {
+            const Eigen::Vector4f middle = vectorOf(part.shape.middle).homogeneous();
+            return ((part.pose * middle).head<3>() - eye).squaredNorm();
+        });
         prepare(*finishPrograms[finish], shown);
         for (const auto& part : own)
             drawPart(shown, part);
     }
-    drawGlass(shown, parts);
 }
 
 /// Draws the far walls of glass, then the near ones.

@@ -38,11 +38,12 @@ private:
     void upload(const SceneFrame& shown);
     void drawShadows(const SceneFrame& shown, std::span<const PicturePart> parts);
     void drawRoom(const SceneFrame& shown);
-    void drawScene(const SceneFrame& shown, std::span<const PicturePart> parts);
+    void drawSolids(const SceneFrame& shown, std::span<const PicturePart> parts);
     void prepare(juce::OpenGLShaderProgram& program, const SceneFrame& shown) const;
     void drawGlass(const SceneFrame& shown, std::span<const PicturePart> parts);
     void drawPart(const SceneFrame& shown, const PicturePart& part);
     void setLook(juce::OpenGLShaderProgram& program, const SceneFrame& shown) const;
+    void setShadows(juce::OpenGLShaderProgram& program) const;
 
     juce::OpenGLContext& context;
     std::mutex frameMutex;
