@@ -12,6 +12,7 @@
 #include <catch2/catch_approx.hpp>
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 using namespace idiophone;
@@ -128,6 +129,18 @@ TEST_CASE("Bars without tubes have rails and cords, but no pipes") {
     CHECK(std::ranges::none_of(picture.furniture->parts(),
                                [](const auto& part) { return part.turnsAbout.has_value(); }));
     CHECK(picture.furniture->floorHeight() > -0.2f);
+}
+
+TEST_CASE("A row of bars on a stage lies on rails above the floor") {
+    const Picture picture("Dice on Rosewood");
+    float lowestBar = std::numeric_limits<float>::max();
+    for (const auto& corner : picture.scene->outline(picture.bodies))
+        lowestBar = std::min(lowestBar, corner[2]);
+    std::size_t fixedParts = 0;
+    for (const auto& part : picture.furniture->parts())
+        fixedParts += part.object ? 0 : 1; // pips belong to the die
+    CHECK(fixedParts == 3);                // cords, pins, and rails with their ends
+    CHECK(picture.furniture->floorHeight() < lowestBar - 0.02f);
 }
 
 TEST_CASE("The floor is below every object and all that carries it") {

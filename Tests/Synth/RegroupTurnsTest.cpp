@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <catch2/catch_test_macros.hpp>
+#include <catch2/generators/catch_generators.hpp>
 #include <vector>
 
 using namespace idiophone;
@@ -83,28 +84,36 @@ TEST_CASE("After a change of material a bounded number of modes regroup in each 
     CHECK(merged == std::ptrdiff_t{slots});
 }
 
-TEST_CASE("A settled synthesiser regroups a bounded number of modes in its first cell") {
+TEST_CASE("A settled synthesiser regroups a bounded number of modes in its first cells") {
     const ModalObject object = denseObject();
     Synthesiser synthesiser(std::vector<SynthesiserSlot>(slots, slotOf(object)), sampleRate);
     std::array<float, cellSamples> samples{};
-    const auto mergedAfterFirstCell = [&] {
-        synthesiser.setSettings(settingsOf(30));
-        synthesiser.beginCell(CellOutput{samples});
-        return std::ranges::count_if(synthesiser.status(), [](const SlotStatus& slot) {
-            return slot.groups < static_cast<std::int32_t>(modes);
-        });
+    const CellOutput cell{samples};
+    const auto isMerged = [&](std::size_t slot) {
+        SoundingGroups groups(modes);
+        synthesiser.report(slot, groups);
+        return groups.count < modes;
+    };
+    const auto countMerged = [&] {
+        std::size_t merged = 0;
+        for (std::size_t slot = 0; slot < slots; ++slot)
+            merged += isMerged(slot) ? 1 : 0;
+        return merged;
     };
     synthesiser.setSettings(settingsOf(2));
-    SECTION("Without settling, all of them") {
-        CHECK(mergedAfterFirstCell() == std::ptrdiff_t{slots});
-    }
-    SECTION("Settled with other settings, a cell's worth") {
+    const bool isSettled = GENERATE(false, true);
+    if (isSettled)
         synthesiser.settle();
-        CHECK(mergedAfterFirstCell() <= std::ptrdiff_t{RegroupTurns::modesPerCell / modes + 1});
-        CHECK(synthesiser.strike(0, unitStrike(), 0, CellOutput{samples}));
-        synthesiser.beginCell(CellOutput{samples});
-        CHECK(synthesiser.status()[0].groups < static_cast<std::int32_t>(modes));
-    }
+    synthesiser.setSettings(settingsOf(30));
+    synthesiser.beginCell(cell);
+    CHECK(countMerged() == (isSettled ? 0 : slots));
+    CHECK(synthesiser.strike(slots - 1, unitStrike(), 0, cell));
+    synthesiser.beginCell(cell);
+    if (isSettled)
+        CHECK(countMerged() <= RegroupTurns::modesPerCell / modes + 1);
+    for (std::size_t k = 0; k < slots; ++k)
+        synthesiser.beginCell(cell);
+    CHECK(countMerged() == slots);
 }
 
 TEST_CASE("A strike on a silent object has the poles of a frequency ratio set before") {
