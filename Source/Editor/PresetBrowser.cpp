@@ -4,6 +4,8 @@
 #include "Editor/PresetSearch.h"
 #include "Editor/Utf8.h"
 
+#include <map>
+
 namespace idiophone {
 namespace {
 
@@ -50,8 +52,8 @@ PresetBrowser::PresetBrowser(PresetShelf& presetShelf) : shelf(presetShelf) {
     form.onCancel = [this] { ask(Question::none); };
     form.onAnswer = [this](const PresetDetails& details) { answer(details); };
     showActions();
-    showParts(*this, search, sources, list, saveAs, rename, remove, reveal, init, status, back,
-              keep);
+    showParts(*this, search, clear, sources, list, saveAs, rename, remove, reveal, init,
+              status, back, keep);
     addChildComponent(form);
 }
 
@@ -61,6 +63,10 @@ void PresetBrowser::showActions() {
         button.setTooltip(tooltip);
         button.onClick = clicked;
     };
+    action(clear, "Show all presets: clear the search and the filters", [this] {
+        clearFilters();
+        search.grabKeyboardFocus();
+    });
     action(saveAs, "Save the current sound as a new preset", [this] { ask(Question::save); });
     action(rename, "Give the selected preset another name", [this] { ask(Question::rename); });
     action(remove, "Move the selected preset to the bin", [this] { ask(Question::remove); });
@@ -89,11 +95,8 @@ void PresetBrowser::open() {
     ask(Question::none);
     say({}, false);
     refill();
-    if (list.selected() == nullptr) {
-        search.clear();
-        sources.chooseAll();
-        refill();
-    }
+    if (list.selected() == nullptr)
+        clearFilters();
     search.grabKeyboardFocus();
 }
 
@@ -105,18 +108,32 @@ void PresetBrowser::close(bool kept) {
     juce::NullCheckedInvocation::invoke(onClose);
 }
 
+void PresetBrowser::clearFilters() {
+    search.clear();
+    sources.chooseAll();
+    refill();
+}
+
+/// Lists the presets that pass, those without typing errors first.
 void PresetBrowser::refill() {
     sources.show(shelf.presets());
-    std::vector<ShelvedPreset> passing;
+    std::map<int, std::vector<ShelvedPreset>> found; // by errors
     for (const auto& preset : shelf.presets())
-        if (sources.passes(preset) && matchesSearch(preset, search.getText()))
-            passing.push_back(preset);
-    const auto count = passing.size();
+        if (sources.passes(preset))
+            if (const auto errors = searchErrors(preset, search.getText()))
+                found[*errors].push_back(preset);
+    std::vector<ShelvedPreset> passing;
+    for (const auto& [errors, presets] : found)
+        passing.insert(passing.end(), presets.begin(), presets.end());
     list.show(std::move(passing), shelf.playingPreset().id);
-    if (count == 0)
+    if (found.empty())
         say("No preset has all of these words and tags.", false);
+    else if (!found.contains(0))
+        say("No preset has exactly these words; these are similar.", false);
     else if (status.getText().startsWith("No preset"))
         say({}, false);
+    clear.setVisible(!search.isEmpty() || sources.isNarrowed());
+    resized();
     arrangeHint();
 }
 
@@ -237,7 +254,12 @@ void PresetBrowser::resized() {
     sources.setBounds(
         area.removeFromLeft(juce::jlimit(minimumSources, maximumSources, area.getWidth() / 5)));
     area.removeFromLeft(gap);
-    search.setBounds(area.removeFromTop(rowHeight));
+    auto top = area.removeFromTop(rowHeight);
+    if (clear.isVisible()) {
+        clear.setBounds(top.removeFromRight(58));
+        top.removeFromRight(gap);
+    }
+    search.setBounds(top);
     area.removeFromTop(gap);
     if (form.isVisible()) {
         form.setBounds(area.removeFromBottom(juce::jmin(form.neededHeight(), area.getHeight())));

@@ -35,6 +35,7 @@ private:
 
     void close(bool keep);
     void refill();
+    void clearFilters();
     void audition(const ShelvedPreset& preset);
     void ask(Question question);
     void answer(const PresetDetails& details);
@@ -61,8 +62,8 @@ private:
     Question question = Question::none;
     std::string askedId; ///< id of the preset in question, or empty
     juce::Label status;
-    juce::TextButton saveAs{"Save as..."}, rename{"Rename"}, remove{"Delete"}, reveal{"Folder"},
-        init{"Init"}, back{"Back"}, keep{"Keep"};
+    juce::TextButton clear{"Clear"}, saveAs{"Save as..."}, rename{"Rename"}, remove{"Delete"},
+        reveal{"Folder"}, init{"Init"}, back{"Back"}, keep{"Keep"};
 };
 
 } // namespace idiophone
