@@ -52,7 +52,12 @@ PresetBrowser::PresetBrowser(PresetShelf& presetShelf) : shelf(presetShelf) {
     form.onCancel = [this] { ask(Question::none); };
     form.onAnswer = [this](const PresetDetails& details) { answer(details); };
     showActions();
-    showParts(*this, search, clear, sources, list, saveAs, rename, remove, reveal, init,
+    playSwitch.setTitle(playSwitch.getButtonText());
+    playSwitch.setTooltip("Selecting a preset plays a short phrase");
+    playSwitch.onClick = [this] {
+        juce::NullCheckedInvocation::invoke(onPlaySwitch, playSwitch.getToggleState());
+    };
+    showParts(*this, search, clear, playSwitch, sources, list, saveAs, rename, remove, reveal, init,
               status, back, keep);
     addChildComponent(form);
 }
@@ -143,6 +148,8 @@ void PresetBrowser::audition(const ShelvedPreset& preset) {
     const auto played = shelf.auditionPreset(preset.id);
     say(played ? juce::String() : fromUtf8(played.error().message), !played);
     arrangeHint();
+    if (played)
+        juce::NullCheckedInvocation::invoke(onSelect);
 }
 
 void PresetBrowser::arrangeHint() {
@@ -255,6 +262,8 @@ void PresetBrowser::resized() {
         area.removeFromLeft(juce::jlimit(minimumSources, maximumSources, area.getWidth() / 5)));
     area.removeFromLeft(gap);
     auto top = area.removeFromTop(rowHeight);
+    playSwitch.setBounds(top.removeFromRight(144));
+    top.removeFromRight(gap);
     if (clear.isVisible()) {
         clear.setBounds(top.removeFromRight(58));
         top.removeFromRight(gap);

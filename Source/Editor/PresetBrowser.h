@@ -20,11 +20,18 @@ public:
 
     /// Called to close the browser, after a preset was kept or the old sound restored.
     std::function<void()> onClose;
+    /// Called when a selected preset plays, and when the switch asks for a phrase then or not.
+    std::function<void()> onSelect;
+    std::function<void(bool)> onPlaySwitch;
 
     /// Reads the presets again and scrolls to the current one.
     void open();
     /// Shows the form that saves the current sound.
     void askToSave() { ask(Question::save); }
+    /// Sets the switch for a phrase on selection.
+    void setPlaysOnSelection(bool plays) {
+        playSwitch.setToggleState(plays, juce::dontSendNotification);
+    }
 
     void paint(juce::Graphics& g) override;
     void resized() override;
@@ -62,6 +69,7 @@ private:
     Question question = Question::none;
     std::string askedId; ///< id of the preset in question, or empty
     juce::Label status;
+    juce::ToggleButton playSwitch{"Play on selection"};
     juce::TextButton clear{"Clear"}, saveAs{"Save as..."}, rename{"Rename"}, remove{"Delete"},
         reveal{"Folder"}, init{"Init"}, back{"Back"}, keep{"Keep"};
 };
