@@ -160,6 +160,7 @@ void PresetBrowser::arrangeHint() {
 }
 
 void PresetBrowser::say(const juce::String& sentence, bool isError) {
+    saysError = isError;
     status.setColour(juce::Label::textColourId,
                      colourOf(*this, isError ? LookColour::error : LookColour::dimText));
     status.setText(sentence, juce::dontSendNotification);

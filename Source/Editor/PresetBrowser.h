@@ -36,6 +36,7 @@ public:
     void paint(juce::Graphics& g) override;
     void resized() override;
     bool keyPressed(const juce::KeyPress& key) override;
+    void lookAndFeelChanged() override { say(status.getText(), saysError); }
 
 private:
     enum class Question { none, save, rename, remove };
@@ -69,6 +70,7 @@ private:
     Question question = Question::none;
     std::string askedId; ///< id of the preset in question, or empty
     juce::Label status;
+    bool saysError = false;
     juce::ToggleButton playSwitch{"Play on selection"};
     juce::TextButton clear{"Clear"}, saveAs{"Save as..."}, rename{"Rename"}, remove{"Delete"},
         reveal{"Folder"}, init{"Init"}, back{"Back"}, keep{"Keep"};

@@ -1,6 +1,7 @@
 #include "Editor/PresetBrowser.h"
 
 #include "Editor/EditorWindow.h"
+#include "Editor/PresetPictures.h"
 #include "Editor/WindowParts.h"
 #include "Instrument/FactoryContent.h"
 #include "Support/TestSound.h"
@@ -64,6 +65,36 @@ TEST_CASE("The browser shows all presets and selects the current one") {
     REQUIRE(b.list().selected() != nullptr);
     CHECK(b.list().selected()->name == factoryPresets()[0].name);
     CHECK(b.processor.view().status.takeStatus().isError == false);
+}
+
+TEST_CASE("Each factory preset has a small picture, and a preset of the user's a plain glyph") {
+    const auto drawn = [](const ShelvedPreset& preset) {
+        juce::Image image(juce::Image::ARGB, 96, 64, true);
+        juce::Graphics g(image);
+        PresetPictures().draw(g, image.getBounds().toFloat(), preset, juce::Colours::red);
+        return image;
+    };
+    const auto isPlain = [](const juce::Image& image) {
+        for (int x = 0; x < image.getWidth(); ++x)
+            if (const auto pixel = image.getPixelAt(x, 32);
+                pixel.getAlpha() > 0 && pixel.getGreen() > 0)
+                return false;
+        return true;
+    };
+    Browser b;
+    for (auto preset : b.shelf.presets()) {
+        INFO(preset.name);
+        const auto file = presetPictureFile(preset.name);
+        CHECK(file.size() <= 12000);
+        const auto picture = juce::ImageFileFormat::loadFrom(file.data(), file.size());
+        CHECK(picture.getWidth() == PresetPictures::width);
+        CHECK(picture.getHeight() == PresetPictures::height);
+        CHECK_FALSE(isPlain(drawn(preset)));
+        preset.isFactory = false;
+        CHECK(isPlain(drawn(preset)));
+        CHECK(drawn(preset).getPixelAt(48, 32).getAlpha() > 0);
+    }
+    CHECK(presetPictureFile("no such preset").empty());
 }
 
 TEST_CASE("Search words narrow the list; an empty search shows all") {
