@@ -117,6 +117,18 @@ TEST_CASE("An object along its keys plays a few of them, a stage one, and silenc
     CHECK(phraseNotes(FakeInstrument(), false).empty());
 }
 
+TEST_CASE("Factory presets play chords if they are tuned, single keys or a note otherwise") {
+    constexpr int steelPlate = 3, steelRing = 4, vibraphone = 9, dice = 18;
+    Processor processor;
+    const auto& view = processor.view();
+    for (const auto& [program, notes] :
+         {std::pair(steelPlate, 3), {steelRing, 5}, {vibraphone, 5}, {dice, 1}}) {
+        processor.setCurrentProgram(program);
+        CHECK(phraseNotes(view.instrument, view.stage.hasStage()).size() ==
+              static_cast<std::size_t>(notes));
+    }
+}
+
 TEST_CASE("A phrase plays each note once at its time and releases all keys at the end") {
     Playing p;
     p.phrase.play();
