@@ -21,13 +21,18 @@ void PresetPhrase::stop() {
         instrument.playNote(notes[i].note, 0);
     notes.clear();
     started = 0;
+    lateMilliseconds = 0;
 }
 
 void PresetPhrase::tick(int millisecondsSincePlay) {
     if (!instrument.isFreeToPlay() || instrument.instrumentNumber() != instrumentNumber)
         return stop();
-    const int now = millisecondsSincePlay - pauseMilliseconds;
-    while (started < notes.size() && notes[started].startMilliseconds <= now) {
+    int now = millisecondsSincePlay - pauseMilliseconds - lateMilliseconds;
+    if (started < notes.size() && notes[started].startMilliseconds <= now) {
+        // While a sound is shown for the first time, ticks come late: keep the rhythm from here on.
+        const int late = now - notes[started].startMilliseconds;
+        lateMilliseconds += late;
+        now -= late;
         instrument.playNote(notes[started].note, notes[started].velocity);
         ++started;
     }

@@ -27,8 +27,8 @@ public:
     void stop();
     bool isPlaying() const { return isTimerRunning(); }
 
-    /// Plays what is due that long after `play`; the timer calls it. Ends a phrase whose instrument
-    /// was replaced, or when the host's song starts.
+    /// Plays what is due that long after `play`; the timer calls it. A late call delays the rest.
+    /// Ends a phrase whose instrument was replaced, or when the host's song starts.
     void tick(int millisecondsSincePlay);
 
     void mouseDown(const juce::MouseEvent&) override { stop(); }
@@ -44,6 +44,7 @@ private:
     std::vector<PhraseNote> notes; ///< not yet released
     std::size_t started = 0;       ///< of them
     int instrumentNumber = 0;
+    int lateMilliseconds = 0; ///< how much late ticks have delayed the rest of the phrase
     juce::uint32 startMilliseconds = 0;
 };
 

@@ -145,11 +145,27 @@ TEST_CASE("A phrase plays each note once at its time and releases all keys at th
     CHECK_FALSE(p.phrase.isPlaying());
 }
 
+TEST_CASE("Ticks that come late delay the rest of the phrase and do not bunch its notes") {
+    Playing p;
+    p.phrase.play();
+    p.phrase.tick(2150); // two seconds late
+    CHECK(p.instrument.held.size() == 1);
+    p.phrase.tick(2380);
+    CHECK(p.instrument.held.size() == 1);
+    p.phrase.tick(2400);
+    CHECK(p.instrument.held.size() == 2);
+    for (int milliseconds = 2400; milliseconds < 4400; milliseconds += 20)
+        p.phrase.tick(milliseconds);
+    CHECK(p.instrument.played.size() == 10);
+    CHECK(p.instrument.held.empty());
+}
+
 TEST_CASE("A click, another sound, a host's song and another phrase each release the keys") {
     Playing p;
     const auto startsChord = [&] {
         p.phrase.play();
-        p.phrase.tick(700);
+        for (const int milliseconds : {200, 440, 680})
+            p.phrase.tick(milliseconds);
         CHECK(p.instrument.held.size() == 3);
     };
     startsChord();
