@@ -76,7 +76,10 @@ EditorWindow::EditorWindow(juce::AudioProcessor& audioProcessor, ProcessorView& 
         setLook(look.scheme() == LookScheme::dark ? LookScheme::light : LookScheme::dark);
     };
     silence.describe("Silence", "End all sound at once");
-    silence.onClick = [this] { view.instrument.silence(); };
+    silence.onClick = [this] {
+        phrase.stop();
+        view.instrument.silence();
+    };
     showParts(*this, presets, lookButton, object, deck, status, silence, volume, keyboard);
     addChildComponent(browser);
     presets.onBrowse = [this] { setBrowsing(!browser.isVisible()); };
@@ -85,6 +88,7 @@ EditorWindow::EditorWindow(juce::AudioProcessor& audioProcessor, ProcessorView& 
         browser.askToSave();
     };
     browser.onClose = [this] { setBrowsing(false); };
+    playPhrases();
     addChildComponent(dropFrame);
     addChildComponent(focusRing);
     setLook(look.scheme());
@@ -97,6 +101,8 @@ EditorWindow::EditorWindow(juce::AudioProcessor& audioProcessor, ProcessorView& 
 
 EditorWindow::~EditorWindow() {
     view.presets.keepAudition();
+    object.removeMouseListener(&phrase);
+    keyboard.removeMouseListener(&phrase);
     preferences.setWindowSize({getWidth(), getHeight()});
     setLookAndFeel(nullptr);
     view.parameters.endAllChanges();
@@ -121,6 +127,21 @@ void EditorWindow::makePages() {
     importPage = deck.pageCount();
     deck.add(std::make_unique<ImportPage>(view));
     deck.add(std::make_unique<QualityPage>(view));
+}
+
+/// A selected preset plays a phrase until something is struck by hand.
+void EditorWindow::playPhrases() {
+    browser.setPlaysOnSelection(preferences.playsOnSelection());
+    browser.onPlaySwitch = [this](bool plays) {
+        preferences.setPlaysOnSelection(plays);
+        phrase.stop();
+    };
+    presets.onStep = browser.onSelect = [this] {
+        if (preferences.playsOnSelection())
+            phrase.play();
+    };
+    object.addMouseListener(&phrase, true);
+    keyboard.addMouseListener(&phrase, true);
 }
 
 void EditorWindow::setLook(LookScheme scheme) {

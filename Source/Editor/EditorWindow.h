@@ -14,6 +14,7 @@
 #include "Editor/Preferences.h"
 #include "Editor/PresetBar.h"
 #include "Editor/PresetBrowser.h"
+#include "Editor/PresetPhrase.h"
 #include "Editor/ProcessorView.h"
 #include "Editor/StatusBar.h"
 
@@ -53,6 +54,7 @@ public:
 private:
     void timerCallback() override;
     void makePages();
+    void playPhrases();
     void placeParts();
     void setBusy(bool busy);
 
@@ -68,6 +70,7 @@ private:
     IconButton silence{"Silence", icons::silence()};
     ParameterControl volume;
     KeyboardPanel keyboard;
+    PresetPhrase phrase{view.instrument, view.stage};
     DropFrame dropFrame;
     FocusRing focusRing;
     int importPage = 0, tuningPage = 0;          ///< page numbers in the deck

@@ -46,6 +46,9 @@ public:
     /// the lowest key's end. Empty if the object does not exist.
     virtual std::vector<std::array<double, 3>> struckPlaces(std::size_t index) const = 0;
 
+    /// Whether notes sound now, and no song of the host plays. The window then plays phrases of its
+    /// own.
+    virtual bool isFreeToPlay() const = 0;
     /// Ends all sound at once, as MIDI's All Sound Off does.
     virtual void silence() = 0;
     /// Velocity 1 to 127; 0 releases.

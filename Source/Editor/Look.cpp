@@ -152,6 +152,10 @@ void Look::drawToggleButton(juce::Graphics& g, juce::ToggleButton& button, bool 
                    : colourOf(button, LookColour::dimText));
     const auto side = on ? track.withLeft(track.getRight() - height) : track.withWidth(height);
     g.fillEllipse(side.reduced(3));
+    g.setColour(colourOf(button, LookColour::text));
+    g.setFont(textFont());
+    g.drawText(button.getButtonText(), area.withRight(track.getX() - 6),
+               juce::Justification::centredRight, true);
 }
 
 } // namespace idiophone

@@ -31,7 +31,15 @@ public:
         file.setValue(heightKey, size.y);
     }
 
+    /// Whether selecting a preset plays a phrase.
+    bool playsOnSelection() const { return file.getBoolValue(phraseKey, true); }
+    void setPlaysOnSelection(bool plays) {
+        readAnew();
+        file.setValue(phraseKey, plays);
+    }
+
 private:
+    static constexpr const char* phraseKey = "playOnSelection";
     static constexpr const char *lookKey = "look", *widthKey = "width", *heightKey = "height";
 
     static juce::File place() {

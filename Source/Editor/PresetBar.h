@@ -48,6 +48,8 @@ public:
     /// Called to open the list of presets, and to ask for the name of a new preset.
     std::function<void()> onBrowse;
     std::function<void()> onSaveAs;
+    /// Called when a neighbour of the preset was loaded.
+    std::function<void()> onStep;
 
     void refresh() {
         refreshPreset();
@@ -166,8 +168,13 @@ private:
         for (int tried = 0; tried < count; ++tried) {
             place = (place + by + count) % count;
             const auto preset = shelf.presets()[static_cast<std::size_t>(place)];
-            if (preset.fault.empty())
-                return report(shelf.loadPreset(preset.id));
+            if (!preset.fault.empty())
+                continue;
+            const auto loaded = shelf.loadPreset(preset.id);
+            report(loaded);
+            if (loaded)
+                juce::NullCheckedInvocation::invoke(onStep);
+            return;
         }
     }
     void toggleFavourite() {

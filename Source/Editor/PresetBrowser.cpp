@@ -4,6 +4,8 @@
 #include "Editor/PresetSearch.h"
 #include "Editor/Utf8.h"
 
+#include <map>
+
 namespace idiophone {
 namespace {
 
@@ -50,8 +52,13 @@ PresetBrowser::PresetBrowser(PresetShelf& presetShelf) : shelf(presetShelf) {
     form.onCancel = [this] { ask(Question::none); };
     form.onAnswer = [this](const PresetDetails& details) { answer(details); };
     showActions();
-    showParts(*this, search, sources, list, saveAs, rename, remove, reveal, init, status, back,
-              keep);
+    playSwitch.setTitle(playSwitch.getButtonText());
+    playSwitch.setTooltip("Selecting a preset plays a short phrase");
+    playSwitch.onClick = [this] {
+        juce::NullCheckedInvocation::invoke(onPlaySwitch, playSwitch.getToggleState());
+    };
+    showParts(*this, search, clear, playSwitch, sources, list, saveAs, rename, remove, reveal, init,
+              status, back, keep);
     addChildComponent(form);
 }
 
@@ -61,6 +68,10 @@ void PresetBrowser::showActions() {
         button.setTooltip(tooltip);
         button.onClick = clicked;
     };
+    action(clear, "Show all presets: clear the search and the filters", [this] {
+        clearFilters();
+        search.grabKeyboardFocus();
+    });
     action(saveAs, "Save the current sound as a new preset", [this] { ask(Question::save); });
     action(rename, "Give the selected preset another name", [this] { ask(Question::rename); });
     action(remove, "Move the selected preset to the bin", [this] { ask(Question::remove); });
@@ -89,11 +100,8 @@ void PresetBrowser::open() {
     ask(Question::none);
     say({}, false);
     refill();
-    if (list.selected() == nullptr) {
-        search.clear();
-        sources.chooseAll();
-        refill();
-    }
+    if (list.selected() == nullptr)
+        clearFilters();
     search.grabKeyboardFocus();
 }
 
@@ -105,18 +113,32 @@ void PresetBrowser::close(bool kept) {
     juce::NullCheckedInvocation::invoke(onClose);
 }
 
+void PresetBrowser::clearFilters() {
+    search.clear();
+    sources.chooseAll();
+    refill();
+}
+
+/// Lists the presets that pass, those without typing errors first.
 void PresetBrowser::refill() {
     sources.show(shelf.presets());
-    std::vector<ShelvedPreset> passing;
+    std::map<int, std::vector<ShelvedPreset>> found; // by errors
     for (const auto& preset : shelf.presets())
-        if (sources.passes(preset) && matchesSearch(preset, search.getText()))
-            passing.push_back(preset);
-    const auto count = passing.size();
+        if (sources.passes(preset))
+            if (const auto errors = searchErrors(preset, search.getText()))
+                found[*errors].push_back(preset);
+    std::vector<ShelvedPreset> passing;
+    for (const auto& [errors, presets] : found)
+        passing.insert(passing.end(), presets.begin(), presets.end());
     list.show(std::move(passing), shelf.playingPreset().id);
-    if (count == 0)
+    if (found.empty())
         say("No preset has all of these words and tags.", false);
+    else if (!found.contains(0))
+        say("No preset has exactly these words; these are similar.", false);
     else if (status.getText().startsWith("No preset"))
         say({}, false);
+    clear.setVisible(!search.isEmpty() || sources.isNarrowed());
+    resized();
     arrangeHint();
 }
 
@@ -126,6 +148,8 @@ void PresetBrowser::audition(const ShelvedPreset& preset) {
     const auto played = shelf.auditionPreset(preset.id);
     say(played ? juce::String() : fromUtf8(played.error().message), !played);
     arrangeHint();
+    if (played)
+        juce::NullCheckedInvocation::invoke(onSelect);
 }
 
 void PresetBrowser::arrangeHint() {
@@ -136,6 +160,7 @@ void PresetBrowser::arrangeHint() {
 }
 
 void PresetBrowser::say(const juce::String& sentence, bool isError) {
+    saysError = isError;
     status.setColour(juce::Label::textColourId,
                      colourOf(*this, isError ? LookColour::error : LookColour::dimText));
     status.setText(sentence, juce::dontSendNotification);
@@ -237,7 +262,14 @@ void PresetBrowser::resized() {
     sources.setBounds(
         area.removeFromLeft(juce::jlimit(minimumSources, maximumSources, area.getWidth() / 5)));
     area.removeFromLeft(gap);
-    search.setBounds(area.removeFromTop(rowHeight));
+    auto top = area.removeFromTop(rowHeight);
+    playSwitch.setBounds(top.removeFromRight(144));
+    top.removeFromRight(gap);
+    if (clear.isVisible()) {
+        clear.setBounds(top.removeFromRight(58));
+        top.removeFromRight(gap);
+    }
+    search.setBounds(top);
     area.removeFromTop(gap);
     if (form.isVisible()) {
         form.setBounds(area.removeFromBottom(juce::jmin(form.neededHeight(), area.getHeight())));

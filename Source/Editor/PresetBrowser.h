@@ -20,21 +20,30 @@ public:
 
     /// Called to close the browser, after a preset was kept or the old sound restored.
     std::function<void()> onClose;
+    /// Called when a selected preset plays, and when the switch asks for a phrase then or not.
+    std::function<void()> onSelect;
+    std::function<void(bool)> onPlaySwitch;
 
     /// Reads the presets again and scrolls to the current one.
     void open();
     /// Shows the form that saves the current sound.
     void askToSave() { ask(Question::save); }
+    /// Sets the switch for a phrase on selection.
+    void setPlaysOnSelection(bool plays) {
+        playSwitch.setToggleState(plays, juce::dontSendNotification);
+    }
 
     void paint(juce::Graphics& g) override;
     void resized() override;
     bool keyPressed(const juce::KeyPress& key) override;
+    void lookAndFeelChanged() override { say(status.getText(), saysError); }
 
 private:
     enum class Question { none, save, rename, remove };
 
     void close(bool keep);
     void refill();
+    void clearFilters();
     void audition(const ShelvedPreset& preset);
     void ask(Question question);
     void answer(const PresetDetails& details);
@@ -61,8 +70,10 @@ private:
     Question question = Question::none;
     std::string askedId; ///< id of the preset in question, or empty
     juce::Label status;
-    juce::TextButton saveAs{"Save as..."}, rename{"Rename"}, remove{"Delete"}, reveal{"Folder"},
-        init{"Init"}, back{"Back"}, keep{"Keep"};
+    bool saysError = false;
+    juce::ToggleButton playSwitch{"Play on selection"};
+    juce::TextButton clear{"Clear"}, saveAs{"Save as..."}, rename{"Rename"}, remove{"Delete"},
+        reveal{"Folder"}, init{"Init"}, back{"Back"}, keep{"Keep"};
 };
 
 } // namespace idiophone

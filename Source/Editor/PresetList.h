@@ -1,8 +1,9 @@
-// The list of presets: star, name, tags and description in each row.
+// The list of presets: star, picture, name, tags and description in each row.
 #pragma once
 
 #include "Editor/Icons.h"
 #include "Editor/Look.h"
+#include "Editor/PresetPictures.h"
 #include "Editor/PresetSearch.h"
 #include "Editor/Utf8.h"
 
@@ -52,7 +53,8 @@ public:
     }
 
 private:
-    static constexpr int rowHeightPixels = 42, starWidth = 34;
+    static constexpr int rowHeightPixels = 60, starWidth = 34, textHeight = 40;
+    static constexpr int pictureWidth = 78, pictureHeight = 52;
 
     static juce::String sentenceOn(const ShelvedPreset& preset) {
         return fromUtf8(preset.fault.empty() ? preset.description : preset.fault);
@@ -80,7 +82,14 @@ private:
             icons::star(),
             juce::AffineTransform::scale(star.getWidth()).translated(star.getX(), star.getY()));
 
-        area.removeFromRight(10);
+        const auto colour = colourOf(*this, LookColour::outline);
+        pictures.draw(g,
+                      area.removeFromLeft(pictureWidth)
+                          .withSizeKeepingCentre(pictureWidth, pictureHeight)
+                          .toFloat(),
+                      *preset, colour);
+        area = area.withTrimmedLeft(10).withTrimmedRight(10);
+        area = area.withSizeKeepingCentre(area.getWidth(), textHeight);
         auto first = area.removeFromTop(area.getHeight() / 2 + 1);
         const auto tags = tagLine(preset->tags);
         const auto font = Look::textFont(12.5f);
@@ -138,6 +147,7 @@ private:
     }
 
     std::vector<ShelvedPreset> rows;
+    PresetPictures pictures;
     bool isFilling = false;
 };
 

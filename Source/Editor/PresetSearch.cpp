@@ -1,5 +1,6 @@
 #include "Editor/PresetSearch.h"
 
+#include "Editor/TypingErrors.h"
 #include "Editor/Utf8.h"
 
 #include <algorithm>
@@ -31,8 +32,7 @@ juce::String small(const juce::String& text) {
     const auto bytes = text.toRawUTF8();
     if (!juce::CharPointer_UTF8::isValidString(bytes, static_cast<int>(std::strlen(bytes))))
         return text; // a folder's name that is not UTF-8, which JUCE would read past its end
-    // Appending to a juce::String would search its end for each letter.
-    std::basic_string<juce::juce_wchar> result;
+    Letters result;  // appending to a juce::String would search its end for each letter
     for (auto letter = text.getCharPointer(); !letter.isEmpty(); ++letter)
         result += smallLetter(*letter);
     return juce::CharPointer_UTF32(result.c_str());
@@ -42,18 +42,57 @@ juce::String small(const std::string& text) {
     return small(fromUtf8(text));
 }
 
+/// "ph" becomes "f", the same sound.
+Letters lettersOf(const juce::String& word) {
+    const auto sounding = word.replace("ph", "f");
+    Letters letters;
+    for (auto letter = sounding.getCharPointer(); !letter.isEmpty(); ++letter)
+        letters += *letter;
+    return letters;
+}
+
+std::vector<Letters> wordsOf(const juce::StringArray& fields) {
+    std::vector<Letters> words;
+    for (const auto& field : fields)
+        for (const auto& word : juce::StringArray::fromTokens(field, " -/,.()", {}))
+            words.push_back(lettersOf(word));
+    return words;
+}
+
+/// Returns the errors in the typed word that one of the words has least, at least 1, or nothing if
+/// they are too many. A short word must have the right first letter.
+std::optional<int> errorsIn(const juce::String& typed, const std::vector<Letters>& words) {
+    constexpr int shortest = 6, longest = 64; // letters: work grows with their square
+    const int permitted = permittedErrors(typed.length());
+    if (permitted == 0 || typed.length() > longest)
+        return std::nullopt;
+    const auto letters = lettersOf(typed);
+    int fewest = permitted + 1;
+    for (const auto& word : words)
+        if (typed.length() >= shortest || word.starts_with(letters.front()))
+            fewest = std::min(fewest, typingErrors(letters, word.substr(0, longest)));
+    return fewest > permitted ? std::nullopt : std::optional(std::max(fewest, 1));
+}
+
 } // namespace
 
-bool matchesSearch(const ShelvedPreset& preset, const juce::String& words) {
-    juce::StringArray fields{small(preset.name), small(preset.author), small(preset.description),
-                             small(preset.folder)};
+std::optional<int> searchErrors(const ShelvedPreset& preset, const juce::String& words) {
+    juce::StringArray fields{small(preset.name), small(preset.folder)};
     for (const auto& tag : preset.tags)
         fields.add(small(tag));
-    const auto wanted = juce::StringArray::fromTokens(small(words), false);
-    return std::all_of(wanted.begin(), wanted.end(), [&](const juce::String& word) {
-        return std::any_of(fields.begin(), fields.end(),
-                           [&](const juce::String& field) { return field.contains(word); });
-    });
+    const auto forgiving = wordsOf(fields);
+    fields.addArray({small(preset.author), small(preset.description)});
+    int errors = 0;
+    for (const auto& word : juce::StringArray::fromTokens(small(words), false)) {
+        if (std::any_of(fields.begin(), fields.end(),
+                        [&](const juce::String& field) { return field.contains(word); }))
+            continue;
+        const auto more = errorsIn(word, forgiving);
+        if (!more)
+            return std::nullopt;
+        errors += *more;
+    }
+    return errors;
 }
 
 juce::StringArray tagsOf(const std::vector<ShelvedPreset>& presets) {

@@ -75,6 +75,8 @@ public:
         return std::all_of(chosenTags.begin(), chosenTags.end(),
                            [&](const juce::String& tag) { return own.contains(tag); });
     }
+    /// Whether the choice leaves presets out.
+    bool isNarrowed() const { return chosen.kind != Kind::all || !chosenTags.isEmpty(); }
     void chooseAll() {
         chosen = {Kind::all, "All"};
         chosenTags.clear();

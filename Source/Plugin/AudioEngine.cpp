@@ -94,6 +94,7 @@ void AudioEngine::followTransport(const juce::AudioPlayHead* playHead, int block
         return;
     transport.follow(playHead, blockSamples, player->synthesiser().sampleRateHz());
     report.tempo = transport.tempo();
+    report.songPlays = transport.songPlace().has_value();
     player->setSong(transport.tempo(), transport.songPlace());
     if (transport.begins() && player->beginSong() && output.silent())
         output.reset();
@@ -198,6 +199,7 @@ void AudioEngine::prepare(double sampleRateHz, std::unique_ptr<Player> player) {
     programs.prepare();
     transport.forget();
     report.tempo = 0;
+    report.songPlays = false;
     messages.reset = false;
     ++report.callbacks; // the first callback, counted in advance
     values = parameters.values();

@@ -23,6 +23,7 @@ struct EngineReport {
     std::atomic<std::int64_t> modesMixed{0};
     std::atomic<std::int64_t> lateEvents{0};
     std::atomic<double> tempo{0}; ///< last reported by the host, or 0
+    std::atomic<bool> songPlays{false};
     /// [semitones] How far any key may sound below equal temperament, by tunings and wheels.
     std::atomic<double> semitonesBelowEqual{0};
     /// Whether the player has played keys without an object of their own. A new sound clears it.

@@ -35,6 +35,13 @@ void HostReporter::reportSound() {
     pollSoon();
 }
 
+void HostReporter::reportChosenProgram() {
+    const bool isMessageThread = juce::MessageManager::existsAndIsCurrentThread();
+    if (isMessageThread || !processor.isNonRealtime() || !edits.send(parameters))
+        return reportSound();
+    parameters.forgetLastSent(); // offline, no value from the host is an echo
+}
+
 void HostReporter::reportProgram() {
     processor.updateHostDisplay(Details().withProgramChanged(true));
 }

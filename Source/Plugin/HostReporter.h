@@ -3,6 +3,7 @@
 
 #include "Plugin/HostParameters.h"
 #include "Plugin/MidiLearn.h"
+#include "Plugin/Vst3Edits.h"
 
 #include <atomic>
 #include <functional>
@@ -21,6 +22,10 @@ public:
     /// [any thread except the audio thread, offline any] Reports all values and the program to the
     /// host.
     void reportSound();
+    /// [thread on which the host chose a program] Reports all values and the program. An offline
+    /// VST3 host knows the values on return, also where no message loop runs: it may send the
+    /// values that it knows back with the next block.
+    void reportChosenProgram();
     /// [message thread] Reports another program, or its name.
     void reportProgram();
     /// [message thread] Reports that the state has changed outside the parameters.
@@ -47,10 +52,14 @@ public:
     /// the render depend on time.
     void poll(MidiLearn& controllers);
 
+    /// For the wrapper.
+    Vst3Edits& vst3() noexcept { return edits; }
+
 private:
     juce::AudioProcessor& processor;
     HostParameters& parameters;
     std::function<void()> pollSoon;
+    Vst3Edits edits;
     std::atomic<int> soundsToReport{0}; ///< further reports of the sound
     int movesToReport = 0; ///< further reports of moved values; only for the message thread
     std::atomic<int> restorings{0};

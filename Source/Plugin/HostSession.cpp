@@ -104,7 +104,10 @@ void HostSession::chooseProgram(int index, ProgramChanges::Request request) {
         if (!loaded || !*loaded)
             return;
     }
-    shared.reporter.reportSound();
+    if (isForMidi)
+        shared.reporter.reportSound();
+    else
+        shared.reporter.reportChosenProgram();
 }
 
 /// Call with the lock. Values moved since MIDI's request are kept, as in an offline render, where

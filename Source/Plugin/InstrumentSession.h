@@ -21,6 +21,7 @@ public:
     std::array<KeySound, 128> keySounds() const override;
     std::vector<PlayedObject> playedObjects() const override;
     std::vector<std::array<double, 3>> struckPlaces(std::size_t index) const override;
+    bool isFreeToPlay() const override { return isProcessing() && !report.songPlays; }
     void silence() override { events.silence(); }
     void playNote(int midiNote, int velocity) override;
     void strikeObject(std::size_t index,

@@ -34,6 +34,9 @@ public:
 
     juce::AudioProcessorParameter* getBypassParameter() const override;
     double getTailLengthSeconds() const override;
+    juce::VST3ClientExtensions* getVST3ClientExtensions() override {
+        return &shared.reporter.vst3();
+    }
 
     /// Returns the number of factory presets. A VST3 has one more program, for any other sound.
     int getNumPrograms() override;

@@ -29,7 +29,7 @@ MODULES = {
     "Output": ("Parameters", "juce_dsp/"),
     "Editor": ("Parameters Object Geometry", "Eigen/ juce_ GL/ X11/"),
     "Plugin": ("Editor Output Scene Instrument Analysis Synth Geometry Parameters Object",
-               "boost/lockfree/ juce_ nlohmann/ libMTSClient.h"),
+               "boost/lockfree/ juce_ nlohmann/ libMTSClient.h pluginterfaces/"),
     "Console": ("Output Scene Instrument Analysis Synth Geometry Parameters Object",
                 "juce_ CLI/ nlohmann/ ebur128.h mysofa.h"),
 }

@@ -1,6 +1,7 @@
 #include "Editor/PresetBrowser.h"
 
 #include "Editor/EditorWindow.h"
+#include "Editor/PresetPictures.h"
 #include "Editor/WindowParts.h"
 #include "Instrument/FactoryContent.h"
 #include "Support/TestSound.h"
@@ -66,6 +67,36 @@ TEST_CASE("The browser shows all presets and selects the current one") {
     CHECK(b.processor.view().status.takeStatus().isError == false);
 }
 
+TEST_CASE("Each factory preset has a small picture, and a preset of the user's a plain glyph") {
+    const auto drawn = [](const ShelvedPreset& preset) {
+        juce::Image image(juce::Image::ARGB, 96, 64, true);
+        juce::Graphics g(image);
+        PresetPictures().draw(g, image.getBounds().toFloat(), preset, juce::Colours::red);
+        return image;
+    };
+    const auto isPlain = [](const juce::Image& image) {
+        for (int x = 0; x < image.getWidth(); ++x)
+            if (const auto pixel = image.getPixelAt(x, 32);
+                pixel.getAlpha() > 0 && pixel.getGreen() > 0)
+                return false;
+        return true;
+    };
+    Browser b;
+    for (auto preset : b.shelf.presets()) {
+        INFO(preset.name);
+        const auto file = presetPictureFile(preset.name);
+        CHECK(file.size() <= 12000);
+        const auto picture = juce::ImageFileFormat::loadFrom(file.data(), file.size());
+        CHECK(picture.getWidth() == PresetPictures::width);
+        CHECK(picture.getHeight() == PresetPictures::height);
+        CHECK_FALSE(isPlain(drawn(preset)));
+        preset.isFactory = false;
+        CHECK(isPlain(drawn(preset)));
+        CHECK(drawn(preset).getPixelAt(48, 32).getAlpha() > 0);
+    }
+    CHECK(presetPictureFile("no such preset").empty());
+}
+
 TEST_CASE("Search words narrow the list; an empty search shows all") {
     Browser b;
     b.type("XYLOphone rosewood");
@@ -75,6 +106,45 @@ TEST_CASE("Search words narrow the list; an empty search shows all") {
     CHECK(b.rows() == 0);
     b.type("");
     CHECK(b.rows() == factoryCount);
+}
+
+TEST_CASE("A search with typing errors lists similar presets and says so; exact ones come first") {
+    Browser b;
+    const auto first = [&] { return b.list().getListBoxModel()->getNameForRow(0).toStdString(); };
+    for (const auto& [typed, found] : {std::pair("vibrafone", "Vibraphone"),
+                                       {"marinba", "Marimba"},
+                                       {"xylofon", "Rosewood Xylophone"},
+                                       {"glockenspeil", "Glockenspiel"}}) {
+        b.type(typed);
+        CHECK(first().starts_with(found));
+        CHECK(b.part<juce::Label>("Message").getText().contains("similar"));
+    }
+    REQUIRE(b.shelf.savePreset(called("Zlass"), false));
+    b.browser.open();
+    b.type("glass");
+    CHECK(first().starts_with("Glass Ring"));
+    b.type("zlass");
+    CHECK(first().starts_with("Zlass"));
+    CHECK_FALSE(b.part<juce::Label>("Message").getText().contains("similar"));
+}
+
+TEST_CASE("One button clears the search and all filters; it is there while any narrows the list") {
+    Browser b;
+    auto& clear = b.part<juce::TextButton>("Clear");
+    CHECK_FALSE(clear.isVisible());
+    b.type("wok");
+    CHECK(clear.isVisible());
+    b.part<juce::ListBox>("Tags").selectRow(0, false, false);
+    b.type("");
+    CHECK(clear.isVisible());
+    b.part<juce::ListBox>("From").selectRow(1);
+    CHECK(b.rows() == 0);
+    b.click("Clear");
+    CHECK(b.rows() == factoryCount);
+    CHECK(b.part<juce::TextEditor>("Search presets").isEmpty());
+    CHECK(b.part<juce::ListBox>("Tags").getNumSelectedRows() == 0);
+    CHECK(b.part<juce::ListBox>("From").getSelectedRow() == 0);
+    CHECK_FALSE(clear.isVisible());
 }
 
 TEST_CASE("Arrows play presets, Return keeps one as one step, and Escape restores the old sound") {
@@ -285,6 +355,7 @@ TEST_CASE("The browser's parts fit from its minimum size on and do not overlap, 
     Browser b;
     for (const auto& [width, height] : {std::pair(640, 300), {776, 354}, {3800, 1900}}) {
         b.browser.setSize(width, height);
+        b.type(width > 640 ? "o" : ""); // with a button that clears it, and without
         for (const bool asking : {false, true}) {
             b.browser.open();
             if (asking)

@@ -7,6 +7,7 @@
 #include "Support/PoleFit.h"
 #include "Support/RenderNotes.h"
 
+#include <algorithm>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators_range.hpp>
 #include <cmath>
@@ -58,6 +59,20 @@ TEST_CASE("Every factory preset is complete and builds an instrument") {
         CHECK(findFactoryPreset(preset.name) == &preset);
     }
     CHECK(findFactoryPreset("no such preset") == nullptr);
+}
+
+TEST_CASE("Every factory preset has one sound word for brightness and one for length") {
+    const std::set<std::string> brightness{"dark", "warm", "clear", "bright"};
+    const std::set<std::string> length{"short", "ringing", "long"};
+    for (const auto& preset : factoryPresets()) {
+        INFO(preset.name);
+        const auto count = [&](const std::set<std::string>& words) {
+            return std::ranges::count_if(
+                preset.tags, [&](const std::string& tag) { return words.contains(tag); });
+        };
+        CHECK(count(brightness) == 1);
+        CHECK(count(length) == 1);
+    }
 }
 
 TEST_CASE("Every key of every bar instrument sounds within 1 cent of equal temperament") {

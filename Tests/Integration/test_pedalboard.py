@@ -110,6 +110,28 @@ def test_loudness_is_matched_while_it_plays_though_no_message_loop_runs(load):
     assert abs(matched - decibels(reset=True)) < 0.5
 
 
+@pytest.mark.parametrize("reset", (False, True))
+def test_a_chosen_program_changes_everything_at_once_though_no_message_loop_runs(load, reset):
+    def loaded(program):
+        plugin = load()
+        render(plugin, Performance([]), 4800)  # from now on it is offline
+        plugin.program = program
+        return plugin
+
+    expected = {"program": "Vibraphone", "mallet": "Hard rubber", "preset_level_db": "-21.1"}
+    plugin = loaded("Vibraphone")
+    shown = {name: plugin.parameters[name].string_value for name in expected}
+    assert shown == expected
+    sound = render(plugin, Performance.scale(), SAMPLE_RATE, reset)
+    assert {name: plugin.parameters[name].string_value for name in expected} == expected
+
+    plugin.program = "Marimba"
+    plugin.program = "Vibraphone"
+    assert_equal_sound(render(plugin, Performance.scale(), SAMPLE_RATE, reset=True), sound)
+    plugin.preset_level_db = -30
+    assert level(render(plugin, Performance.scale(), SAMPLE_RATE, reset=True)) < level(sound) - 8
+
+
 def test_a_restored_state_is_equal_byte_for_byte_and_sounds_the_same(load):
     first = load()
     untouched = first.raw_state

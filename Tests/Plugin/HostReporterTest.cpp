@@ -3,7 +3,10 @@
 #include "Plugin/BareHost.h"
 
 #include <catch2/catch_test_macros.hpp>
+#include <map>
+#include <pluginterfaces/vst/ivsteditcontroller.h>
 #include <stdexcept>
+#include <thread>
 
 using namespace idiophone;
 using namespace idiophone::test;
@@ -28,7 +31,53 @@ struct Reported {
     Listener heard;
 };
 
+/// A VST3 host that keeps the values that it is sent.
+struct Vst3Host final : Steinberg::Vst::IComponentHandler {
+    Steinberg::tresult PLUGIN_API beginEdit(Steinberg::Vst::ParamID) override { return 0; }
+    Steinberg::tresult PLUGIN_API performEdit(Steinberg::Vst::ParamID id,
+                                              Steinberg::Vst::ParamValue value) override {
+        values[id] = value;
+        return 0;
+    }
+    Steinberg::tresult PLUGIN_API endEdit(Steinberg::Vst::ParamID) override { return 0; }
+    Steinberg::tresult PLUGIN_API restartComponent(Steinberg::int32) override { return 0; }
+    Steinberg::tresult PLUGIN_API queryInterface(const Steinberg::TUID, void**) override {
+        return Steinberg::kNoInterface;
+    }
+    Steinberg::uint32 PLUGIN_API addRef() override { return ++references; }
+    Steinberg::uint32 PLUGIN_API release() override { return --references; }
+    std::map<Steinberg::Vst::ParamID, double> values;
+    Steinberg::uint32 references = 1;
+};
+
 } // namespace
+
+TEST_CASE("An offline VST3 host that chose a program off the message thread knows all its values") {
+    Vst3Host vst3;
+    Reported reported;
+    auto& density = reported.parameters[ParameterId::density];
+    density.setExactValue(1234);
+    const auto choose = [&](bool isOffline) {
+        vst3.values.clear();
+        reported.heard.values = 0;
+        reported.host.setNonRealtime(isOffline);
+        std::thread([&] { reported.reporter.reportChosenProgram(); }).join();
+    };
+    choose(true);
+    CHECK(reported.heard.values == int(parameterCount)); // no handler: another format
+    reported.reporter.vst3().setIComponentHandler(&vst3);
+    choose(true);
+    CHECK(vst3.values.size() == parameterCount);
+    CHECK(vst3.values.at(juce::VST3ClientExtensions::convertJuceParameterId(density.paramID)) ==
+          density.getValue());
+    CHECK(reported.heard.values == 0); // a later report could bring an older value
+    choose(false);
+    CHECK(vst3.values.empty());
+    CHECK(reported.heard.values == int(parameterCount));
+    CHECK(vst3.references == 2);
+    reported.reporter.vst3().setIComponentHandler(nullptr);
+    CHECK(vst3.references == 1);
+}
 
 TEST_CASE("A new sound is reported with all values and its program") {
     Reported reported;
