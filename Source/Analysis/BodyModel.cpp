@@ -18,13 +18,11 @@ std::string notesOn(const BodyModel& body, const SolveSettings& settings, const 
     std::string zeroModes, lowModes;
     const Eigen::Index rigid = 6 * Eigen::Index{body.components};
     if (modes.zeroModes > rigid)
-        zeroModes = "The model has " + std::to_string(modes.zeroModes) + " zero modes where " +
-                    std::to_string(rigid) +
-                    (body.kind == ModelKind::twoLayers
-                         ? " are rigid motion: so thin a shell bends at frequencies too low to be "
-                           "separated."
-                         : " are rigid motion: flat parts bend freely in it; the two-layer method "
-                           "does not.");
+        zeroModes = (body.kind == ModelKind::twoLayers
+                         ? "The shell is so thin that some of its bending is too slow to be heard: "
+                         : "Flat parts bend freely in this method, unlike in a two-layer shell: ") +
+                    std::to_string(modes.zeroModes) + " zero modes instead of " +
+                    std::to_string(rigid) + ".";
     if (modes.belowBand > 0)
         lowModes = std::to_string(modes.belowBand) + " modes below " +
                    std::to_string(std::lround(settings.lowestFrequencyHz)) + " Hz were left out.";
@@ -109,6 +107,14 @@ Eigen::MatrixXd surfaceShapes(const BodyModel& body, const Eigen::MatrixXd& shap
     return shapes.topRows(3 * body.surface.vertexCount());
 }
 
+/// Returns the share of the modes in the time of an analysis, the rest is the radiation's
+/// (measured).
+double shareOfModes(const BodyModel& body, RadiationMethod method) {
+    if (body.kind == ModelKind::twoLayers)
+        return 0.15;
+    return method == RadiationMethod::exact ? 0.4 : 0.65;
+}
+
 } // namespace
 
 std::string joinedSentences(std::initializer_list<std::string> sentences) {
@@ -123,7 +129,7 @@ Result<ModalObject> solveBody(const BodyModel& body,
                               const SolveSettings& settings,
                               const WorkControl& control,
                               Eigen::MatrixXcd* nearPressures) {
-    const double modesShare = settings.radiation == RadiationMethod::exact ? 0.4 : 0.9;
+    const double modesShare = shareOfModes(body, settings.radiation);
     const auto start = std::chrono::steady_clock::now();
     const auto modes = solveModes(body.model,
                                   {.lowestHz = settings.lowestFrequencyHz,

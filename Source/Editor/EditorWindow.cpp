@@ -68,19 +68,21 @@ std::string refusalOf(const juce::File& file, const ProcessorView& view) {
 
 EditorWindow::EditorWindow(juce::AudioProcessor& audioProcessor, ProcessorView& processorView)
     : AudioProcessorEditor(audioProcessor), view(processorView), look(preferences.look()),
-      presets(view), object(view), browser(view.presets),
+      presets(view), object(view), browser(view.presets), recorder(view),
       volume(parameterInfo(ParameterId::volume), view), keyboard(view) {
     setLookAndFeel(&look);
     makePages();
     lookButton.onClick = [this] {
         setLook(look.scheme() == LookScheme::dark ? LookScheme::light : LookScheme::dark);
     };
+    recorder.onWidth = [this] { placeParts(); };
     silence.describe("Silence", "End all sound at once");
     silence.onClick = [this] {
         phrase.stop();
         view.instrument.silence();
     };
-    showParts(*this, presets, lookButton, object, deck, status, silence, volume, keyboard);
+    showParts(*this, presets, lookButton, object, deck, status, recorder, silence, volume,
+              keyboard);
     addChildComponent(browser);
     presets.onBrowse = [this] { setBrowsing(!browser.isVisible()); };
     presets.onSaveAs = [this] {
@@ -197,6 +199,7 @@ void EditorWindow::timerCallback() {
     presets.refresh();
     object.refresh();
     deck.refresh();
+    recorder.refresh();
     volume.refresh();
     keyboard.refresh();
     const auto now = view.status.takeStatus();
@@ -226,7 +229,7 @@ void EditorWindow::setBusy(bool busy) {
 bool EditorWindow::isInterestedInFileDrag(const juce::StringArray& files) {
     // Accept unreadable files too, to report the reason. Ignore a capture dropped back on the
     // window.
-    return !files.isEmpty() && !CaptureButton::isForDrag(pathOf(files[0]));
+    return !files.isEmpty() && !DragFolder::contains(pathOf(files[0]));
 }
 
 void EditorWindow::fileDragEnter(const juce::StringArray& files, int, int) {
@@ -273,6 +276,7 @@ void EditorWindow::placeParts() {
     auto line = area.removeFromBottom(statusHeight);
     volume.setBounds(line.removeFromRight(150));
     silence.setBounds(line.removeFromRight(36).withSizeKeepingCentre(28, 28));
+    recorder.setBounds(line.removeFromRight(recorder.width()));
     status.setBounds(line.withTrimmedRight(4));
     browser.setBounds(area);
     if (area.getHeight() < minimumHeightForBoth) {

@@ -16,6 +16,7 @@
 #include "Editor/PresetBrowser.h"
 #include "Editor/PresetPhrase.h"
 #include "Editor/ProcessorView.h"
+#include "Editor/RecorderStrip.h"
 #include "Editor/StatusBar.h"
 
 #include <juce_audio_processors/juce_audio_processors.h>
@@ -67,6 +68,7 @@ private:
     PageDeck deck;
     PresetBrowser browser;
     StatusBar status;
+    RecorderStrip recorder;
     IconButton silence{"Silence", icons::silence()};
     ParameterControl volume;
     KeyboardPanel keyboard;

@@ -15,5 +15,7 @@ juce::Path undo();
 juce::Path redo();
 juce::Path copy();
 juce::Path silence();
+juce::Path soundFile();
+juce::Path record();
 
 } // namespace idiophone::icons
