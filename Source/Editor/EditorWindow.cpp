@@ -16,7 +16,6 @@
 namespace idiophone {
 namespace {
 
-constexpr int firstWidth = 1180, firstHeight = 860;
 constexpr int margin = 12, barHeight = 44, statusHeight = 38;
 /// Height of picture and deck below which the picture stands beside the deck, not above it.
 constexpr int minimumHeightForBoth = PageDeck::minimumHeight + 200;
@@ -25,18 +24,6 @@ constexpr double deckShare = 0.44;
 /// starts after `ticksToRest` quiet ticks.
 constexpr int busyHz = 25, restHz = 8, ticksToRest = 50;
 constexpr int tooltipMilliseconds = 600;
-
-/// The last size of the window, limited to the current screen.
-juce::Point<int> sizeOnScreen(juce::Point<int> last) {
-    auto most = juce::Rectangle<int>(EditorWindow::maximumWidth, EditorWindow::maximumHeight);
-    if (const auto* screen = juce::Desktop::getInstance().getDisplays().getPrimaryDisplay())
-        most = screen->userArea;
-    const auto fitting = [](int stored, int first, int least, int screen) {
-        return juce::jlimit(least, std::max(least, screen), stored > 0 ? stored : first);
-    };
-    return {fitting(last.x, firstWidth, EditorWindow::minimumWidth, most.getWidth()),
-            fitting(last.y, firstHeight, EditorWindow::minimumHeight, most.getHeight())};
-}
 
 /// JUCE keeps the old colour in text that was already typed, so colour it again.
 void recolourTexts(juce::Component& part) {
@@ -77,7 +64,12 @@ EditorWindow::EditorWindow(juce::AudioProcessor& audioProcessor, ProcessorView& 
     };
     silence.describe("Silence", "End all sound at once");
     silence.onClick = [this] { view.instrument.silence(); };
-    showParts(*this, presets, lookButton, object, deck, status, silence, volume, keyboard);
+    scaleButton.onScale = [this](int percent) {
+        preferences.setScalePercent(percent);
+        setScale(percent);
+    };
+    showParts(*this, presets, scaleButton, lookButton, object, deck, status, silence, volume,
+              keyboard);
     addChildComponent(browser);
     presets.onBrowse = [this] { setBrowsing(!browser.isVisible()); };
     presets.onSaveAs = [this] {
@@ -88,10 +80,11 @@ EditorWindow::EditorWindow(juce::AudioProcessor& audioProcessor, ProcessorView& 
     addChildComponent(dropFrame);
     addChildComponent(focusRing);
     setLook(look.scheme());
+    setConstrainer(&limits);
     setResizable(true, true);
-    setResizeLimits(minimumWidth, minimumHeight, maximumWidth, maximumHeight);
-    const auto size = sizeOnScreen(preferences.windowSize());
+    const auto size = preferences.windowSize();
     setSize(size.x, size.y);
+    setScale(ScaleButton::fitting(preferences.scalePercent(), WindowSize::screen()));
     startTimer(1000 / busyHz);
 }
 
@@ -133,6 +126,21 @@ void EditorWindow::setLook(LookScheme scheme) {
     sendLookAndFeelChange();
     recolourTexts(*this);
     repaint();
+}
+
+void EditorWindow::setScale(int percent) {
+    scaleButton.show(percent);
+    userScale = float(percent) / 100;
+    const auto size =
+        WindowSize::within(WindowSize::screen(), {getWidth(), getHeight()}, userScale * hostScale);
+    setSize(size.x, size.y);
+    setScaleFactor(hostScale);
+}
+
+void EditorWindow::setScaleFactor(float ofHost) {
+    hostScale = ofHost;
+    limits.setScale(hostScale * userScale);
+    AudioProcessorEditor::setScaleFactor(hostScale * userScale);
 }
 
 void EditorWindow::setBrowsing(bool browses) {
@@ -246,6 +254,7 @@ void EditorWindow::placeParts() {
     auto area = getLocalBounds().reduced(margin, 0);
     auto bar = area.removeFromTop(barHeight);
     lookButton.setBounds(bar.removeFromRight(34).reduced(0, 8));
+    scaleButton.setBounds(bar.removeFromRight(ScaleButton::width).reduced(4, 8));
     presets.setBounds(bar.withTrimmedRight(8));
     area.removeFromBottom(8);
     keyboard.setBounds(area.removeFromBottom(std::clamp(getHeight() / 8, 60, 140)));

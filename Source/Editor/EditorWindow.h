@@ -16,6 +16,7 @@
 #include "Editor/PresetBrowser.h"
 #include "Editor/ProcessorView.h"
 #include "Editor/StatusBar.h"
+#include "Editor/WindowScale.h"
 
 #include <juce_audio_processors/juce_audio_processors.h>
 #include <optional>
@@ -26,9 +27,6 @@ class EditorWindow final : public juce::AudioProcessorEditor,
                            public juce::FileDragAndDropTarget,
                            private juce::Timer {
 public:
-    static constexpr int minimumWidth = 800, minimumHeight = 500;
-    static constexpr int maximumWidth = 3840, maximumHeight = 2160;
-
     EditorWindow(juce::AudioProcessor& processor, ProcessorView& view);
     ~EditorWindow() override;
 
@@ -42,6 +40,12 @@ public:
     void setBrowsing(bool browses);
 
     void setLook(LookScheme scheme);
+
+    /// Scales the window and all in it; a value of `ScaleButton::percents`. The size before scaling
+    /// stays, unless the screen is too small for it.
+    void setScale(int percent);
+    /// Called by hosts for their screen. Multiplies the user's scale.
+    void setScaleFactor(float ofHost) override;
 
     /// Accepts files that the workshop reads, scales and keyboard mappings anywhere on the window.
     /// For other files the status gives the reason. Captures dragged from this program are ignored.
@@ -60,6 +64,7 @@ private:
     Preferences preferences;
     Look look;
     PresetBar presets;
+    ScaleButton scaleButton;
     juce::TextButton lookButton;
     ObjectPane object;
     PageDeck deck;
@@ -73,6 +78,8 @@ private:
     int importPage = 0, tuningPage = 0;          ///< page numbers in the deck
     std::optional<juce::TooltipWindow> tooltips; ///< only while busy: it polls
     int ticksAtRest = 0;
+    WindowLimits limits{*this};
+    float userScale = 1, hostScale = 1;
 };
 
 } // namespace idiophone

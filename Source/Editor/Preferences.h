@@ -21,7 +21,14 @@ public:
         file.setValue(lookKey, scheme == LookScheme::light ? "light" : "dark");
     }
 
-    /// The last size of the window; (0, 0) the first time.
+    /// The window's scale in per cent, 75 to 200.
+    int scalePercent() const { return juce::jlimit(75, 200, file.getIntValue(scaleKey, 100)); }
+    void setScalePercent(int percent) {
+        readAnew();
+        file.setValue(scaleKey, percent);
+    }
+
+    /// The last size of the window before scaling; (0, 0) the first time.
     juce::Point<int> windowSize() const {
         return {file.getIntValue(widthKey), file.getIntValue(heightKey)};
     }
@@ -32,7 +39,8 @@ public:
     }
 
 private:
-    static constexpr const char *lookKey = "look", *widthKey = "width", *heightKey = "height";
+    static constexpr const char *lookKey = "look", *widthKey = "width", *heightKey = "height",
+                                *scaleKey = "scale";
 
     static juce::File place() {
         const auto folder = userSettingsFolder();

@@ -51,7 +51,7 @@ PageDeck& deckOf(juce::Component& window) {
     return *deck;
 }
 
-const auto sizes = {std::pair(EditorWindow::minimumWidth, EditorWindow::minimumHeight),
+const auto sizes = {std::pair(WindowSize::minimumWidth, WindowSize::minimumHeight),
                     {1180, 860},
                     {1280, 720},
                     {1920, 600},
@@ -303,7 +303,7 @@ TEST_CASE("Opening and closing the window 100 times does not change the sound") 
     });
     for (int i = 0; i < 100; ++i) {
         const auto window = open(processor);
-        window->setSize(EditorWindow::minimumWidth + 7 * i, EditorWindow::minimumHeight + 5 * i);
+        window->setSize(WindowSize::minimumWidth + 7 * i, WindowSize::minimumHeight + 5 * i);
         window->createComponentSnapshot(window->getLocalBounds());
         juce::Timer::callPendingTimersSynchronously();
     }
@@ -318,11 +318,11 @@ TEST_CASE("A restored window fits the screen and has at least the minimum size")
     { Preferences().setWindowSize({100000, 10}); }
     Processor processor;
     auto window = open(processor);
-    CHECK(window->getWidth() <= EditorWindow::maximumWidth);
-    CHECK(window->getHeight() == EditorWindow::minimumHeight);
+    CHECK(window->getWidth() <= WindowSize::maximumWidth);
+    CHECK(window->getHeight() == WindowSize::minimumHeight);
     window.reset();
     const Preferences after;
-    CHECK(after.windowSize().y == EditorWindow::minimumHeight);
+    CHECK(after.windowSize().y == WindowSize::minimumHeight);
 }
 
 TEST_CASE("One window's saved preferences do not overwrite another's") {
