@@ -23,7 +23,6 @@ constexpr double deckShare = 0.44;
 /// Update rates in Hz: while something sounds or the mouse is over the window, and at rest. Rest
 /// starts after `ticksToRest` quiet ticks.
 constexpr int busyHz = 25, restHz = 8, ticksToRest = 50;
-constexpr int tooltipMilliseconds = 600;
 
 /// JUCE keeps the old colour in text that was already typed, so colour it again.
 void recolourTexts(juce::Component& part) {
@@ -189,6 +188,9 @@ void EditorWindow::timerCallback() {
     const auto now = view.status.takeStatus();
     setBusy(now.peak > 0 || isMouseOver(true));
     status.show(now);
+    status.showHint(
+        hint.find(*this, juce::Desktop::getInstance().getMainMouseSource().getComponentUnderMouse(),
+                  focusRing.component()));
     if (const auto* frame = view.sound.takeSoundFrame()) {
         object.picture().showSound(*frame);
         deck.showSound(*frame);
@@ -202,10 +204,6 @@ void EditorWindow::timerCallback() {
 void EditorWindow::setBusy(bool busy) {
     ticksAtRest = busy ? 0 : std::min(ticksAtRest + 1, ticksToRest);
     const int hertz = ticksAtRest < ticksToRest ? busyHz : restHz;
-    if (hertz == restHz)
-        tooltips.reset();
-    else if (!tooltips)
-        tooltips.emplace(this, tooltipMilliseconds);
     if (getTimerInterval() != 1000 / hertz)
         startTimer(1000 / hertz);
 }

@@ -2,6 +2,7 @@
 // beside it, then status and keyboard.
 #pragma once
 
+#include "Editor/ControlHint.h"
 #include "Editor/DropFrame.h"
 #include "Editor/FocusRing.h"
 #include "Editor/IconButton.h"
@@ -19,7 +20,6 @@
 #include "Editor/WindowScale.h"
 
 #include <juce_audio_processors/juce_audio_processors.h>
-#include <optional>
 
 namespace idiophone {
 
@@ -75,8 +75,8 @@ private:
     KeyboardPanel keyboard;
     DropFrame dropFrame;
     FocusRing focusRing;
-    int importPage = 0, tuningPage = 0;          ///< page numbers in the deck
-    std::optional<juce::TooltipWindow> tooltips; ///< only while busy: it polls
+    int importPage = 0, tuningPage = 0; ///< page numbers in the deck
+    ControlHint hint;
     int ticksAtRest = 0;
     WindowLimits limits{*this};
     float userScale = 1, hostScale = 1;

@@ -53,8 +53,6 @@ void Look::setScheme(LookScheme scheme) {
     setColour(juce::TextButton::buttonColourId, of(background));
     setColour(juce::TextButton::buttonOnColourId, of(accent));
     setColour(juce::TextButton::textColourOnId, of(onAccent));
-    setColour(juce::TooltipWindow::backgroundColourId, of(outline));
-    setColour(juce::TooltipWindow::textColourId, of(text));
     setColour(juce::CaretComponent::caretColourId, of(text));
 }
 

@@ -22,7 +22,6 @@ constexpr float pixelsToDrag = 4;
 ObjectView::ObjectView(ProcessorView& processor)
     : view(processor), strikes(processor), hand(processor) {
     setTitle("Instrument");
-    setDescription("Click to strike, drag to scrape; drag beside it to turn, wheel to zoom");
     setOpaque(true);
     context.setOpenGLVersionRequired(juce::OpenGLContext::openGL3_2);
     context.setContinuousRepainting(false);

@@ -22,7 +22,7 @@
 namespace idiophone {
 
 /// Draws only when something has changed or moves. Without OpenGL the picture is plain.
-class ObjectView final : public juce::Component, private juce::Timer {
+class ObjectView final : public juce::Component, public juce::TooltipClient, private juce::Timer {
 public:
     struct Layers {
         bool vibration = true;
@@ -56,6 +56,7 @@ public:
     void mouseMove(const juce::MouseEvent& event) override;
     void mouseExit(const juce::MouseEvent&) override { hover(std::nullopt); }
     void mouseDown(const juce::MouseEvent& event) override;
+    juce::String getTooltip() override { return ObjectHand::hint(shown.onStage, layers.drawsPath); }
     void mouseDrag(const juce::MouseEvent& event) override;
     void mouseUp(const juce::MouseEvent& event) override;
     void mouseDoubleClick(const juce::MouseEvent& event) override;

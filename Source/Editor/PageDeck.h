@@ -80,7 +80,7 @@ private:
     public:
         explicit Tab(const juce::String& title) : Button(title) {
             setTitle(title + " page");
-            setTooltip("Show " + title);
+            setTooltip("Show the " + title + " page");
         }
 
         static juce::Font shownFont() { return Look::headingFont(13.5f); }
