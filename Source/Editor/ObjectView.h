@@ -17,6 +17,7 @@
 #include <juce_opengl/juce_opengl.h>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace idiophone {
@@ -41,6 +42,11 @@ public:
     /// Shows the shape of one mode of the last frame's object, or none.
     void showMode(std::optional<std::size_t> mode);
     void setLayers(const Layers& wanted);
+    /// Shows the whole instrument from the usual direction.
+    void frame() {
+        camera.reset();
+        cameraMoved();
+    }
 
     /// Whether the instrument is on a stage, where keys set bodies in motion.
     bool isOnStage() const { return shown.onStage; }
@@ -50,13 +56,13 @@ public:
     std::optional<ScenePick> strikeAt(juce::Point<float> position, double pixelsPerSecond = 0);
     void lift() { hand.lift(); }
 
+    juce::String getTooltip() override { return ObjectHand::hint(shown.onStage, layers.drawsPath); }
     void paint(juce::Graphics& g) override;
     void resized() override { cameraMoved(); }
     void lookAndFeelChanged() override { cameraMoved(); }
     void mouseMove(const juce::MouseEvent& event) override;
     void mouseExit(const juce::MouseEvent&) override { hover(std::nullopt); }
     void mouseDown(const juce::MouseEvent& event) override;
-    juce::String getTooltip() override { return ObjectHand::hint(shown.onStage, layers.drawsPath); }
     void mouseDrag(const juce::MouseEvent& event) override;
     void mouseUp(const juce::MouseEvent& event) override;
     void mouseDoubleClick(const juce::MouseEvent& event) override;
@@ -80,6 +86,7 @@ private:
 
     ProcessorView& view;
     int shownInstrument = -1;
+    std::string shownPreset; ///< its name
     ShownInstrument shown;
     std::vector<Appearance> appearances; ///< of each object, by the current material
     OrbitCamera camera;
