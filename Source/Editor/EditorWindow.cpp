@@ -1,5 +1,6 @@
 #include "Editor/EditorWindow.h"
 
+#include "Editor/DroppedFiles.h"
 #include "Editor/ImportPage.h"
 #include "Editor/MaterialPage.h"
 #include "Editor/ModesPage.h"
@@ -30,24 +31,6 @@ void recolourTexts(juce::Component& part) {
         editor->applyColourToAllText(editor->findColour(juce::TextEditor::textColourId), false);
     for (auto* child : part.getChildren())
         recolourTexts(*child);
-}
-
-juce::String firstReadable(const juce::StringArray& files, const ProcessorView& view) {
-    for (const auto& file : files)
-        if (view.workshop.canOpen(pathOf(file)) || view.tuning.isTuningFile(pathOf(file)))
-            return file;
-    return {};
-}
-
-std::string refusalOf(const juce::File& file, const ProcessorView& view) {
-    juce::String reason = "presets belong in the folder that the preset browser shows, materials "
-                          "in Materials beside it, and a preset names the scene that it plays.";
-    if (!file.hasFileExtension("json")) {
-        const auto patterns =
-            fromUtf8(view.workshop.openPatterns() + ";" + view.tuning.tuningPatterns());
-        reason = "it is none of " + patterns.removeCharacters("*").replace(";", ", ") + ".";
-    }
-    return (file.getFileName().quoted() + " is not opened here: " + reason).toStdString();
 }
 
 } // namespace
@@ -215,27 +198,26 @@ bool EditorWindow::isInterestedInFileDrag(const juce::StringArray& files) {
 }
 
 void EditorWindow::fileDragEnter(const juce::StringArray& files, int, int) {
-    dropFrame.show(juce::File(firstReadable(files, view)).getFileName());
+    const DroppedFiles dropped(files, view);
+    dropFrame.show(dropped.offer(), dropped.isReadable());
 }
 
 void EditorWindow::fileDragExit(const juce::StringArray&) {
-    dropFrame.show({});
+    dropFrame.hide();
 }
 
 void EditorWindow::filesDropped(const juce::StringArray& files, int, int) {
-    dropFrame.show({});
-    const auto file = firstReadable(files, view);
-    if (file.isEmpty())
-        return view.status.reportError(refusalOf(juce::File(files[0]), view));
-    const bool isTuning = view.tuning.isTuningFile(pathOf(file));
-    if (isTuning) // a scale and its mapping arrive together
-        for (const auto& each : files) {
-            if (view.tuning.isTuningFile(pathOf(each)))
-                view.tuning.openTuning(pathOf(each));
-        }
-    else
-        view.workshop.openFile(pathOf(file));
-    deck.show(isTuning ? tuningPage : importPage);
+    dropFrame.hide();
+    const DroppedFiles dropped(files, view);
+    if (!dropped.isReadable())
+        return view.status.reportError(dropped.refusal());
+    for (const auto& file : dropped.toOpen()) {
+        if (dropped.isTuning())
+            view.tuning.openTuning(pathOf(file));
+        else
+            view.workshop.openFile(pathOf(file));
+    }
+    deck.show(dropped.isTuning() ? tuningPage : importPage);
 }
 
 void EditorWindow::paint(juce::Graphics& g) {
