@@ -39,7 +39,10 @@ stop() {
 }
 trap stop EXIT
 export XDG_CONFIG_HOME=$scratch/config XDG_RUNTIME_DIR=$scratch HOME=$scratch
-mkdir -p "$XDG_CONFIG_HOME"
+mkdir -p "$XDG_CONFIG_HOME/Idiophone"
+# The hints of the first start have been seen.
+printf '<PROPERTIES>\n<VALUE name="hintsSeen" val="1"/>\n</PROPERTIES>\n' \
+    >"$XDG_CONFIG_HOME/Idiophone/Window.settings"
 if command -v pulseaudio >/dev/null; then
     mkdir "$scratch/pulse"
     printf '%s\n' 'pcm.!default { type pulse hint { show on description "Default" } }' \

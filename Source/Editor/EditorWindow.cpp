@@ -59,6 +59,7 @@ EditorWindow::EditorWindow(juce::AudioProcessor& audioProcessor, ProcessorView& 
         browser.askToSave();
     };
     browser.onClose = [this] { setBrowsing(false); };
+    object.picture().addChildComponent(firstHints);
     addChildComponent(dropFrame);
     addChildComponent(focusRing);
     setLook(look.scheme());
@@ -174,6 +175,10 @@ void EditorWindow::timerCallback() {
     status.showHint(
         hint.find(*this, juce::Desktop::getInstance().getMainMouseSource().getComponentUnderMouse(),
                   focusRing.component()));
+    if (isShowing() && !preferences.areHintsSeen()) {
+        preferences.setHintsSeen();
+        firstHints.start();
+    }
     if (const auto* frame = view.sound.takeSoundFrame()) {
         object.picture().showSound(*frame);
         deck.showSound(*frame);

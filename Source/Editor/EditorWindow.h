@@ -4,6 +4,7 @@
 
 #include "Editor/ControlHint.h"
 #include "Editor/DropFrame.h"
+#include "Editor/FirstHints.h"
 #include "Editor/FocusRing.h"
 #include "Editor/IconButton.h"
 #include "Editor/Icons.h"
@@ -77,6 +78,7 @@ private:
     FocusRing focusRing;
     int importPage = 0, tuningPage = 0; ///< page numbers in the deck
     ControlHint hint;
+    FirstHints firstHints;
     int ticksAtRest = 0;
     WindowLimits limits{*this};
     float userScale = 1, hostScale = 1;

@@ -28,6 +28,13 @@ public:
         file.setValue(scaleKey, percent);
     }
 
+    /// Whether the hints of the first start have been shown.
+    bool areHintsSeen() const { return file.getBoolValue(hintsKey); }
+    void setHintsSeen() {
+        readAnew();
+        file.setValue(hintsKey, true);
+    }
+
     /// The last size of the window before scaling; (0, 0) the first time.
     juce::Point<int> windowSize() const {
         return {file.getIntValue(widthKey), file.getIntValue(heightKey)};
@@ -40,7 +47,7 @@ public:
 
 private:
     static constexpr const char *lookKey = "look", *widthKey = "width", *heightKey = "height",
-                                *scaleKey = "scale";
+                                *scaleKey = "scale", *hintsKey = "hintsSeen";
 
     static juce::File place() {
         const auto folder = userSettingsFolder();
