@@ -107,6 +107,31 @@ TEST_CASE("Each parameter is inside a page at every window size, and controls do
     }
 }
 
+TEST_CASE("The tabs keep a distance from each other at every width") {
+    Processor processor;
+    const auto window = open(processor);
+    auto& deck = deckOf(*window);
+    const auto font = Look::headingFont(13.5f);
+    for (const int width : {PageDeck::widthFor(1), 500, 640, PageDeck::widthFor(2), 1600}) {
+        deck.setSize(width, PageDeck::minimumHeight);
+        std::vector<juce::Rectangle<int>> names;
+        for (auto* child : deck.getChildren())
+            if (auto* tab = dynamic_cast<juce::Button*>(child)) {
+                const int text =
+                    juce::GlyphArrangement::getStringWidthInt(font, tab->getButtonText());
+                names.push_back(tab->getBounds().withSizeKeepingCentre(text, tab->getHeight()));
+                INFO(width << ", " << tab->getButtonText());
+                CHECK(deck.getLocalBounds().contains(tab->getBounds()));
+                for (std::size_t i = 0; i + 1 < names.size(); ++i)
+                    CHECK_FALSE(names[i].expanded(6, 0).intersects(names.back().expanded(6, 0)));
+                for (auto* page : deck.getChildren())
+                    if (dynamic_cast<DeckPage*>(page) != nullptr && page->isVisible())
+                        CHECK(page->getY() >= tab->getBottom());
+            }
+        CHECK(static_cast<int>(names.size()) == deck.pageCount());
+    }
+}
+
 TEST_CASE("Every enabled control has an accessible name") {
     Processor processor;
     const auto window = open(processor);
