@@ -107,8 +107,16 @@ void EditorWindow::setLook(LookScheme scheme) {
     lookButton.setTitle(dark ? "Light look" : "Dark look");
     lookButton.setTooltip(dark ? "Change to the light look" : "Change to the dark look");
     sendLookAndFeelChange();
+    dialogs->setScheme(scheme);
+    colourSurroundings();
     recolourTexts(*this);
     repaint();
+}
+
+/// Colours the standalone's window, which JUCE makes before this one.
+void EditorWindow::colourSurroundings() {
+    if (auto* around = dynamic_cast<juce::ResizableWindow*>(getTopLevelComponent()))
+        around->setBackgroundColour(colourOf(look.scheme(), LookColour::background));
 }
 
 void EditorWindow::setScale(int percent) {

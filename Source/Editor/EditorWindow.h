@@ -3,6 +3,7 @@
 #pragma once
 
 #include "Editor/ControlHint.h"
+#include "Editor/DialogLook.h"
 #include "Editor/DropFrame.h"
 #include "Editor/FirstHints.h"
 #include "Editor/FocusRing.h"
@@ -36,6 +37,7 @@ public:
     bool keyPressed(const juce::KeyPress& key) override;
     bool keyStateChanged(bool isDown) override;
     void focusOfChildComponentChanged(FocusChangeType cause) override;
+    void parentHierarchyChanged() override { colourSurroundings(); }
 
     /// Shows the preset browser instead of picture and pages, or hides it again.
     void setBrowsing(bool browses);
@@ -60,10 +62,12 @@ private:
     void makePages();
     void placeParts();
     void setBusy(bool busy);
+    void colourSurroundings();
 
     ProcessorView& view;
     Preferences preferences;
     Look look;
+    juce::SharedResourcePointer<DialogLook> dialogs;
     PresetBar presets;
     ScaleButton scaleButton;
     juce::TextButton lookButton;

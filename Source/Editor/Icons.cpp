@@ -86,6 +86,14 @@ juce::Path frame() { // corners around a dot
     return path;
 }
 
+juce::Path folder() {
+    return drawn("M.1 .8 L.1 .2 L.4 .2 L.5 .32 L.9 .32 L.9 .8 Z");
+}
+
+juce::Path sheet() { // with a folded corner
+    return drawn("M.2 .08 L.6 .08 L.8 .28 L.8 .92 L.2 .92 Z M.6 .08 L.6 .28 L.8 .28");
+}
+
 juce::Path copy() { // a sheet before another
     auto lines = juce::Drawable::parseSVGPath("M.22 .66 L.12 .66 L.12 .12 L.66 .12 L.66 .22");
     lines.addRoundedRectangle(0.34f, 0.34f, 0.54f, 0.54f, 0.08f);

@@ -16,5 +16,7 @@ juce::Path redo();
 juce::Path copy();
 juce::Path silence();
 juce::Path frame();
+juce::Path folder();
+juce::Path sheet();
 
 } // namespace idiophone::icons

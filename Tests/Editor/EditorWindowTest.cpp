@@ -132,6 +132,24 @@ TEST_CASE("The tabs keep a distance from each other at every width") {
     }
 }
 
+TEST_CASE("Dialogs of the process wear the look of the window, and JUCE's after it has closed") {
+    Processor processor;
+    const auto background = [] {
+        return juce::LookAndFeel::getDefaultLookAndFeel().findColour(
+            juce::AlertWindow::backgroundColourId);
+    };
+    const auto before = background();
+    {
+        EditorWindow first(processor, processor.view());
+        { const EditorWindow second(processor, processor.view()); }
+        first.setLook(LookScheme::light);
+        CHECK(background() == colourOf(LookScheme::light, LookColour::panel));
+        first.setLook(LookScheme::dark);
+        CHECK(background() == colourOf(LookScheme::dark, LookColour::panel));
+    }
+    CHECK(background() == before);
+}
+
 TEST_CASE("Every enabled control has an accessible name") {
     Processor processor;
     const auto window = open(processor);
