@@ -40,8 +40,9 @@ stop() {
 trap stop EXIT
 export XDG_CONFIG_HOME=$scratch/config XDG_RUNTIME_DIR=$scratch HOME=$scratch
 mkdir -p "$XDG_CONFIG_HOME/Idiophone"
-# Selected presets play no phrase, which would be seen to ring.
-echo '<PROPERTIES><VALUE name="playOnSelection" val="0"/></PROPERTIES>' \
+# Selected presets play no phrase, which would be seen to ring. The hints of the first start have
+# been seen.
+printf '<PROPERTIES>\n<VALUE name="playOnSelection" val="0"/>\n<VALUE name="hintsSeen" val="1"/>\n</PROPERTIES>\n' \
     >"$XDG_CONFIG_HOME/Idiophone/Window.settings"
 if command -v pulseaudio >/dev/null; then
     mkdir "$scratch/pulse"

@@ -1,4 +1,4 @@
-// The outline around the window while the user drags a readable file over it.
+// The outline around the window while the user drags files over it, with what a drop does.
 #pragma once
 
 #include "Editor/Look.h"
@@ -14,27 +14,30 @@ public:
         setAccessible(false);
     }
 
-    /// Shows the file's name, without its folder. An empty name hides the frame.
-    void show(const juce::String& fileName) {
-        name = fileName;
-        setVisible(name.isNotEmpty());
+    /// Shows what a drop does, or why it does nothing.
+    void show(const juce::String& whatDropDoes, bool opensFiles) {
+        sentence = whatDropDoes;
+        isOffer = opensFiles;
+        setVisible(true);
         toFront(false);
         repaint();
     }
+    void hide() { setVisible(false); }
+    const juce::String& shownSentence() const { return sentence; }
 
     void paint(juce::Graphics& g) override {
         const auto band = getLocalBounds().removeFromTop(40);
-        g.setColour(colourOf(*this, LookColour::accent));
+        g.setColour(colourOf(*this, isOffer ? LookColour::accent : LookColour::error));
         g.drawRect(getLocalBounds(), 4);
         g.fillRect(band);
-        g.setColour(colourOf(*this, LookColour::onAccent));
+        g.setColour(colourOf(*this, isOffer ? LookColour::onAccent : LookColour::background));
         g.setFont(Look::headingFont(16));
-        g.drawFittedText("Drop to play " + name, band.reduced(12, 0), juce::Justification::centred,
-                         1, 0.7f);
+        g.drawFittedText(sentence, band.reduced(12, 0), juce::Justification::centred, 1, 0.7f);
     }
 
 private:
-    juce::String name;
+    juce::String sentence;
+    bool isOffer = true;
 };
 
 } // namespace idiophone

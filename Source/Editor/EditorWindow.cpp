@@ -1,5 +1,6 @@
 #include "Editor/EditorWindow.h"
 
+#include "Editor/DroppedFiles.h"
 #include "Editor/ImportPage.h"
 #include "Editor/MaterialPage.h"
 #include "Editor/ModesPage.h"
@@ -16,7 +17,6 @@
 namespace idiophone {
 namespace {
 
-constexpr int firstWidth = 1180, firstHeight = 860;
 constexpr int margin = 12, barHeight = 44, statusHeight = 38;
 /// Height of picture and deck below which the picture stands beside the deck, not above it.
 constexpr int minimumHeightForBoth = PageDeck::minimumHeight + 200;
@@ -24,19 +24,6 @@ constexpr double deckShare = 0.44;
 /// Update rates in Hz: while something sounds or the mouse is over the window, and at rest. Rest
 /// starts after `ticksToRest` quiet ticks.
 constexpr int busyHz = 25, restHz = 8, ticksToRest = 50;
-constexpr int tooltipMilliseconds = 600;
-
-/// The last size of the window, limited to the current screen.
-juce::Point<int> sizeOnScreen(juce::Point<int> last) {
-    auto most = juce::Rectangle<int>(EditorWindow::maximumWidth, EditorWindow::maximumHeight);
-    if (const auto* screen = juce::Desktop::getInstance().getDisplays().getPrimaryDisplay())
-        most = screen->userArea;
-    const auto fitting = [](int stored, int first, int least, int screen) {
-        return juce::jlimit(least, std::max(least, screen), stored > 0 ? stored : first);
-    };
-    return {fitting(last.x, firstWidth, EditorWindow::minimumWidth, most.getWidth()),
-            fitting(last.y, firstHeight, EditorWindow::minimumHeight, most.getHeight())};
-}
 
 /// JUCE keeps the old colour in text that was already typed, so colour it again.
 void recolourTexts(juce::Component& part) {
@@ -44,24 +31,6 @@ void recolourTexts(juce::Component& part) {
         editor->applyColourToAllText(editor->findColour(juce::TextEditor::textColourId), false);
     for (auto* child : part.getChildren())
         recolourTexts(*child);
-}
-
-juce::String firstReadable(const juce::StringArray& files, const ProcessorView& view) {
-    for (const auto& file : files)
-        if (view.workshop.canOpen(pathOf(file)) || view.tuning.isTuningFile(pathOf(file)))
-            return file;
-    return {};
-}
-
-std::string refusalOf(const juce::File& file, const ProcessorView& view) {
-    juce::String reason = "presets belong in the folder that the preset browser shows, materials "
-                          "in Materials beside it, and a preset names the scene that it plays.";
-    if (!file.hasFileExtension("json")) {
-        const auto patterns =
-            fromUtf8(view.workshop.openPatterns() + ";" + view.tuning.tuningPatterns());
-        reason = "it is none of " + patterns.removeCharacters("*").replace(";", ", ") + ".";
-    }
-    return (file.getFileName().quoted() + " is not opened here: " + reason).toStdString();
 }
 
 } // namespace
@@ -81,8 +50,12 @@ EditorWindow::EditorWindow(juce::AudioProcessor& audioProcessor, ProcessorView& 
         phrase.stop();
         view.instrument.silence();
     };
-    showParts(*this, presets, lookButton, object, deck, status, recorder, silence, volume,
-              keyboard);
+    scaleButton.onScale = [this](int percent) {
+        preferences.setScalePercent(percent);
+        setScale(percent);
+    };
+    showParts(*this, presets, scaleButton, lookButton, object, deck, status, recorder, silence,
+              volume, keyboard);
     addChildComponent(browser);
     presets.onBrowse = [this] { setBrowsing(!browser.isVisible()); };
     presets.onSaveAs = [this] {
@@ -91,13 +64,15 @@ EditorWindow::EditorWindow(juce::AudioProcessor& audioProcessor, ProcessorView& 
     };
     browser.onClose = [this] { setBrowsing(false); };
     playPhrases();
+    object.picture().addChildComponent(firstHints);
     addChildComponent(dropFrame);
     addChildComponent(focusRing);
     setLook(look.scheme());
+    setConstrainer(&limits);
     setResizable(true, true);
-    setResizeLimits(minimumWidth, minimumHeight, maximumWidth, maximumHeight);
-    const auto size = sizeOnScreen(preferences.windowSize());
+    const auto size = preferences.windowSize();
     setSize(size.x, size.y);
+    setScale(ScaleButton::fitting(preferences.scalePercent(), WindowSize::screen()));
     startTimer(1000 / busyHz);
 }
 
@@ -154,8 +129,31 @@ void EditorWindow::setLook(LookScheme scheme) {
     lookButton.setTitle(dark ? "Light look" : "Dark look");
     lookButton.setTooltip(dark ? "Change to the light look" : "Change to the dark look");
     sendLookAndFeelChange();
+    dialogs->setScheme(scheme);
+    colourSurroundings();
     recolourTexts(*this);
     repaint();
+}
+
+/// Colours the standalone's window, which JUCE makes before this one.
+void EditorWindow::colourSurroundings() {
+    if (auto* around = dynamic_cast<juce::ResizableWindow*>(getTopLevelComponent()))
+        around->setBackgroundColour(colourOf(look.scheme(), LookColour::background));
+}
+
+void EditorWindow::setScale(int percent) {
+    scaleButton.show(percent);
+    userScale = float(percent) / 100;
+    const auto size =
+        WindowSize::within(WindowSize::screen(), {getWidth(), getHeight()}, userScale * hostScale);
+    setSize(size.x, size.y);
+    setScaleFactor(hostScale);
+}
+
+void EditorWindow::setScaleFactor(float ofHost) {
+    hostScale = ofHost;
+    limits.setScale(hostScale * userScale);
+    AudioProcessorEditor::setScaleFactor(hostScale * userScale);
 }
 
 void EditorWindow::setBrowsing(bool browses) {
@@ -205,6 +203,13 @@ void EditorWindow::timerCallback() {
     const auto now = view.status.takeStatus();
     setBusy(now.peak > 0 || isMouseOver(true));
     status.show(now);
+    status.showHint(
+        hint.find(*this, juce::Desktop::getInstance().getMainMouseSource().getComponentUnderMouse(),
+                  focusRing.component()));
+    if (isShowing() && !preferences.areHintsSeen()) {
+        preferences.setHintsSeen();
+        firstHints.start();
+    }
     if (const auto* frame = view.sound.takeSoundFrame()) {
         object.picture().showSound(*frame);
         deck.showSound(*frame);
@@ -218,10 +223,6 @@ void EditorWindow::timerCallback() {
 void EditorWindow::setBusy(bool busy) {
     ticksAtRest = busy ? 0 : std::min(ticksAtRest + 1, ticksToRest);
     const int hertz = ticksAtRest < ticksToRest ? busyHz : restHz;
-    if (hertz == restHz)
-        tooltips.reset();
-    else if (!tooltips)
-        tooltips.emplace(this, tooltipMilliseconds);
     if (getTimerInterval() != 1000 / hertz)
         startTimer(1000 / hertz);
 }
@@ -233,27 +234,26 @@ bool EditorWindow::isInterestedInFileDrag(const juce::StringArray& files) {
 }
 
 void EditorWindow::fileDragEnter(const juce::StringArray& files, int, int) {
-    dropFrame.show(juce::File(firstReadable(files, view)).getFileName());
+    const DroppedFiles dropped(files, view);
+    dropFrame.show(dropped.offer(), dropped.isReadable());
 }
 
 void EditorWindow::fileDragExit(const juce::StringArray&) {
-    dropFrame.show({});
+    dropFrame.hide();
 }
 
 void EditorWindow::filesDropped(const juce::StringArray& files, int, int) {
-    dropFrame.show({});
-    const auto file = firstReadable(files, view);
-    if (file.isEmpty())
-        return view.status.reportError(refusalOf(juce::File(files[0]), view));
-    const bool isTuning = view.tuning.isTuningFile(pathOf(file));
-    if (isTuning) // a scale and its mapping arrive together
-        for (const auto& each : files) {
-            if (view.tuning.isTuningFile(pathOf(each)))
-                view.tuning.openTuning(pathOf(each));
-        }
-    else
-        view.workshop.openFile(pathOf(file));
-    deck.show(isTuning ? tuningPage : importPage);
+    dropFrame.hide();
+    const DroppedFiles dropped(files, view);
+    if (!dropped.isReadable())
+        return view.status.reportError(dropped.refusal());
+    for (const auto& file : dropped.toOpen()) {
+        if (dropped.isTuning())
+            view.tuning.openTuning(pathOf(file));
+        else
+            view.workshop.openFile(pathOf(file));
+    }
+    deck.show(dropped.isTuning() ? tuningPage : importPage);
 }
 
 void EditorWindow::paint(juce::Graphics& g) {
@@ -270,6 +270,7 @@ void EditorWindow::placeParts() {
     auto area = getLocalBounds().reduced(margin, 0);
     auto bar = area.removeFromTop(barHeight);
     lookButton.setBounds(bar.removeFromRight(34).reduced(0, 8));
+    scaleButton.setBounds(bar.removeFromRight(ScaleButton::width).reduced(4, 8));
     presets.setBounds(bar.withTrimmedRight(8));
     area.removeFromBottom(8);
     keyboard.setBounds(area.removeFromBottom(std::clamp(getHeight() / 8, 60, 140)));

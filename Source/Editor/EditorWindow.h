@@ -2,7 +2,10 @@
 // beside it, then status and keyboard.
 #pragma once
 
+#include "Editor/ControlHint.h"
+#include "Editor/DialogLook.h"
 #include "Editor/DropFrame.h"
+#include "Editor/FirstHints.h"
 #include "Editor/FocusRing.h"
 #include "Editor/IconButton.h"
 #include "Editor/Icons.h"
@@ -18,9 +21,9 @@
 #include "Editor/ProcessorView.h"
 #include "Editor/RecorderStrip.h"
 #include "Editor/StatusBar.h"
+#include "Editor/WindowScale.h"
 
 #include <juce_audio_processors/juce_audio_processors.h>
-#include <optional>
 
 namespace idiophone {
 
@@ -28,9 +31,6 @@ class EditorWindow final : public juce::AudioProcessorEditor,
                            public juce::FileDragAndDropTarget,
                            private juce::Timer {
 public:
-    static constexpr int minimumWidth = 800, minimumHeight = 500;
-    static constexpr int maximumWidth = 3840, maximumHeight = 2160;
-
     EditorWindow(juce::AudioProcessor& processor, ProcessorView& view);
     ~EditorWindow() override;
 
@@ -39,11 +39,18 @@ public:
     bool keyPressed(const juce::KeyPress& key) override;
     bool keyStateChanged(bool isDown) override;
     void focusOfChildComponentChanged(FocusChangeType cause) override;
+    void parentHierarchyChanged() override { colourSurroundings(); }
 
     /// Shows the preset browser instead of picture and pages, or hides it again.
     void setBrowsing(bool browses);
 
     void setLook(LookScheme scheme);
+
+    /// Scales the window and all in it; a value of `ScaleButton::percents`. The size before scaling
+    /// stays, unless the screen is too small for it.
+    void setScale(int percent);
+    /// Called by hosts for their screen. Multiplies the user's scale.
+    void setScaleFactor(float ofHost) override;
 
     /// Accepts files that the workshop reads, scales and keyboard mappings anywhere on the window.
     /// For other files the status gives the reason. Captures dragged from this program are ignored.
@@ -58,11 +65,14 @@ private:
     void playPhrases();
     void placeParts();
     void setBusy(bool busy);
+    void colourSurroundings();
 
     ProcessorView& view;
     Preferences preferences;
     Look look;
+    juce::SharedResourcePointer<DialogLook> dialogs;
     PresetBar presets;
+    ScaleButton scaleButton;
     juce::TextButton lookButton;
     ObjectPane object;
     PageDeck deck;
@@ -75,9 +85,12 @@ private:
     PresetPhrase phrase{view.instrument, view.stage};
     DropFrame dropFrame;
     FocusRing focusRing;
-    int importPage = 0, tuningPage = 0;          ///< page numbers in the deck
-    std::optional<juce::TooltipWindow> tooltips; ///< only while busy: it polls
+    int importPage = 0, tuningPage = 0; ///< page numbers in the deck
+    ControlHint hint;
+    FirstHints firstHints;
     int ticksAtRest = 0;
+    WindowLimits limits{*this};
+    float userScale = 1, hostScale = 1;
 };
 
 } // namespace idiophone

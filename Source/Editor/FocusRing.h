@@ -21,6 +21,9 @@ public:
     /// Call before a key moves the focus.
     void tabPressed() { isByKey = true; }
 
+    /// The component with the outline, or nullptr.
+    juce::Component* component() const { return focused; }
+
     /// Call after the window's components have moved.
     void follow() {
         setVisible(focused != nullptr);

@@ -92,6 +92,21 @@ juce::Path record() {
     return path;
 }
 
+juce::Path frame() { // corners around a dot
+    auto path = drawn("M.34 .12 L.12 .12 L.12 .34 M.66 .12 L.88 .12 L.88 .34 "
+                      "M.34 .88 L.12 .88 L.12 .66 M.66 .88 L.88 .88 L.88 .66");
+    path.addEllipse(0.38f, 0.38f, 0.24f, 0.24f);
+    return path;
+}
+
+juce::Path folder() {
+    return drawn("M.1 .8 L.1 .2 L.4 .2 L.5 .32 L.9 .32 L.9 .8 Z");
+}
+
+juce::Path sheet() { // with a folded corner
+    return drawn("M.2 .08 L.6 .08 L.8 .28 L.8 .92 L.2 .92 Z M.6 .08 L.6 .28 L.8 .28");
+}
+
 juce::Path copy() { // a sheet before another
     auto lines = juce::Drawable::parseSVGPath("M.22 .66 L.12 .66 L.12 .12 L.66 .12 L.66 .22");
     lines.addRoundedRectangle(0.34f, 0.34f, 0.54f, 0.54f, 0.08f);

@@ -17,5 +17,8 @@ juce::Path copy();
 juce::Path silence();
 juce::Path soundFile();
 juce::Path record();
+juce::Path frame();
+juce::Path folder();
+juce::Path sheet();
 
 } // namespace idiophone::icons

@@ -1,5 +1,7 @@
 #include "Editor/Look.h"
 
+#include "Editor/Icons.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -53,8 +55,6 @@ void Look::setScheme(LookScheme scheme) {
     setColour(juce::TextButton::buttonColourId, of(background));
     setColour(juce::TextButton::buttonOnColourId, of(accent));
     setColour(juce::TextButton::textColourOnId, of(onAccent));
-    setColour(juce::TooltipWindow::backgroundColourId, of(outline));
-    setColour(juce::TooltipWindow::textColourId, of(text));
     setColour(juce::CaretComponent::caretColourId, of(text));
 }
 
@@ -156,6 +156,44 @@ void Look::drawToggleButton(juce::Graphics& g, juce::ToggleButton& button, bool 
     g.setFont(textFont());
     g.drawText(button.getButtonText(), area.withRight(track.getX() - 6),
                juce::Justification::centredRight, true);
+}
+
+void Look::drawFileBrowserRow(juce::Graphics& g,
+                              int width,
+                              int height,
+                              const juce::File&,
+                              const juce::String& name,
+                              juce::Image*,
+                              const juce::String& size,
+                              const juce::String& time,
+                              bool isFolder,
+                              bool isSelected,
+                              int,
+                              juce::DirectoryContentsDisplayComponent&) {
+    using enum LookColour;
+    const auto colour = [&](LookColour usual) {
+        return colourOf(current, isSelected ? onAccent : usual);
+    };
+    auto area = juce::Rectangle<int>(width, height);
+    if (isSelected) {
+        g.setColour(colourOf(current, accent));
+        g.fillRect(area);
+    }
+    const auto square = area.removeFromLeft(32).toFloat().withSizeKeepingCentre(16, 16);
+    g.setColour(colour(isFolder ? accent : dimText));
+    g.fillPath(
+        isFolder ? icons::folder() : icons::sheet(),
+        juce::AffineTransform::scale(square.getWidth()).translated(square.getX(), square.getY()));
+    g.setFont(textFont());
+    constexpr int widthForDetails = 450, detail = 130;
+    if (!isFolder && width > widthForDetails) {
+        g.setColour(colour(dimText));
+        g.drawText(time, area.removeFromRight(detail).withTrimmedRight(8),
+                   juce::Justification::centredRight);
+        g.drawText(size, area.removeFromRight(detail / 2), juce::Justification::centredRight);
+    }
+    g.setColour(colour(text));
+    g.drawFittedText(name, area, juce::Justification::centredLeft, 1, 0.8f);
 }
 
 } // namespace idiophone

@@ -36,6 +36,9 @@ public:
     juce::Font getComboBoxFont(juce::ComboBox&) override { return textFont(); }
     juce::Font getPopupMenuFont() override { return textFont(); }
     juce::Font getTextButtonFont(juce::TextButton&, int) override { return textFont(); }
+    juce::Font getAlertWindowTitleFont() override { return headingFont(16); }
+    juce::Font getAlertWindowMessageFont() override { return textFont(14.5f); }
+    juce::Font getAlertWindowFont() override { return textFont(); }
     int getSliderThumbRadius(juce::Slider&) override { return 6; }
     void drawLinearSlider(juce::Graphics& g,
                           int x,
@@ -60,6 +63,19 @@ public:
                           juce::ToggleButton& button,
                           bool highlighted,
                           bool down) override;
+    /// A row of the file chooser where the system has none.
+    void drawFileBrowserRow(juce::Graphics& g,
+                            int width,
+                            int height,
+                            const juce::File& file,
+                            const juce::String& name,
+                            juce::Image* icon,
+                            const juce::String& size,
+                            const juce::String& time,
+                            bool isFolder,
+                            bool isSelected,
+                            int index,
+                            juce::DirectoryContentsDisplayComponent& list) override;
 
 private:
     LookScheme current;

@@ -17,6 +17,17 @@ public:
 
     explicit ObjectHand(ProcessorView& processor) : view(processor) {}
 
+    /// What the mouse does in the picture, in a sentence for the user.
+    static const char* hint(bool onStage, bool drawsPath) {
+        if (onStage)
+            return "Click to set bodies in motion; drag beside them to turn the view, wheel to "
+                   "zoom";
+        if (drawsPath)
+            return "Drag over an object to draw where the keys strike it";
+        return "Click to strike, lower down for louder; drag to scrape; drag beside it to turn, "
+               "wheel to zoom";
+    }
+
     /// The velocity of a click there. Lower on the object (nearer to the player) or a faster mouse
     /// is harder.
     static int velocityOf(const ScenePick& pick, double pixelsPerSecond) {

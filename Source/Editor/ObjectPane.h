@@ -2,6 +2,8 @@
 #pragma once
 
 #include "Editor/CaptureButton.h"
+#include "Editor/IconButton.h"
+#include "Editor/Icons.h"
 #include "Editor/Look.h"
 #include "Editor/ObjectView.h"
 
@@ -52,6 +54,9 @@ public:
             false);
         for (auto* button : {&midi, &impulses})
             button->setTitle("Capture as " + button->getButtonText());
+        framing.describe("Frame", "Show the whole instrument from the front");
+        framing.onClick = [this] { object.frame(); };
+        addAndMakeVisible(framing);
         showStageButtons();
     }
 
@@ -68,6 +73,7 @@ public:
         constexpr int stripHeight = 28, maximumPadding = 18, minimumPadding = 6, gap = 4;
         auto area = getLocalBounds();
         auto row = area.removeFromTop(stripHeight).withTrimmedBottom(gap);
+        framing.setBounds(row.removeFromRight(row.getHeight()));
         std::vector<std::pair<juce::Button*, int>> shown; // with the width of its text in pixels
         for (auto* button : strip)
             if (button->isVisible())
@@ -76,8 +82,9 @@ public:
         const int textWidth =
             std::accumulate(shown.begin(), shown.end(), 0,
                             [](int sum, const auto& each) { return sum + each.second + gap; });
-        const int padding = juce::jlimit(minimumPadding, maximumPadding,
-                                         (getWidth() - textWidth) / static_cast<int>(shown.size()));
+        const int padding =
+            juce::jlimit(minimumPadding, maximumPadding,
+                         (row.getWidth() - textWidth) / static_cast<int>(shown.size()));
         for (const auto& [button, width] : shown)
             button->setBounds(row.removeFromLeft(width + padding + gap).withTrimmedRight(gap));
         object.setBounds(area);
@@ -111,6 +118,7 @@ private:
     // These are visible on a stage only.
     juce::TextButton play{"Play"}, pause{"Pause"}, reset{"Reset"};
     CaptureButton<juce::TextButton> midi, impulses;
+    IconButton framing{"Frame", icons::frame()};
     const std::vector<juce::TextButton*> strip{&vibration, &nodes, &path, &draw,    &play,
                                                &pause,     &reset, &midi, &impulses};
 };

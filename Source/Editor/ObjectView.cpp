@@ -9,6 +9,7 @@
 #include <cmath>
 #include <juce_audio_basics/juce_audio_basics.h>
 #include <new>
+#include <utility>
 
 namespace idiophone {
 namespace {
@@ -22,7 +23,6 @@ constexpr float pixelsToDrag = 4;
 ObjectView::ObjectView(ProcessorView& processor)
     : view(processor), strikes(processor), hand(processor) {
     setTitle("Instrument");
-    setDescription("Click to strike, drag to scrape; drag beside it to turn, wheel to zoom");
     setOpaque(true);
     context.setOpenGLVersionRequired(juce::OpenGLContext::openGL3_2);
     context.setContinuousRepainting(false);
@@ -60,6 +60,9 @@ void ObjectView::newScene() {
     appearances = appearancesOf(view, shown.played);
     if (!shown.scene->empty())
         camera.lookAt(shown.outline());
+    const auto name = view.presets.playingPreset().details.name;
+    if (std::exchange(shownPreset, name) != name) // its own changes keep the view
+        camera.reset();
     paths.reset();
     if (!shown.onStage)
         paths.showStruckPlaces(view, shown.played, *shown.scene);
@@ -278,10 +281,8 @@ void ObjectView::mouseUp(const juce::MouseEvent&) {
 }
 
 void ObjectView::mouseDoubleClick(const juce::MouseEvent& event) {
-    if (pickAt(event.position))
-        return;
-    camera.reset();
-    cameraMoved();
+    if (!pickAt(event.position))
+        frame();
 }
 
 void ObjectView::mouseWheelMove(const juce::MouseEvent&, const juce::MouseWheelDetails& wheel) {

@@ -17,12 +17,13 @@
 #include <juce_opengl/juce_opengl.h>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace idiophone {
 
 /// Draws only when something has changed or moves. Without OpenGL the picture is plain.
-class ObjectView final : public juce::Component, private juce::Timer {
+class ObjectView final : public juce::Component, public juce::TooltipClient, private juce::Timer {
 public:
     struct Layers {
         bool vibration = true;
@@ -41,6 +42,11 @@ public:
     /// Shows the shape of one mode of the last frame's object, or none.
     void showMode(std::optional<std::size_t> mode);
     void setLayers(const Layers& wanted);
+    /// Shows the whole instrument from the usual direction.
+    void frame() {
+        camera.reset();
+        cameraMoved();
+    }
 
     /// Whether the instrument is on a stage, where keys set bodies in motion.
     bool isOnStage() const { return shown.onStage; }
@@ -50,6 +56,7 @@ public:
     std::optional<ScenePick> strikeAt(juce::Point<float> position, double pixelsPerSecond = 0);
     void lift() { hand.lift(); }
 
+    juce::String getTooltip() override { return ObjectHand::hint(shown.onStage, layers.drawsPath); }
     void paint(juce::Graphics& g) override;
     void resized() override { cameraMoved(); }
     void lookAndFeelChanged() override { cameraMoved(); }
@@ -79,6 +86,7 @@ private:
 
     ProcessorView& view;
     int shownInstrument = -1;
+    std::string shownPreset; ///< its name
     ShownInstrument shown;
     std::vector<Appearance> appearances; ///< of each object, by the current material
     OrbitCamera camera;

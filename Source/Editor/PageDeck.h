@@ -1,5 +1,6 @@
 // The deck: the first page, and beside it the others in sheets of as many as fit. A click on a tab
-// shows the page's sheet, in which every page has its own place.
+// shows the page's sheet, in which every page has its own place. In a narrow deck the tabs stand in
+// two rows, and the chosen tab is the page's title.
 #pragma once
 
 #include "Editor/DeckPage.h"
@@ -66,21 +67,21 @@ public:
         g.setColour(colourOf(*this, LookColour::text));
         g.setFont(Look::headingFont(14.5f));
         for (const auto& [page, back] : backs)
-            g.drawText(page->getName(),
+            g.drawText(hasTwoRows ? juce::String() : page->getName(),
                        back.withHeight(titleHeight + 6).reduced(DeckPage::padding, 0),
                        juce::Justification::centredLeft);
     }
     void resized() override { arrange(); }
 
 private:
-    static constexpr int widestTab = 130, minimumTabGap = 8;
+    static constexpr int widestTab = 130, minimumTabGap = 14;
 
     /// A page's name, underlined while the page is visible.
     class Tab final : public juce::Button {
     public:
         explicit Tab(const juce::String& title) : Button(title) {
             setTitle(title + " page");
-            setTooltip("Show " + title);
+            setTooltip("Show the " + title + " page");
         }
 
         static juce::Font shownFont() { return Look::headingFont(13.5f); }
@@ -121,29 +122,48 @@ private:
             return (page - 1) / sheetSize == sheet ? 1 + (page - 1) % sheetSize : -1;
         };
         auto area = getLocalBounds();
-        auto strip = area.removeFromTop(tabHeight);
-        const auto widths = tabWidths(strip.getWidth());
+        const auto tabPlaces = placeTabs(area);
         const int width = (area.getWidth() - (slots - 1) * gap) / slots;
         backs.clear();
         for (int i = 0; i < pageCount(); ++i) {
             const auto index = static_cast<std::size_t>(i);
             const int slot = slotOf(i);
             const bool visible = slot >= 0;
-            tabs[index]->setBounds(strip.removeFromLeft(widths[index]));
+            tabs[index]->setBounds(tabPlaces[index]);
             tabs[index]->setToggleState(visible, juce::dontSendNotification);
             pages[index]->setVisible(visible);
             if (!visible)
                 continue;
             const auto back = area.withX(area.getX() + slot * (width + gap)).withWidth(width);
             backs.push_back({pages[index].get(), back});
-            const auto below = back.withTrimmedTop(titleHeight);
+            const auto below = back.withTrimmedTop(hasTwoRows ? 0 : titleHeight);
             pages[index]->setBounds(below.withSizeKeepingCentre(
                 std::min(width, DeckPage::maximumWidth), below.getHeight()));
             pages[index]->refresh();
         }
         repaint();
     }
-    /// Equal widths if the longest name fits, else widths by the length of the names.
+    /// Removes the tabs from the top of the area, and returns their places.
+    std::vector<juce::Rectangle<int>> placeTabs(juce::Rectangle<int>& area) {
+        std::vector<juce::Rectangle<int>> places;
+        const auto widths = tabWidths(area.getWidth());
+        hasTwoRows = widths.empty();
+        if (!hasTwoRows) {
+            auto strip = area.removeFromTop(tabHeight);
+            for (const int width : widths)
+                places.push_back(strip.removeFromLeft(width));
+            return places;
+        }
+        const auto strip = area.removeFromTop(aboveHeight).withTrimmedBottom(4);
+        const int columns = (pageCount() + 1) / 2;
+        const int width = strip.getWidth() / columns, height = strip.getHeight() / 2;
+        for (int i = 0; i < pageCount(); ++i)
+            places.emplace_back(strip.getX() + i % columns * width,
+                                strip.getY() + i / columns * height, width, height);
+        return places;
+    }
+    /// Equal widths if the longest name fits, else widths by the length of the names; empty if they
+    /// do not fit in one row.
     std::vector<int> tabWidths(int available) const {
         std::vector<int> widths;
         for (const auto& tab : tabs)
@@ -152,6 +172,8 @@ private:
         const int spare =
             (available - std::accumulate(widths.begin(), widths.end(), 0)) / pageCount();
         const bool fits = available / pageCount() >= longest + minimumTabGap;
+        if (!fits && spare < minimumTabGap)
+            return {};
         for (auto& width : widths)
             width = fits ? std::min(available / pageCount(), widestTab) : width + spare;
         return widths;
@@ -160,6 +182,7 @@ private:
     std::vector<std::unique_ptr<DeckPage>> pages;
     std::vector<std::unique_ptr<Tab>> tabs;
     std::vector<std::pair<DeckPage*, juce::Rectangle<int>>> backs; ///< of the visible pages
+    bool hasTwoRows = false; ///< of tabs; then pages have no titles
     int chosen = 0;
     int sheet = 0; ///< the last one shown beside the first page
 };

@@ -21,7 +21,21 @@ public:
         file.setValue(lookKey, scheme == LookScheme::light ? "light" : "dark");
     }
 
-    /// The last size of the window; (0, 0) the first time.
+    /// The window's scale in per cent, 75 to 200.
+    int scalePercent() const { return juce::jlimit(75, 200, file.getIntValue(scaleKey, 100)); }
+    void setScalePercent(int percent) {
+        readAnew();
+        file.setValue(scaleKey, percent);
+    }
+
+    /// Whether the hints of the first start have been shown.
+    bool areHintsSeen() const { return file.getBoolValue(hintsKey); }
+    void setHintsSeen() {
+        readAnew();
+        file.setValue(hintsKey, true);
+    }
+
+    /// The last size of the window before scaling; (0, 0) the first time.
     juce::Point<int> windowSize() const {
         return {file.getIntValue(widthKey), file.getIntValue(heightKey)};
     }
@@ -39,8 +53,9 @@ public:
     }
 
 private:
-    static constexpr const char* phraseKey = "playOnSelection";
-    static constexpr const char *lookKey = "look", *widthKey = "width", *heightKey = "height";
+    static constexpr const char *lookKey = "look", *widthKey = "width", *heightKey = "height",
+                                *scaleKey = "scale", *hintsKey = "hintsSeen",
+                                *phraseKey = "playOnSelection";
 
     static juce::File place() {
         const auto folder = userSettingsFolder();

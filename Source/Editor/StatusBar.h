@@ -1,5 +1,5 @@
-// The status line: the loaded sound or an error, the delay of a stage, sounding modes and output
-// level, with a mark for peaks that reach the limiter.
+// The status line: the loaded sound or an error, or a hint; the delay of a stage, sounding modes
+// and output level, with a mark for peaks that reach the limiter.
 #pragma once
 
 #include "Editor/DescribedComponent.h"
@@ -7,6 +7,7 @@
 #include "Editor/ProcessorView.h"
 #include "Editor/Utf8.h"
 
+#include <algorithm>
 #include <cmath>
 #include <juce_audio_basics/juce_audio_basics.h>
 
@@ -28,6 +29,11 @@ public:
         const bool sameSentence =
             status.isError == shown.isError && status.sentence == shown.sentence;
         const bool marks = hasPeaked || now > peakDecibels;
+        const bool hadHint = showsHint();
+        if (sameSentence)
+            updatesToKeep = std::max(updatesToKeep - 1, 0);
+        else
+            updatesToKeep = status.isError ? errorUpdates : sentenceUpdates;
         const bool same = marks == hasPeaked && decibels == shownDecibels &&
                           status.modesMixed == shown.modesMixed && sameSentence &&
                           status.delaySeconds == shown.delaySeconds &&
@@ -35,7 +41,7 @@ public:
         shown = std::move(status);
         shownDecibels = decibels;
         hasPeaked = marks;
-        if (!same)
+        if (!same || showsHint() != hadHint)
             repaint();
         if (sameSentence)
             return;
@@ -44,6 +50,19 @@ public:
             juce::AccessibilityHandler::postAnnouncement(
                 fromUtf8(shown.sentence), juce::AccessibilityHandler::AnnouncementPriority::high);
     }
+
+    /// Shows the hint instead of the sentence; an empty one ends it. A new sentence or error stays
+    /// for some updates first, and returns after the hint.
+    void showHint(const juce::String& text) {
+        if (text == hint)
+            return;
+        const auto before = line();
+        hint = text;
+        if (line() != before)
+            repaint();
+    }
+    /// The text of the line: the sentence or the hint.
+    juce::String line() const { return showsHint() ? hint : seenOf(shown.sentence); }
 
     void paint(juce::Graphics& g) override {
         auto area = getLocalBounds();
@@ -68,8 +87,10 @@ public:
             g.drawText(delay, area.removeFromRight(width + 24).withTrimmedRight(12),
                        juce::Justification::centredRight);
         }
-        g.setColour(colourOf(*this, shown.isError ? LookColour::error : LookColour::text));
-        g.drawFittedText(seenOf(shown.sentence), area, juce::Justification::centredLeft, 2, 0.85f);
+        g.setColour(colourOf(*this, showsHint()     ? LookColour::dimText
+                                    : shown.isError ? LookColour::error
+                                                    : LookColour::text));
+        g.drawFittedText(line(), area, juce::Justification::centredLeft, 2, 0.85f);
     }
     juce::String description() const override {
         juce::StringArray parts{fromUtf8(shown.sentence), delayText(), modesText(),
@@ -90,6 +111,7 @@ private:
         return fromUtf8(std::string_view(sentence).substr(0, 2000)).substring(0, 400);
     }
 
+    bool showsHint() const { return hint.isNotEmpty() && updatesToKeep == 0; }
     juce::String modesText() const {
         return juce::String(shown.modesMixed) + (shown.modesMixed == 1 ? " mode" : " modes");
     }
@@ -102,7 +124,11 @@ private:
                                      : delay + ", " + juce::String(shown.lateEvents) + " late";
     }
 
+    static constexpr int sentenceUpdates = 100, errorUpdates = 250; ///< 4 s and 10 s in use
+
     StatusView::Status shown;
+    juce::String hint;
+    int updatesToKeep = 0; ///< before a hint may replace the sentence
     int shownDecibels = silentDecibels;
     bool hasPeaked = false; ///< since the last click
     static constexpr int silentDecibels = -60;

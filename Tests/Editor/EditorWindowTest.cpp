@@ -51,7 +51,7 @@ PageDeck& deckOf(juce::Component& window) {
     return *deck;
 }
 
-const auto sizes = {std::pair(EditorWindow::minimumWidth, EditorWindow::minimumHeight),
+const auto sizes = {std::pair(WindowSize::minimumWidth, WindowSize::minimumHeight),
                     {1180, 860},
                     {1280, 720},
                     {1920, 600},
@@ -105,6 +105,49 @@ TEST_CASE("Each parameter is inside a page at every window size, and controls do
         }
         CHECK(seen.size() == parameterCount);
     }
+}
+
+TEST_CASE("The tabs keep a distance from each other at every width") {
+    Processor processor;
+    const auto window = open(processor);
+    auto& deck = deckOf(*window);
+    const auto font = Look::headingFont(13.5f);
+    for (const int width : {PageDeck::widthFor(1), 500, 640, PageDeck::widthFor(2), 1600}) {
+        deck.setSize(width, PageDeck::minimumHeight);
+        std::vector<juce::Rectangle<int>> names;
+        for (auto* child : deck.getChildren())
+            if (auto* tab = dynamic_cast<juce::Button*>(child)) {
+                const int text =
+                    juce::GlyphArrangement::getStringWidthInt(font, tab->getButtonText());
+                names.push_back(tab->getBounds().withSizeKeepingCentre(text, tab->getHeight()));
+                INFO(width << ", " << tab->getButtonText());
+                CHECK(deck.getLocalBounds().contains(tab->getBounds()));
+                for (std::size_t i = 0; i + 1 < names.size(); ++i)
+                    CHECK_FALSE(names[i].expanded(6, 0).intersects(names.back().expanded(6, 0)));
+                for (auto* page : deck.getChildren())
+                    if (dynamic_cast<DeckPage*>(page) != nullptr && page->isVisible())
+                        CHECK(page->getY() >= tab->getBottom());
+            }
+        CHECK(static_cast<int>(names.size()) == deck.pageCount());
+    }
+}
+
+TEST_CASE("Dialogs of the process wear the look of the window, and JUCE's after it has closed") {
+    Processor processor;
+    const auto background = [] {
+        return juce::LookAndFeel::getDefaultLookAndFeel().findColour(
+            juce::AlertWindow::backgroundColourId);
+    };
+    const auto before = background();
+    {
+        EditorWindow first(processor, processor.view());
+        { const EditorWindow second(processor, processor.view()); }
+        first.setLook(LookScheme::light);
+        CHECK(background() == colourOf(LookScheme::light, LookColour::panel));
+        first.setLook(LookScheme::dark);
+        CHECK(background() == colourOf(LookScheme::dark, LookColour::panel));
+    }
+    CHECK(background() == before);
 }
 
 TEST_CASE("Every enabled control has an accessible name") {
@@ -303,7 +346,7 @@ TEST_CASE("Opening and closing the window 100 times does not change the sound") 
     });
     for (int i = 0; i < 100; ++i) {
         const auto window = open(processor);
-        window->setSize(EditorWindow::minimumWidth + 7 * i, EditorWindow::minimumHeight + 5 * i);
+        window->setSize(WindowSize::minimumWidth + 7 * i, WindowSize::minimumHeight + 5 * i);
         window->createComponentSnapshot(window->getLocalBounds());
         juce::Timer::callPendingTimersSynchronously();
     }
@@ -318,11 +361,11 @@ TEST_CASE("A restored window fits the screen and has at least the minimum size")
     { Preferences().setWindowSize({100000, 10}); }
     Processor processor;
     auto window = open(processor);
-    CHECK(window->getWidth() <= EditorWindow::maximumWidth);
-    CHECK(window->getHeight() == EditorWindow::minimumHeight);
+    CHECK(window->getWidth() <= WindowSize::maximumWidth);
+    CHECK(window->getHeight() == WindowSize::minimumHeight);
     window.reset();
     const Preferences after;
-    CHECK(after.windowSize().y == EditorWindow::minimumHeight);
+    CHECK(after.windowSize().y == WindowSize::minimumHeight);
 }
 
 TEST_CASE("One window's saved preferences do not overwrite another's") {

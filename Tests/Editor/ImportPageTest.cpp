@@ -271,7 +271,7 @@ TEST_CASE("Files can be dropped anywhere on the window; unreadable files are rep
     finish(processor);
     CHECK(processor.view().workshop.importStatus().stage == ImportStage::done);
     CHECK(part<ImportPage>(window, "").isVisible());
-    window.setSize(EditorWindow::minimumWidth, EditorWindow::minimumHeight);
+    window.setSize(WindowSize::minimumWidth, WindowSize::minimumHeight);
     CHECK(part<ImportPage>(window, "").isVisible());
 
     for (const auto* refused : {"song.mid", "coins.json", "folder"}) {

@@ -1,6 +1,7 @@
 // Tests of texts for screen readers.
 #include "Editor/StatusBar.h"
 
+#include "Editor/ControlHint.h"
 #include "Editor/Look.h"
 #include "Editor/QualityPage.h"
 #include "Editor/WindowParts.h"
@@ -54,6 +55,60 @@ TEST_CASE("The status line marks a peak that reached the limiter until it is cli
     bar.mouseDown(juce::MouseEvent(juce::Desktop::getInstance().getMainMouseSource(), {}, {}, 0, 0,
                                    0, 0, 0, &bar, &bar, {}, {}, {}, 1, false));
     CHECK(saidOf(bar) == "A wok.; 0 modes");
+}
+
+TEST_CASE("A hint replaces the sentence while it lasts, but not a new sentence or an error") {
+    StatusBar bar;
+    StatusView::Status status;
+    const auto updatesUntilHint = [&] {
+        int updates = 0;
+        while (bar.line() != "Show the Play page" && updates < 1000) {
+            bar.show(status);
+            ++updates;
+        }
+        return updates;
+    };
+    status.sentence = "A wok.";
+    bar.show(status);
+    bar.showHint("Show the Play page");
+    CHECK(bar.line() == "A wok.");
+    const int afterSentence = updatesUntilHint();
+    CHECK(afterSentence > 10);
+    bar.showHint({});
+    CHECK(bar.line() == "A wok.");
+    bar.showHint("Show the Play page");
+    CHECK(bar.line() == "Show the Play page");
+    CHECK(saidOf(bar) == "A wok.; 0 modes");
+
+    status.sentence = "The wok is missing.";
+    status.isError = true;
+    bar.show(status);
+    CHECK(bar.line() == "The wok is missing.");
+    const int afterError = updatesUntilHint();
+    CHECK(afterError > afterSentence);
+    CHECK(afterError < 1000);
+    bar.showHint({});
+    CHECK(bar.line() == "The wok is missing.");
+}
+
+TEST_CASE(
+    "The hint is the tooltip of the part under the mouse or with the focus, the last of both") {
+    juce::Component window, plain, elsewhere;
+    juce::TextButton outer("outer", "Outer.\n0 to 1"), button("button", "Button");
+    juce::Component inner;
+    window.addAndMakeVisible(outer);
+    window.addAndMakeVisible(button);
+    window.addAndMakeVisible(plain);
+    outer.addAndMakeVisible(inner);
+    ControlHint hint;
+    CHECK(hint.find(window, nullptr, nullptr) == "");
+    CHECK(hint.find(window, &elsewhere, nullptr) == "");
+    CHECK(hint.find(window, &inner, nullptr) == "Outer.; 0 to 1");
+    CHECK(hint.find(window, &inner, &button) == "Button"); // Tab came last
+    CHECK(hint.find(window, &plain, &button) == "Button"); // no hint there
+    CHECK(hint.find(window, &outer, &button) == "Outer.; 0 to 1");
+    CHECK(hint.find(window, &outer, nullptr) == "Outer.; 0 to 1");
+    CHECK(hint.find(window, nullptr, nullptr) == "");
 }
 
 TEST_CASE("A screen reader can read the counts of the quality page") {

@@ -117,8 +117,8 @@ TEST_CASE("Windows, presets, dropped meshes and undo during playback make no cli
     const auto other = smoothState("other"), first = smoothState("smooth");
     for (int round = 0; round < 12; ++round) {
         const std::unique_ptr<juce::AudioProcessorEditor> window(processor.createEditor());
-        window->setSize(EditorWindow::minimumWidth + 100 * round,
-                        EditorWindow::minimumHeight + 50 * round);
+        window->setSize(WindowSize::minimumWidth + 100 * round,
+                        WindowSize::minimumHeight + 50 * round);
         window->createComponentSnapshot(window->getLocalBounds());
         waitFor(listener, 20);
         // The import is cancelled at once, so the current sound plays on.

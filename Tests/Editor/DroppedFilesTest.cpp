@@ -1,0 +1,58 @@
+// Tests of what the window says about files before and after they are dropped.
+#include "Editor/DroppedFiles.h"
+
+#include "Editor/EditorWindow.h"
+#include "Editor/WindowParts.h"
+#include "Plugin/Processor.h"
+
+#include <catch2/catch_test_macros.hpp>
+
+using namespace idiophone;
+using namespace idiophone::test;
+
+TEST_CASE("Before a drop, the window says which files it opens or why it opens none") {
+    Processor processor;
+    const auto offer = [&](const juce::StringArray& files) {
+        return DroppedFiles(files, processor.view()).offer();
+    };
+    CHECK(offer({"/home/me/teapot.obj"}) == "Drop to play teapot.obj");
+    CHECK(offer({"/a/letter.docx", "/a/teapot.obj"}) ==
+          "Drop to play teapot.obj, without the other file");
+    CHECK(offer({"/a/teapot.obj", "/a/cup.stl", "/a/meantone.scl"}) ==
+          "Drop to play teapot.obj, without the other 2 files");
+    CHECK(offer({"/a/meantone.scl"}) == "Drop to tune the keys to meantone.scl");
+    CHECK(offer({"/a/meantone.scl", "/a/white.kbm"}) ==
+          "Drop to tune the keys to meantone.scl and white.kbm");
+    CHECK(offer({"/a/letter.docx"}) == "Idiophone cannot read .docx");
+    CHECK(offer({"/a/README"}) == "Idiophone cannot read README");
+    CHECK(offer({"/a/b.docx", "/a/c.DOCX"}) == "Idiophone cannot read .docx files");
+    CHECK(offer({"/a/b.docx", "/a/c.png"}) == "Idiophone can read none of these 2 files");
+    CHECK(offer({"/a/My bell.json"}) ==
+          "Copy presets into the folder that the preset browser shows");
+    CHECK(offer({juce::File::getSpecialLocation(juce::File::tempDirectory).getFullPathName()}) ==
+          "Idiophone opens files, not folders");
+}
+
+TEST_CASE("The frame shows during a drag only, and an unreadable drop is refused in the status") {
+    Processor processor;
+    EditorWindow window(processor, processor.view());
+    DropFrame* frame = nullptr;
+    visit(window, [&](juce::Component& part) {
+        if (auto* found = dynamic_cast<DropFrame*>(&part))
+            frame = found;
+    });
+    REQUIRE(frame != nullptr);
+    CHECK_FALSE(frame->isVisible());
+    window.fileDragEnter({"/a/teapot.obj"}, 5, 5);
+    CHECK(frame->isVisible());
+    CHECK(frame->shownSentence() == "Drop to play teapot.obj");
+    window.fileDragExit({"/a/teapot.obj"});
+    CHECK_FALSE(frame->isVisible());
+    window.fileDragEnter({"/a/letter.docx"}, 5, 5);
+    CHECK(frame->shownSentence() == "Idiophone cannot read .docx");
+    window.filesDropped({"/a/letter.docx"}, 5, 5);
+    CHECK_FALSE(frame->isVisible());
+    const auto status = processor.view().status.takeStatus();
+    CHECK(status.isError);
+    CHECK(status.sentence.starts_with("\"letter.docx\" is not opened here"));
+}
