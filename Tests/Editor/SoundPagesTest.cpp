@@ -121,6 +121,26 @@ TEST_CASE("The quality page counts modes and shows each object's share of the bu
     }
 }
 
+TEST_CASE("The velocity graph marks the last strike and repaints for nothing else") {
+    Prepared prepared;
+    StrikePage page(prepared.processor.view());
+    page.setSize(DeckPage::minimumWidth, DeckPage::minimumHeight);
+    page.setVisible(true);
+    auto* graph = childOf<VelocityGraph>(page, "Velocity graph");
+    REQUIRE(graph != nullptr);
+    int repaints = 0;
+    graph->setCachedComponentImage(new RepaintCount(repaints)); // the graph owns it
+    repaints = 0;
+    playAndShow(prepared.processor, page, 69);
+    CHECK(repaints == 1);
+    playAndShow(prepared.processor, page, 64); // as hard
+    CHECK(repaints == 1);
+    prepared.processor.view().parameters.change(ParameterId::velocityCurve, 2.5);
+    page.refresh();
+    page.refresh();
+    CHECK(repaints == 2);
+}
+
 TEST_CASE("A quality sets four parameters in one step, and values of none are called Own") {
     using enum ParameterId;
     Prepared prepared;
