@@ -15,7 +15,8 @@ RACK = pathlib.Path(__file__).parents[1] / "Resources/Mallets/mallets.json"
 PARAMETERS = """# Parameters
 
 Everything that a host can automate. The name is what the window and the host show; the id is what presets, scenes and
-`idiophone render --set` take. This page is made by `./dev pages`.
+`idiophone render --set` take. Where the range ends with *0 to 100*, the window shows that until *Units* is on. Hosts,
+presets and the console use the units. This page is made by `./dev pages`.
 """
 GROUP = """
 ## {group}
@@ -48,6 +49,8 @@ def parameter_row(parameter):
     reach = ", ".join(parameter.get("choices", [])) or parameter["range_text"]
     if parameter["id"] == "material":
         reach = "Own, Custom, or one of the [materials](../materials.md)"
+    if parameter["physical"]:
+        reach += "; 0 to 100"
     return (f"| {parameter['name']} | `{parameter['id']}` | {reach} | {parameter['default_text']} | "
             f"{parameter['description']} |\n")
 

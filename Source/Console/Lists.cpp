@@ -30,6 +30,7 @@ ordered_json describe(const ParameterInfo& info) {
                         {"name", info.name},
                         {"group", info.group},
                         {"unit", info.unit},
+                        {"physical", info.isPhysical},
                         {"scale", scaleNames[static_cast<std::size_t>(info.scale)]},
                         {"minimum", info.minimum},
                         {"maximum", info.maximum},

@@ -1,7 +1,7 @@
 #include "Console/ParameterAssignments.h"
 
-#include <locale>
-#include <sstream>
+#include <string>
+#include <string_view>
 
 namespace idiophone {
 namespace {
@@ -19,15 +19,6 @@ std::string valuesOf(const ParameterInfo& info) {
     return formatParameter(info, info.minimum) + " to " + formatParameter(info, info.maximum);
 }
 
-/// Returns whether a number is out of range. The table would clamp it, which hides mistakes on a
-/// command line.
-bool isBeyondRange(const ParameterInfo& info, std::string_view text) {
-    std::istringstream stream{std::string(text)}; // read as the table does: a unit may follow
-    stream.imbue(std::locale::classic());
-    double number = 0;
-    return stream >> number && !(number >= info.minimum && number <= info.maximum);
-}
-
 Result<ParameterId> assign(const std::string& assignment, ParameterValues& values) {
     const auto equals = assignment.find('=');
     if (equals == std::string::npos)
@@ -38,8 +29,9 @@ Result<ParameterId> assign(const std::string& assignment, ParameterValues& value
     if (info == nullptr)
         return failure("--set " + assignment + ": there is no parameter '" + id +
                        "' (`idiophone parameters` lists them)");
-    const auto value = parseParameter(*info, text);
-    if (!value || isBeyondRange(*info, text))
+    // The table would clamp a number out of range, which hides mistakes on a command line.
+    const auto value = parseUnclamped(*info, text);
+    if (!value || !(*value >= info->minimum && *value <= info->maximum))
         return failure("--set " + assignment + ": " + info->name + " takes " + valuesOf(*info));
     values.set(info->parameter, *value);
     return info->parameter;

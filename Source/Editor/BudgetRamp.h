@@ -13,7 +13,7 @@
 
 namespace idiophone {
 
-/// Needs at least 240 x 80 px.
+/// Needs at least 240 x 60 px.
 class BudgetRamp final : public DescribedComponent {
 public:
     BudgetRamp() : DescribedComponent(juce::AccessibilityRole::image) {
@@ -45,7 +45,7 @@ public:
             std::ranges::all_of(bars, [](const Bar& bar) { return bar.share >= bar.asked; });
         return juce::String(modesMixed) + " of " + budget + " modes for " +
                juce::String(bars.size()) + (bars.size() == 1 ? " object" : " objects") +
-               (allServed ? ", all that they ask" : "");
+               (allServed ? ", as many as they request" : "");
     } ///< also the caption
 
     void paint(juce::Graphics& g) override {

@@ -72,7 +72,7 @@ private:
         MalletButton(const juce::String& title, Head look) : Button(title), head(look) {
             setTitle(title + " mallet");
             setTooltip(head.diameter > 0 ? "Take the " + title.toLowerCase() + " mallet"
-                                         : "Hardness, mass and radius as set below");
+                                         : "Hardness, weight, size and winding as set below");
             setClickingTogglesState(true);
             setRadioGroupId(1, juce::dontSendNotification);
         }

@@ -46,13 +46,15 @@ public:
     }
     void resized() override {
         auto area = getLocalBounds().reduced(padding);
-        auto left = area.removeFromLeft((area.getWidth() - gap) / 2);
-        area.removeFromLeft(gap);
-        auto top = left.removeFromTop(lineHeight);
+        const int half = (area.getWidth() - gap) / 2;
+        auto top = area.removeFromTop(lineHeight);
+        keep.setBounds(top.removeFromRight(half));
+        top.removeFromRight(gap);
         former.setBounds(top.removeFromRight(46).reduced(0, 1));
         list.setBounds(top.withTrimmedRight(6));
+        auto left = area.removeFromLeft(half);
+        area.removeFromLeft(gap);
         match.setBounds(left.removeFromBottom(lineHeight));
-        keep.setBounds(left.removeFromBottom(lineHeight));
         left.removeFromTop(6);
         pad.setBounds(left.withTrimmedBottom(4));
         const int row =

@@ -1,4 +1,4 @@
-// Groups of parameters under headings, in two columns.
+// Groups of parameters under headings, in two columns whose rows are equally high.
 #pragma once
 
 #include "Editor/Look.h"
@@ -38,6 +38,15 @@ public:
         }
     }
 
+    /// What is left of a column below its last row.
+    juce::Rectangle<int> areaBelow(int column) const {
+        auto area = columnArea(column);
+        for (const auto& group : groups)
+            if (group.column == column)
+                area.setTop(group.controls.back()->getBottom());
+        return area;
+    }
+
     void refresh() {
         for (auto& group : groups)
             for (auto& control : group.controls)
@@ -50,19 +59,9 @@ public:
             g.drawText(group.title, group.heading, juce::Justification::centredLeft);
     }
     void resized() override {
-        const auto inside = getLocalBounds();
-        const int width = (inside.getWidth() - (columnCount - 1) * gap) / columnCount;
+        const int rowHeight = std::min(fittingRow(0), fittingRow(1));
         for (int column = 0; column < columnCount; ++column) {
-            int headings = 0, rows = 0;
-            for (const auto& group : groups)
-                if (group.column == column) {
-                    ++headings;
-                    rows += static_cast<int>(group.controls.size());
-                }
-            const int rowHeight =
-                std::clamp((inside.getHeight() - headings * headingHeight) / std::max(rows, 1),
-                           lowestRow, highestRow);
-            auto area = inside.withX(inside.getX() + column * (width + gap)).withWidth(width);
+            auto area = columnArea(column);
             for (auto& group : groups) {
                 if (group.column != column)
                     continue;
@@ -76,6 +75,21 @@ public:
 private:
     static constexpr int columnCount = 2, gap = 16, headingHeight = 20;
     static constexpr int lowestRow = 30, highestRow = 52;
+
+    juce::Rectangle<int> columnArea(int column) const {
+        const int width = (getWidth() - (columnCount - 1) * gap) / columnCount;
+        return getLocalBounds().withX(column * (width + gap)).withWidth(width);
+    }
+    int fittingRow(int column) const {
+        int headings = 0, rows = 0;
+        for (const auto& group : groups)
+            if (group.column == column) {
+                ++headings;
+                rows += static_cast<int>(group.controls.size());
+            }
+        return std::clamp((getHeight() - headings * headingHeight) / std::max(rows, 1), lowestRow,
+                          highestRow);
+    }
 
     struct Group {
         juce::String title;

@@ -1,5 +1,5 @@
-// The page of the sound's cost: threshold, slope, mode budget and compression, and their current
-// effect.
+// The page of the sound's cost: a choice of qualities, the threshold, slope, mode budget and
+// compression that it sets, and their current effect.
 #pragma once
 
 #include "Editor/BudgetRamp.h"
@@ -7,6 +7,7 @@
 #include "Editor/Look.h"
 #include "Editor/ModeCounts.h"
 #include "Editor/ParameterColumns.h"
+#include "Editor/QualityList.h"
 #include "Editor/SoundMeters.h"
 
 #include <vector>
@@ -16,12 +17,15 @@ namespace idiophone {
 class QualityPage final : public DeckPage {
 public:
     explicit QualityPage(ProcessorView& view)
-        : DeckPage("Quality"),
+        : DeckPage("Quality"), quality(view),
           columns(std::vector<ParameterGroup>{{"Modes that sound", 0}, {"Budget", 1}}, view) {
-        showParts(*this, columns, counts, ramp, meters);
+        showParts(*this, quality, columns, counts, ramp, meters);
     }
 
-    void refresh() override { columns.refresh(); }
+    void refresh() override {
+        quality.refresh();
+        columns.refresh();
+    }
     void showSound(const SoundFrame& frame) override {
         counts.show(frame);
         ramp.show(frame);
@@ -30,13 +34,16 @@ public:
 
     void resized() override {
         auto area = getLocalBounds().reduced(padding);
-        columns.setBounds(area.removeFromTop(getHeight() < 360 ? 86 : 112));
-        counts.setBounds(area.removeFromTop(50));
+        const bool low = getHeight() < 360;
+        quality.setBounds(area.removeFromTop(low ? 24 : 26));
+        columns.setBounds(area.removeFromTop(low ? 82 : 112));
+        counts.setBounds(area.removeFromTop(low ? 48 : 50));
         meters.setBounds(area.removeFromBottom(51));
         ramp.setBounds(area.withTrimmedBottom(2));
     }
 
 private:
+    QualityList quality;
     ParameterColumns columns;
     ModeCounts counts;
     BudgetRamp ramp;

@@ -62,6 +62,7 @@ struct SoundFrame {
     std::vector<SlotNow> slots;    ///< sounding slots, loudest first
 
     std::vector<BodyNow> bodies; ///< only on a stage
+    std::int32_t velocity = 0;   ///< MIDI velocity of the mallet's last strike; 0: none yet
 
     double tauPascals = 0;  ///< τ; modes below it are dropped
     double slope = 1;       ///< S

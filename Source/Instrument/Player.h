@@ -135,6 +135,8 @@ public:
     const PlayedStage& stage() const noexcept { return performance ? *performance : noStage; }
     /// Returns the slot of the last key or strike; nothing before the first.
     std::optional<std::size_t> slotPlayedLast() const { return playedLast; }
+    /// Returns the velocity of the last strike by a mallet, 1 to 127; 0 before the first.
+    int velocityStruckLast() const { return scheduler.velocityStruckLast(); }
 
 private:
     std::span<const MidiEvent> follow(std::span<const MidiEvent> eventsOfOneSample);

@@ -52,6 +52,7 @@ void StrikeScheduler::strike(std::size_t slot,
                              const KeyMallet& mallet,
                              std::uint32_t number,
                              const StrikeMoment& moment) {
+    struckLast = velocity;
     const auto& struck = instrument.slots()[slot];
     const auto& synthesiser = moment.cell.synthesiser;
     auto softened = moment.values;

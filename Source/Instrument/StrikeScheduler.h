@@ -53,6 +53,8 @@ public:
     void clear(); ///< drops all strikes
     void reset(); ///< also counts from 0
     bool silent() const { return pending.empty() && surfaceStrikes.empty(); }
+    /// Returns the velocity of the last strike, 1 to 127; 0 before the first.
+    int velocityStruckLast() const { return struckLast; }
 
 private:
     void strike(std::size_t slot,
@@ -65,6 +67,7 @@ private:
     const Instrument& instrument;
     std::uint32_t firstNumber;
     std::uint32_t strikeCount;
+    int struckLast = 0; ///< velocity
     CellStrikes pending;
     std::vector<SurfaceStrike> surfaceStrikes;
 };

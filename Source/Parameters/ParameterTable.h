@@ -52,6 +52,7 @@ struct ParameterInfo {
     /// Belongs to the player's session and not to a sound. Presets, comparisons and undone loads do
     /// not change it.
     bool isSetup = false;
+    bool isPhysical = false; ///< a figure of physics: see ValueDisplay
     MutationRange mutation = {};
     const char* description = nullptr; ///< one sentence: the effect on the sound
     const char* maximumName = nullptr; ///< name of the maximum, or nullptr
@@ -68,12 +69,27 @@ const ParameterInfo& parameterInfo(ParameterId parameter);
 /// Returns the row of that id, or nullptr.
 const ParameterInfo* findParameter(std::string_view id);
 
-/// Returns "12.5 GPa", "Rosewood", "Greedy" or "On", in UTF-8.
-std::string formatParameter(const ParameterInfo& info, double value);
+/// How figures of physics (ParameterInfo::isPhysical) are shown and typed. Other parameters always
+/// have their units.
+enum class ValueDisplay {
+    units, ///< as numbers with units: for hosts, files and the console
+    plain  ///< as the place in the range, 0 to 100 in whole numbers: for players
+};
 
-/// Parses typed text with or without the unit (also "kg/m3" and "us"). Returns nothing if it is not
-/// a value.
-std::optional<double> parseParameter(const ParameterInfo& info, std::string_view text);
+/// Returns "12.5 GPa", or "42" in the plain display; "Rosewood", "Greedy" or "On", in UTF-8.
+std::string formatParameter(const ParameterInfo& info,
+                            double value,
+                            ValueDisplay display = ValueDisplay::units);
+
+/// Parses typed text with or without a unit (Units.h), which may be another one of the same
+/// quantity. A number without a unit follows the display. Returns nothing if it is not a value.
+std::optional<double> parseParameter(const ParameterInfo& info,
+                                     std::string_view text,
+                                     ValueDisplay display = ValueDisplay::units);
+/// Parses as above, but does not clamp a number to the range.
+std::optional<double> parseUnclamped(const ParameterInfo& info,
+                                     std::string_view text,
+                                     ValueDisplay display = ValueDisplay::units);
 
 /// Returns the names of a choice, or nothing for other parameters.
 std::span<const std::string_view> choiceNames(ParameterId parameter);

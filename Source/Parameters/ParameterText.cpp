@@ -1,5 +1,7 @@
 // Formats and parses parameter values for people.
 #include "Parameters/ParameterTable.h"
+#include "Parameters/Units.h"
+#include "Parameters/Words.h"
 
 #include <algorithm>
 #include <cctype>
@@ -7,7 +9,7 @@
 #include <iomanip>
 #include <locale>
 #include <sstream>
-#include <utility>
+#include <string>
 
 namespace idiophone {
 namespace {
@@ -21,21 +23,6 @@ std::string_view trimmed(std::string_view text) {
     while (!text.empty() && isSpace(text.back()))
         text.remove_suffix(1);
     return text;
-}
-
-bool sameWord(std::string_view a, std::string_view b) {
-    return std::ranges::equal(
-        a, b, [](unsigned char x, unsigned char y) { return std::tolower(x) == std::tolower(y); });
-}
-
-/// Returns a unit as people may type it: u for both code points of µ, 3 for ³, x for ×.
-std::string typedUnit(std::string_view unit) {
-    std::string typed(unit);
-    for (const auto& [shown, plain] :
-         {std::pair<std::string_view, const char*>("µ", "u"), {"μ", "u"}, {"³", "3"}, {"×", "x"}})
-        for (auto at = typed.find(shown); at != std::string::npos; at = typed.find(shown))
-            typed.replace(at, shown.size(), plain);
-    return typed;
 }
 
 std::string formatNumber(double value, int decimals) {
@@ -62,10 +49,18 @@ bool bySignificantDigits(ParameterScale scale) {
     return scale == logarithmic || scale == cubic;
 }
 
+constexpr double plainMaximum = 100;
+
+bool isPlain(const ParameterInfo& info, ValueDisplay display) {
+    return info.isPhysical && display == ValueDisplay::plain;
+}
+
 } // namespace
 
-std::string formatParameter(const ParameterInfo& info, double value) {
+std::string formatParameter(const ParameterInfo& info, double value, ValueDisplay display) {
     const double inside = info.clamped(value);
+    if (isPlain(info, display))
+        return std::to_string(std::lround(plainMaximum * info.toNormalised(inside)));
     if (info.scale == onOff)
         return inside != 0 ? "On" : "Off";
     if (info.scale == choice)
@@ -80,7 +75,14 @@ std::string formatParameter(const ParameterInfo& info, double value) {
     return text;
 }
 
-std::optional<double> parseParameter(const ParameterInfo& info, std::string_view text) {
+std::optional<double>
+parseParameter(const ParameterInfo& info, std::string_view text, ValueDisplay display) {
+    const auto value = parseUnclamped(info, text, display);
+    return value ? std::optional(info.clamped(*value)) : std::nullopt;
+}
+
+std::optional<double>
+parseUnclamped(const ParameterInfo& info, std::string_view text, ValueDisplay display) {
     text = trimmed(text);
     if (info.scale == onOff && (sameWord(text, "on") || sameWord(text, "off")))
         return sameWord(text, "on") ? 1.0 : 0.0;
@@ -93,15 +95,18 @@ std::optional<double> parseParameter(const ParameterInfo& info, std::string_view
 
     std::istringstream stream{std::string(text)};
     stream.imbue(std::locale::classic()); // the host's locale may have decimal commas
-    double value = 0;
-    stream >> value;
+    double number = 0;
+    stream >> number;
     if (!stream)
         return std::nullopt;
     std::string rest;
     std::getline(stream, rest);
-    if (!trimmed(rest).empty() && !sameWord(typedUnit(trimmed(rest)), typedUnit(info.unit)))
+    const auto unit = trimmed(rest);
+    if (unit.empty())
+        return isPlain(info, display) ? info.fromNormalised(number / plainMaximum) : number;
+    if (info.scale == onOff || info.scale == choice)
         return std::nullopt;
-    return info.clamped(value);
+    return inUnit(number, unit, info.unit);
 }
 
 } // namespace idiophone

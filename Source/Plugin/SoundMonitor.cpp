@@ -70,6 +70,7 @@ void SoundMonitor::takePicture(const Player& player) noexcept {
     const auto bodies = player.stage().bodyPoses();
     seen.bodyCount = std::min(bodies.size(), seen.bodies.size());
     std::copy_n(bodies.begin(), seen.bodyCount, seen.bodies.begin());
+    seen.velocity = player.velocityStruckLast();
     seen.qualitySlope = synthesiser.settings().qualitySlope;
     seen.modeBudget = synthesiser.settings().modeBudget;
     seen.load = static_cast<float>(load.getLoadAsProportion());

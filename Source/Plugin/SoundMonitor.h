@@ -2,8 +2,8 @@
 // second of the stream while the window asks, and hands it over whole. Changes nothing.
 #pragma once
 
-#include "Instrument/Player.h"
 #include "Instrument/LatestValue.h"
+#include "Instrument/Player.h"
 #include "Plugin/PlayerCrossfade.h"
 #include "Synth/SoundingGroups.h"
 
@@ -29,6 +29,7 @@ struct MonitoredSound {
     std::array<Synthesiser::SlotStatus, maximumSlots> slots{};
     std::size_t bodyCount = 0; ///< number of a stage's slots, or 0
     std::array<BodyPose, maximumSlots> bodies{};
+    int velocity = 0; ///< of the mallet's last strike, 1 to 127; 0: none
     double qualitySlope = 1;
     double modeBudget = 0;
     float load = 0;               ///< of one processor core, 0 to 1

@@ -77,6 +77,7 @@ const SoundFrame& SoundPicture::of(const MonitoredSound& sound) {
     frame.tauPascals = sound.groups.tauPascals;
     frame.slope = sound.qualitySlope;
     frame.budgetModes = sound.modeBudget;
+    frame.velocity = sound.velocity;
     frame.load = sound.load;
     frame.peakLeft = sound.peaks[0];
     frame.peakRight = sound.peaks[1];

@@ -373,6 +373,7 @@ class BadArguments(ConsoleTest):
                 (render, "--block-size", (0, -1, "nan", 10 ** 9)),
                 (render, "--bit-depth", (8, 0, -16, "nan")),
                 (render, "--set", ("tau", "tau=", "tau=loud", "tau=-1", "tau=nan", "tau=+1e9", "tau= 1e9", "colour=3",
+                                   "young=1200000MPa", "young=3kg",
                                    "material=Unobtainium", "=3"))):
             for value in values:
                 self.refuse(*command, option, value, naming=option)

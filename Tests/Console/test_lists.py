@@ -145,6 +145,10 @@ class Lists(ConsoleTest):
         text = self.succeed("parameters").stdout
         tau = next(p for p in parameters if p["id"] == "tau")
         self.assertEqual(tau["unit"], "steps")
+        self.assertEqual({p["id"] for p in parameters if p["physical"]},
+                         {"young", "density", "gamma", "eta", "loss_factor", "mallet_hardness",
+                          "mallet_mass", "mallet_radius", "mallet_exponent", "mallet_speed", "force",
+                          "speed", "roughness"})
         for parameter in parameters:
             self.assertIn(parameter["id"], text)
             self.assertLessEqual(parameter["minimum"], parameter["default"])

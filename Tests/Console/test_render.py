@@ -297,6 +297,7 @@ class Render(ConsoleTest):
             return sound("material=Custom", *(f"{id}={value}" for id, value in figures.items()))
 
         for settings, expected in ((["young=50"], custom("Rosewood", young=50)),
+                                   (["young=50000 MPa"], custom("Rosewood", young=50)),
                                    (["gamma=200", "material=Glass"], custom("Glass", gamma=200)),
                                    (["material=Glass", "gamma=200"], custom("Glass", gamma=200))):
             heard = sound(*settings)

@@ -294,7 +294,7 @@ TEST_CASE("The budget ramp describes the shares, and draws the line only where i
     frame.budgetModes = 8000;
     frame.modesMixed = 100;
     ramp.show(frame);
-    CHECK(ramp.description() == "100 of 8000 modes for 2 objects, all that they ask");
+    CHECK(ramp.description() == "100 of 8000 modes for 2 objects, as many as they request");
     CHECK(betweenBars() == 0);
     ramp.setLookAndFeel(nullptr);
 }

@@ -1,5 +1,7 @@
 // Tests of the 3D view that need no screen: layout, camera, picking.
 #include "Editor/ObjectView.h"
+
+#include "Editor/WindowParts.h"
 #include "Support/TestSound.h"
 
 #include "Instrument/FactoryContent.h"
@@ -174,28 +176,16 @@ TEST_CASE("A click on a bar plays it; a click beside the bars is silent") {
 }
 
 TEST_CASE("Showing or hiding the strike path repaints the view") {
-    struct Count final : juce::CachedComponentImage {
-        explicit Count(int& counted) : invalidations(counted) {}
-        void paint(juce::Graphics&) override {}
-        bool invalidateAll() override { return invalidate({}); }
-        bool invalidate(const juce::Rectangle<int>&) override {
-            ++invalidations;
-            return false;
-        }
-        void releaseResources() override {}
-
-        int& invalidations;
-    };
     Processor processor;
     ObjectView view(processor.view());
     view.setBounds(0, 0, 900, 300);
     view.setVisible(true);
-    int invalidations = 0;
-    view.setCachedComponentImage(new Count(invalidations)); // the component owns it
+    int repaints = 0;
+    view.setCachedComponentImage(new RepaintCount(repaints)); // the component owns it
     for (const bool shows : {true, false}) {
-        const int before = invalidations;
+        const int before = repaints;
         view.setLayers({.path = shows});
-        CHECK(invalidations > before);
+        CHECK(repaints > before);
     }
 }
 

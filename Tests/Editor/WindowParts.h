@@ -1,4 +1,4 @@
-// Finds parts of a window by their accessible names.
+// Finds parts of a window by their accessible names, and counts their repaints.
 #pragma once
 
 #include <functional>
@@ -30,5 +30,19 @@ inline bool isOnScreen(const juce::Component& component, const juce::Component& 
             return false;
     return true;
 }
+
+/// Counts the repaints of the component that owns it (Component::setCachedComponentImage).
+struct RepaintCount final : juce::CachedComponentImage {
+    explicit RepaintCount(int& counted) : repaints(counted) {}
+    void paint(juce::Graphics&) override {}
+    bool invalidateAll() override { return invalidate({}); }
+    bool invalidate(const juce::Rectangle<int>&) override {
+        ++repaints;
+        return false;
+    }
+    void releaseResources() override {}
+
+    int& repaints;
+};
 
 } // namespace idiophone::test

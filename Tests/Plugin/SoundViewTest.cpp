@@ -49,6 +49,7 @@ TEST_CASE("A frame shows the current state of every mode of the struck object") 
     CHECK(frame->instrumentNumber == processor.view().instrument.instrumentNumber());
     REQUIRE(frame->modes.size() == 12);
     CHECK(frame->modesOmitted == 0);
+    CHECK(frame->velocity == 100);
     CHECK(std::abs(double(frame->modes[0].frequencyHz) - 440) < 0.01);
     CHECK(std::abs(double(frame->modes[3].frequencyHz) - 440 * std::pow(4, 1.37)) < 0.5);
     // d = 5 + 1e-8 λ, and T60 = 2 ln(1000) / d.
