@@ -1,6 +1,8 @@
 // Texts of lengths and masses of imported objects, and what is typed for them.
 #pragma once
 
+#include "Parameters/Units.h"
+
 #include <algorithm>
 #include <array>
 #include <juce_core/juce_core.h>
@@ -38,37 +40,30 @@ inline juce::String measuresText(const std::array<double, 3>& sidesMetres, doubl
            (massKg < 1 ? figureText(1000 * massKg) + " g" : figureText(massKg) + " kg");
 }
 
-/// Parses a length in mm, cm, m or in; `metresPerUnit` applies if there is no unit. Returns nothing
-/// unless it is a number from `minimum` to `maximum` in metres.
+/// Parses a length in any unit, or in `plainUnit` if there is none. Returns nothing unless it is a
+/// number from `minimum` to `maximum` in metres.
 inline std::optional<double>
-parseLengthMetres(const juce::String& text, double metresPerUnit, double minimum, double maximum) {
-    const auto plain = text.trim().toLowerCase().replaceCharacter(',', '.');
+parseLengthMetres(const juce::String& text, const char* plainUnit, double minimum, double maximum) {
+    const auto plain = text.trim().replaceCharacter(',', '.');
     const auto number = plain.initialSectionContainingOnly("0123456789.");
-    const auto word = plain.substring(number.length()).trim();
-    if (word == "m")
-        metresPerUnit = 1;
-    else if (word == "cm")
-        metresPerUnit = 1e-2;
-    else if (word == "mm")
-        metresPerUnit = 1e-3;
-    else if (word == "in" || word == "\"")
-        metresPerUnit = 0.0254;
-    else if (word.isNotEmpty())
-        return std::nullopt;
-    const double metres = number.getDoubleValue() * metresPerUnit;
-    if (!number.containsAnyOf("0123456789") || !(metres >= minimum && metres <= maximum))
+    auto unit = plain.substring(number.length()).trim();
+    if (unit.isEmpty())
+        unit = plainUnit;
+    const auto metres = inUnit(number.getDoubleValue(), unit.toStdString(), "m");
+    if (!number.containsAnyOf("0123456789") || !metres ||
+        !(*metres >= minimum && *metres <= maximum))
         return std::nullopt;
     return metres;
 }
 
 /// A thickness from 0.01 mm to 1 m, in mm if there is no unit.
 inline std::optional<double> parseThicknessMetres(const juce::String& text) {
-    return parseLengthMetres(text, 1e-3, 1e-5, 1);
+    return parseLengthMetres(text, "mm", 1e-5, 1);
 }
 
 /// A size from 1 mm to 20 m, in cm if there is no unit.
 inline std::optional<double> parseSizeMetres(const juce::String& text) {
-    return parseLengthMetres(text, 1e-2, 1e-3, 20);
+    return parseLengthMetres(text, "cm", 1e-3, 20);
 }
 
 } // namespace idiophone
