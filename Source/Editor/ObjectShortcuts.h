@@ -25,7 +25,6 @@ inline constexpr std::array objectShortcuts{
     ObjectShortcut{"Glass", 0.1, "Glass", 0.002, true, "Glass, 10 cm, walls of 2 mm"},
     ObjectShortcut{"Toy", 0.1, "Tin", 0.001, true, "Tin, 10 cm, walls of 1 mm"},
     ObjectShortcut{"Beam", 0.3, "Rosewood", 0.01, false, "Rosewood, 30 cm, solid"},
-    ObjectShortcut{"Stone", 0.2, "Granite", 0.02, false, "Granite, 20 cm, solid"},
     ObjectShortcut{"Anvil", 0.3, "Steel", 0.02, false, "Steel, 30 cm, solid"}};
 
 /// A solid is a shell if its mesh encloses no body. The unit stays as it is.

@@ -9,7 +9,8 @@ RollingSound::RollingSound(double sampleRateHz, std::size_t frameCount)
     : rateHz(sampleRateHz), capacity(frameCount),
       frames(std::make_unique<std::atomic<Frame>[]>(frameCount)) {}
 
-// The fences pair up: a reader that has copied a new frame also sees the count that announced it.
+// Frames are released and acquired, so that a reader who has copied a new frame also sees the count
+// that announced it.
 
 void RollingSound::write(std::span<const float* const> channels, std::size_t count) noexcept {
     if (channels.empty())
@@ -18,10 +19,9 @@ void RollingSound::write(std::span<const float* const> channels, std::size_t cou
     const float* const right = channels[channels.size() > 1 ? 1 : 0];
     const auto start = written.load(std::memory_order_relaxed);
     begun.store(start + count, std::memory_order_relaxed);
-    std::atomic_thread_fence(std::memory_order_release);
     auto place = static_cast<std::size_t>(start % capacity);
     for (std::size_t i = 0; i < count; ++i) {
-        frames[place].store({left[i], right[i]}, std::memory_order_relaxed);
+        frames[place].store({left[i], right[i]}, std::memory_order_release);
         if (++place == capacity)
             place = 0;
     }
@@ -35,11 +35,10 @@ RollingSound::Piece RollingSound::read(std::uint64_t from) const {
     piece.right.reserve(piece.left.capacity());
     for (auto at = piece.first; at < stop; ++at) {
         const auto frame =
-            frames[static_cast<std::size_t>(at % capacity)].load(std::memory_order_relaxed);
+            frames[static_cast<std::size_t>(at % capacity)].load(std::memory_order_acquire);
         piece.left.push_back(frame[0]);
         piece.right.push_back(frame[1]);
     }
-    std::atomic_thread_fence(std::memory_order_acquire);
     const auto newest = begun.load(std::memory_order_relaxed);
     const auto oldest = newest - std::min<std::uint64_t>(newest, capacity);
     if (oldest > piece.first) {

@@ -294,8 +294,9 @@ TEST_CASE("Files can be dropped anywhere on the window; unreadable files are rep
 TEST_CASE("The page's buttons show their whole text and have tooltips") {
     Page p;
     p.page.setLookAndFeel(&p.look);
-    for (const auto* title : {"Open a mesh or a modal object", "Analyse anew",
-                              "Keys scaled to their pitches", "Keys along a strike path"}) {
+    for (const auto* title :
+         {"Open a mesh or a modal object", "Analyse anew", "Keys scaled to their pitches",
+          "Keys along a strike path", "Make it: Plate"}) {
         auto& button = part<juce::TextButton>(p.page, title);
         INFO(title);
         CHECK(juce::GlyphArrangement::getStringWidth(Look::textFont(), button.getButtonText()) +
