@@ -2,8 +2,8 @@
 #pragma once
 
 #include "Console/LoudnessMeter.h"
-#include "Console/WavWriter.h"
 #include "Output/OutputStage.h"
+#include "Output/WavWriter.h"
 #include "Parameters/ParameterTable.h"
 
 #include <CLI/CLI.hpp>

@@ -1,8 +1,8 @@
 #include "Console/SofaHead.h"
 
-#include "Console/JuceFile.h"
 #include "Console/SofaTable.h"
 #include "Object/TextFile.h"
+#include "Output/JuceFile.h"
 
 #include <fstream>
 #include <optional>
@@ -27,7 +27,8 @@ std::optional<std::string> tableOf(const std::filesystem::path& file, int sample
         return std::nullopt;
     if (!reader.waitForProcessToFinish(patienceMilliseconds))
         reader.kill();
-    auto read = readTextFile(pathOf(table.getFile()));
+    const auto tableName = table.getFile().getFullPathName();
+    auto read = readTextFile(reinterpret_cast<const char8_t*>(tableName.toRawUTF8()));
     if (!read)
         return std::nullopt;
     return std::move(*read);

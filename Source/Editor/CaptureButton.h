@@ -1,60 +1,77 @@
-// A button for captured notes: a drag exports them as a file, and a click saves them.
+// A button for captured notes or sound: a drag exports them as a file, and a click saves them.
 #pragma once
 
+#include "Editor/DragFolder.h"
+#include "Editor/DragOutButton.h"
 #include "Editor/ProcessorView.h"
 #include "Editor/Utf8.h"
-#include "Object/FileBytes.h"
 
 #include <filesystem>
+#include <functional>
 #include <juce_gui_basics/juce_gui_basics.h>
 #include <memory>
+#include <string>
+#include <utility>
 
 namespace idiophone {
 
-class CaptureButton final : public juce::TextButton {
+/// What a CaptureButton exports.
+struct Capture {
+    juce::String pattern;                                    ///< gives the file extension: "*.mid"
+    std::function<juce::String()> name;                      ///< of a new file, without extension
+    std::function<bool()> isThere;                           ///< whether there is anything to write
+    std::function<bool(const std::filesystem::path&)> write; ///< false on failure, in the status
+    std::string nothing;                                     ///< a sentence if nothing is there
+};
+
+/// The impacts of a stage's bodies.
+inline Capture
+stageCapture(StageView& stage, StageView::CaptureKind kind, const juce::String& pattern) {
+    return {.pattern = pattern,
+            .name = [] { return juce::String("Idiophone capture"); },
+            .isThere = [&stage] { return stage.hasCaptured(); },
+            .write =
+                [&stage, kind](const std::filesystem::path& file) {
+                    return stage.writeCapture(kind, file);
+                },
+            .nothing = "There is nothing to save yet: no body has struck anything."};
+}
+
+/// The last seconds of the output.
+inline Capture soundCapture(RecorderView& recorder) {
+    return {.pattern = "*.wav",
+            .name = [&recorder] { return fromUtf8(recorder.newName()); },
+            .isThere = [&recorder] { return recorder.hasLastSound(); },
+            .write =
+                [&recorder](const std::filesystem::path& file) {
+                    return recorder.writeLastSound(file);
+                },
+            .nothing = "There is nothing to save yet: no sound was heard in the last 30 seconds."};
+}
+
+/// `Kind` is the kind of button, and `parts` are what its constructor takes.
+template <class Kind>
+class CaptureButton final : public DragOutButton<Kind> {
 public:
-    /// The pattern gives the file extension: "*.mid".
-    CaptureButton(ProcessorView& processor,
-                  StageView::CaptureKind whichKind,
-                  const juce::String& label,
-                  const juce::String& tooltip,
-                  const juce::String& filePattern)
-        : TextButton(label), view(processor), kind(whichKind), pattern(filePattern) {
-        setTitle("Capture as " + label);
-        setTooltip(tooltip);
-        onClick = [this] { save(); };
+    template <class... Parts>
+    CaptureButton(StatusView& statusView, Capture exported, Parts&&... parts)
+        : DragOutButton<Kind>(std::forward<Parts>(parts)...), status(statusView),
+          capture(std::move(exported)) {
+        this->fileToDrag = [this] { return writeForDrag(); };
+        this->onClick = [this] { save(); };
     }
 
-    void mouseDown(const juce::MouseEvent& event) override {
-        isDragged = false;
-        TextButton::mouseDown(event);
-    }
-    void mouseDrag(const juce::MouseEvent& event) override {
-        if (isDragged || event.getDistanceFromDragStart() < pixelsToDrag)
-            return TextButton::mouseDrag(event);
-        isDragged = true;
-        if (const auto file = writeForDrag(); file != juce::File())
-            juce::DragAndDropContainer::performExternalDragDropOfFiles({file.getFullPathName()},
-                                                                       false, this);
-    }
-    void mouseUp(const juce::MouseEvent& event) override {
-        if (isDragged)
-            setState(buttonNormal); // a drag does not click
-        else
-            TextButton::mouseUp(event);
-    }
-
-    /// Writes the file to drag, in the system's temporary folder. Returns an empty File on failure.
+    /// Writes the file to drag, in the DragFolder. Returns an empty File on failure.
     juce::File writeForDrag() {
-        if (!view.stage.hasCaptured())
+        if (!capture.isThere())
             return {};
-        const auto folder = dragFolder();
+        const auto folder = DragFolder::get();
         if (!folder.isDirectory()) {
-            view.status.reportError("There is no place to put the capture for dragging.");
+            status.reportError("There is no place to put the capture for dragging.");
             return {};
         }
-        const auto file = folder.getNonexistentChildFile(captureName, ending());
-        return view.stage.writeCapture(kind, pathOf(file)) ? file : juce::File();
+        const auto file = folder.getNonexistentChildFile(capture.name(), ending());
+        return capture.write(pathOf(file)) ? file : juce::File();
     }
     /// Saves to the chosen path, and adds the extension if it is missing. Then an existing file is
     /// not replaced, because the chooser has not asked about it.
@@ -62,50 +79,18 @@ public:
         const auto file =
             chosen.getFileExtension().isEmpty() ? chosen.withFileExtension(ending()) : chosen;
         if (file != chosen && file.exists())
-            return view.status.reportError("There is already a file " +
-                                           file.getFileName().toStdString() + ".");
-        view.stage.writeCapture(kind, pathOf(file));
-    }
-    /// Whether any window wrote this file for a drag.
-    static bool isForDrag(const std::filesystem::path& file) {
-        const auto folder = file.parent_path();
-        return folder.parent_path() == pathOf(temporaryFolder()) &&
-               nameOf(folder.filename()).starts_with(dragFolderPrefix);
+            return status.reportError("There is already a file " +
+                                      file.getFileName().toStdString() + ".");
+        capture.write(pathOf(file));
     }
 
 private:
-    static constexpr int pixelsToDrag = 6;
-    static constexpr const char* captureName = "Idiophone capture";
-    static constexpr const char* dragFolderPrefix = "Idiophone-drag-";
-
-    static juce::File temporaryFolder() {
-        return juce::File::getSpecialLocation(juce::File::tempDirectory);
-    }
-
-    /// Returns this process's temporary folder, because several users may share the system's. It is
-    /// created again if somebody deleted it, and never removed: hosts may still read dropped files.
-    static juce::File dragFolder() {
-        static juce::File folder;
-        if (folder.isDirectory())
-            return folder;
-        const auto next = temporaryFolder().getChildFile(
-            dragFolderPrefix + juce::String::toHexString(juce::Random().nextInt64()));
-        std::error_code fault;
-        // If the folder existed before, another user may own it.
-        if (std::filesystem::create_directory(pathOf(next), fault)) {
-            std::filesystem::permissions(pathOf(next), std::filesystem::perms::owner_all, fault);
-            folder = next;
-        }
-        return folder;
-    }
-
     void save() {
-        if (!view.stage.hasCaptured())
-            return view.status.reportError(
-                "There is nothing to save yet: no body has struck anything.");
+        if (!capture.isThere())
+            return status.reportError(capture.nothing);
         const auto start = juce::File::getSpecialLocation(juce::File::userDocumentsDirectory)
-                               .getChildFile(juce::String(captureName) + ending());
-        chooser = std::make_unique<juce::FileChooser>(getTitle(), start, pattern);
+                               .getChildFile(capture.name() + ending());
+        chooser = std::make_unique<juce::FileChooser>(this->getTitle(), start, capture.pattern);
         chooser->launchAsync(juce::FileBrowserComponent::saveMode |
                                  juce::FileBrowserComponent::canSelectFiles |
                                  juce::FileBrowserComponent::warnAboutOverwriting,
@@ -114,13 +99,11 @@ private:
                                      save(file);
                              });
     }
-    juce::String ending() const { return pattern.fromFirstOccurrenceOf("*", false, false); }
+    juce::String ending() const { return capture.pattern.fromFirstOccurrenceOf("*", false, false); }
 
-    ProcessorView& view;
-    StageView::CaptureKind kind;
-    juce::String pattern;
+    StatusView& status;
+    Capture capture;
     std::unique_ptr<juce::FileChooser> chooser;
-    bool isDragged = false;
 };
 
 } // namespace idiophone

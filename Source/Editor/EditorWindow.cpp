@@ -68,7 +68,7 @@ std::string refusalOf(const juce::File& file, const ProcessorView& view) {
 
 EditorWindow::EditorWindow(juce::AudioProcessor& audioProcessor, ProcessorView& processorView)
     : AudioProcessorEditor(audioProcessor), view(processorView), look(preferences.look()),
-      presets(view), object(view), browser(view.presets),
+      presets(view), object(view), browser(view.presets), recorder(view),
       volume(parameterInfo(ParameterId::volume), view), keyboard(view) {
     setLookAndFeel(&look);
     makePages();
@@ -77,7 +77,8 @@ EditorWindow::EditorWindow(juce::AudioProcessor& audioProcessor, ProcessorView& 
     };
     silence.describe("Silence", "End all sound at once");
     silence.onClick = [this] { view.instrument.silence(); };
-    showParts(*this, presets, lookButton, object, deck, status, silence, volume, keyboard);
+    showParts(*this, presets, lookButton, object, deck, status, recorder, silence, volume,
+              keyboard);
     addChildComponent(browser);
     presets.onBrowse = [this] { setBrowsing(!browser.isVisible()); };
     presets.onSaveAs = [this] {
@@ -205,7 +206,7 @@ void EditorWindow::setBusy(bool busy) {
 bool EditorWindow::isInterestedInFileDrag(const juce::StringArray& files) {
     // Accept unreadable files too, to report the reason. Ignore a capture dropped back on the
     // window.
-    return !files.isEmpty() && !CaptureButton::isForDrag(pathOf(files[0]));
+    return !files.isEmpty() && !DragFolder::contains(pathOf(files[0]));
 }
 
 void EditorWindow::fileDragEnter(const juce::StringArray& files, int, int) {
@@ -252,6 +253,7 @@ void EditorWindow::placeParts() {
     auto line = area.removeFromBottom(statusHeight);
     volume.setBounds(line.removeFromRight(150));
     silence.setBounds(line.removeFromRight(36).withSizeKeepingCentre(28, 28));
+    recorder.setBounds(line.removeFromRight(recorder.width()));
     status.setBounds(line.withTrimmedRight(4));
     browser.setBounds(area);
     if (area.getHeight() < minimumHeightForBoth) {

@@ -15,6 +15,7 @@
 #include "Editor/PresetBar.h"
 #include "Editor/PresetBrowser.h"
 #include "Editor/ProcessorView.h"
+#include "Editor/RecorderStrip.h"
 #include "Editor/StatusBar.h"
 
 #include <juce_audio_processors/juce_audio_processors.h>
@@ -65,6 +66,7 @@ private:
     PageDeck deck;
     PresetBrowser browser;
     StatusBar status;
+    RecorderStrip recorder;
     IconButton silence{"Silence", icons::silence()};
     ParameterControl volume;
     KeyboardPanel keyboard;

@@ -10,7 +10,7 @@
 namespace idiophone {
 
 /// Needs 24 x 24 pixels. An active toggle fills the icon with the accent colour.
-class IconButton final : public juce::Button {
+class IconButton : public juce::Button {
 public:
     IconButton(const juce::String& title, juce::Path icon)
         : Button(title), picture(std::move(icon)) {

@@ -79,6 +79,11 @@ juce::Path silence() { // a stop sign
     return path;
 }
 
+juce::Path soundFile() { // a wave, and an arrow that takes it out
+    return drawn("M.1 .5 L.1 .62 M.27 .3 L.27 .82 M.44 .14 L.44 .98 M.61 .62 L.61 .82 "
+                 "M.58 .36 L.92 .36 M.76 .18 L.94 .36 L.76 .54");
+}
+
 juce::Path copy() { // a sheet before another
     auto lines = juce::Drawable::parseSVGPath("M.22 .66 L.12 .66 L.12 .12 L.66 .12 L.66 .22");
     lines.addRoundedRectangle(0.34f, 0.34f, 0.54f, 0.54f, 0.08f);

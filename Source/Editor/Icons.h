@@ -15,5 +15,6 @@ juce::Path undo();
 juce::Path redo();
 juce::Path copy();
 juce::Path silence();
+juce::Path soundFile();
 
 } // namespace idiophone::icons

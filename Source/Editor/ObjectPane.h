@@ -14,17 +14,12 @@ class ObjectPane final : public juce::Component {
 public:
     explicit ObjectPane(ProcessorView& processor)
         : view(processor), object(processor),
-          midi(processor,
-               StageView::CaptureKind::midi,
-               "MIDI",
-               "The impacts of the bodies as notes. Drag into the host, or click to save.",
-               "*.mid"),
-          impulses(processor,
-                   StageView::CaptureKind::impulses,
-                   "Impulses",
-                   "The impacts of the bodies as a list for `idiophone render --impulses`. Drag or "
-                   "click.",
-                   "*.jsonl") {
+          midi(processor.status,
+               stageCapture(processor.stage, StageView::CaptureKind::midi, "*.mid"),
+               "MIDI"),
+          impulses(processor.status,
+                   stageCapture(processor.stage, StageView::CaptureKind::impulses, "*.jsonl"),
+                   "Impulses") {
         addAndMakeVisible(object);
         add(vibration, "Show the vibration of sounding objects, slowed down and exaggerated", true);
         add(nodes, "Show where the strongest sounding mode does not move", true);
@@ -50,7 +45,13 @@ public:
         pause.onClick = [this] { view.stage.pauseStage(pause.getToggleState()); };
         add(reset, "Remove the bodies and their captured impacts", false);
         reset.onClick = [this] { view.stage.resetStage(); };
-        showParts(*this, midi, impulses);
+        add(midi, "The impacts of the bodies as notes. Drag into the host, or click to save.",
+            false);
+        add(impulses,
+            "The impacts of the bodies as a list for `idiophone render --impulses`. Drag or click.",
+            false);
+        for (auto* button : {&midi, &impulses})
+            button->setTitle("Capture as " + button->getButtonText());
         showStageButtons();
     }
 
@@ -109,7 +110,7 @@ private:
         draw{"Draw path"};
     // These are visible on a stage only.
     juce::TextButton play{"Play"}, pause{"Pause"}, reset{"Reset"};
-    CaptureButton midi, impulses;
+    CaptureButton<juce::TextButton> midi, impulses;
     const std::vector<juce::TextButton*> strip{&vibration, &nodes, &path, &draw,    &play,
                                                &pause,     &reset, &midi, &impulses};
 };

@@ -8,6 +8,7 @@
 #include "Editor/MidiLearnView.h"
 #include "Editor/ParameterView.h"
 #include "Editor/PresetShelf.h"
+#include "Editor/RecorderView.h"
 #include "Editor/SoundVariants.h"
 #include "Editor/SoundView.h"
 #include "Editor/StageView.h"
@@ -30,6 +31,7 @@ struct ProcessorView {
     EditHistory& history;
     SoundVariants& variants;
     MidiLearnView& controllers;
+    RecorderView& recorder;
     StatusView& status;
 };
 

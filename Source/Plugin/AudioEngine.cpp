@@ -25,6 +25,8 @@ void AudioEngine::process(juce::AudioBuffer<float>& buffer,
         render(rendered, piece->events);
         write(rendered, channels);
         sendReport(channels, piece->length);
+        if (!isOffline) // it would replace what was played
+            report.lastSound.write(channels, length);
     }
     midi.clear(); // some wrappers would send the remaining events on
 }
@@ -192,6 +194,7 @@ void AudioEngine::prepare(double sampleRateHz, std::unique_ptr<Player> player) {
     // Blocks are rendered in pieces of our own size, because the host's blocks may have any size.
     output.prepare(sampleRateHz, BlockPieces::maximumSamples);
     report.monitor.prepare(sampleRateHz);
+    report.lastSound.prepare(sampleRateHz);
     delete messages.players.take();
     sound.install(std::move(player));
     forgetEvents();

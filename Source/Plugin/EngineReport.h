@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Instrument/HeldContacts.h"
+#include "Plugin/LastSound.h"
 #include "Plugin/SoundMonitor.h"
 #include "Plugin/StageCapture.h"
 
@@ -15,6 +16,7 @@ namespace idiophone {
 struct EngineReport {
     SoundMonitor monitor; ///< the sound as the window shows it; for the message thread
     StageCapture capture; ///< the impacts of a stage's bodies; for the message thread
+    LastSound lastSound;  ///< the output, except of an offline render
 
     std::atomic<std::uint32_t> callbacks{0}; ///< one more for each `prepare`
     std::atomic<std::int64_t> notFinite{0};  ///< how often output that was not finite was silenced

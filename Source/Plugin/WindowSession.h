@@ -8,6 +8,7 @@
 #include "Plugin/ModeSession.h"
 #include "Plugin/ParameterEdits.h"
 #include "Plugin/PresetCollection.h"
+#include "Plugin/RecorderSession.h"
 #include "Plugin/SoundHistory.h"
 #include "Plugin/StageSession.h"
 #include "Plugin/TuningSession.h"
@@ -33,6 +34,7 @@ struct WindowSession {
     ImportSession imports;
     TuningSession tuning;
     PresetCollection presets;
+    RecorderSession recorder;
     ProcessorView view;
 };
 

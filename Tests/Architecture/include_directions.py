@@ -26,7 +26,7 @@ MODULES = {
     "Instrument": ("Synth Geometry Object Parameters", "Eigen/ nlohmann/ Tunings.h"),
     "Scene": ("Instrument Synth Geometry Object Parameters",
               "Eigen/ boost/lockfree/ BulletCollision/ LinearMath/ btBulletDynamicsCommon.h nlohmann/"),
-    "Output": ("Parameters", "juce_dsp/"),
+    "Output": ("Object Parameters", "juce_audio_formats/ juce_core/ juce_dsp/"),
     "Editor": ("Parameters Object Geometry", "Eigen/ juce_ GL/ X11/"),
     "Plugin": ("Editor Output Scene Instrument Analysis Synth Geometry Parameters Object",
                "boost/lockfree/ juce_ nlohmann/ libMTSClient.h"),

@@ -1,10 +1,17 @@
 #include "Editor/CaptureButton.h"
 
+#include "Editor/EditorWindow.h"
+#include "Editor/OpenWindow.h"
 #include "Editor/Utf8.h"
+#include "Editor/WindowParts.h"
+#include "Support/SoundFile.h"
 #include "Support/TestFolder.h"
 #include "Support/TestSound.h"
 
 #include <catch2/catch_test_macros.hpp>
+#include <chrono>
+#include <filesystem>
+#include <fstream>
 
 using namespace idiophone;
 using namespace idiophone::test;
@@ -24,6 +31,11 @@ struct Thrown {
         render(processor, 48000, 480, midi);
         REQUIRE(processor.view().stage.hasCaptured());
     }
+    CaptureButton<juce::TextButton> button() {
+        auto& view = processor.view();
+        return {view.status, stageCapture(view.stage, StageView::CaptureKind::midi, "*.mid"),
+                "MIDI"};
+    }
     Processor processor;
 };
 
@@ -31,22 +43,22 @@ struct Thrown {
 
 TEST_CASE("Each drag of a capture writes its own file, which later drags do not change") {
     Thrown thrown;
-    CaptureButton midi(thrown.processor.view(), StageView::CaptureKind::midi, "MIDI", "", "*.mid");
+    auto midi = thrown.button();
     const auto first = midi.writeForDrag();
     REQUIRE(first.existsAsFile());
     const auto written = first.loadFileAsString();
     thrown.processor.prepareToPlay(48000, 480);
-    CaptureButton other(thrown.processor.view(), StageView::CaptureKind::midi, "MIDI", "", "*.mid");
+    auto other = thrown.button();
     const auto second = other.writeForDrag();
     REQUIRE(second.existsAsFile());
     CHECK(second != first);
     CHECK(first.loadFileAsString() == written);
     for (const auto& file : {first, second}) {
         CHECK(file.hasFileExtension(".mid"));
-        CHECK(CaptureButton::isForDrag(pathOf(file)));
+        CHECK(DragFolder::contains(pathOf(file)));
     }
-    CHECK_FALSE(CaptureButton::isForDrag(pathOf(first.getParentDirectory().getSiblingFile("x"))));
-    CHECK_FALSE(CaptureButton::isForDrag(testFolder() / "Idiophone-drag-1" / "x.mid"));
+    CHECK_FALSE(DragFolder::contains(pathOf(first.getParentDirectory().getSiblingFile("x"))));
+    CHECK_FALSE(DragFolder::contains(testFolder() / "Idiophone-drag-1" / "x.mid"));
 
     // No other user can have made the folder, and it is created again after deletion.
     const auto folder = first.getParentDirectory();
@@ -64,7 +76,7 @@ TEST_CASE("Each drag of a capture writes its own file, which later drags do not 
 
 TEST_CASE("A capture saved without an extension gets one, and does not overwrite a file unasked") {
     Thrown thrown;
-    CaptureButton midi(thrown.processor.view(), StageView::CaptureKind::midi, "MIDI", "", "*.mid");
+    auto midi = thrown.button();
     const auto bare = fileOf(testFolder() / "throw"), with = bare.withFileExtension("mid");
     midi.save(bare);
     CHECK_FALSE(bare.exists());
@@ -77,4 +89,42 @@ TEST_CASE("A capture saved without an extension gets one, and does not overwrite
           "There is already a file throw.mid.");
     midi.save(with); // the chooser has asked about this file
     CHECK(with.loadFileAsString() != "another's");
+}
+
+TEST_CASE("A drag of the last 30 seconds writes them as a WAV file named after the preset") {
+    Processor processor;
+    restore(processor, testState());
+    processor.prepareToPlay(48000, 480);
+    const auto window = open(processor);
+    auto* last = find<CaptureButton<IconButton>>(*window, "Last 30 seconds");
+    REQUIRE(last != nullptr);
+    CHECK(last->writeForDrag() == juce::File()); // nothing was heard yet
+    render(processor, 24000, 480, testMusic(24000));
+    const auto file = last->writeForDrag();
+    REQUIRE(file.existsAsFile());
+    CHECK(file.getFileName().startsWith("Test keyboard 20"));
+    CHECK(file.hasFileExtension(".wav"));
+    CHECK(DragFolder::contains(pathOf(file)));
+    CHECK(loudest(readSoundFile(pathOf(file)).sound) > 0.001f);
+    file.getParentDirectory().deleteRecursively();
+}
+
+TEST_CASE("Files for dragging are removed a week after the last one of their folder") {
+    const auto system = pathOf(juce::File::getSpecialLocation(juce::File::tempDirectory));
+    const auto name = "Idiophone-drag-" + testFolder().filename().string();
+    const auto old = system / (name + "-old"), young = system / (name + "-young"),
+               others = system / ("Others-drag-" + testFolder().filename().string());
+    for (const auto& folder : {old, young, others}) {
+        std::filesystem::create_directories(folder);
+        std::ofstream(folder / "x.wav") << "x";
+        const auto days = std::chrono::hours(24 * (folder == young ? 6 : 8));
+        std::filesystem::last_write_time(folder,
+                                         std::filesystem::file_time_type::clock::now() - days);
+    }
+    DragFolder::removeOld();
+    CHECK_FALSE(std::filesystem::exists(old));
+    CHECK(std::filesystem::exists(young / "x.wav"));
+    CHECK(std::filesystem::exists(others / "x.wav"));
+    for (const auto& folder : {young, others})
+        std::filesystem::remove_all(folder);
 }

@@ -1,7 +1,7 @@
-#include "Console/WavWriter.h"
+#include "Output/WavWriter.h"
 
-#include "Console/JuceFile.h"
 #include "Object/FileBeside.h"
+#include "Output/JuceFile.h"
 
 #include <algorithm>
 #include <cmath>

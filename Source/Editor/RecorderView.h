@@ -1,0 +1,26 @@
+// The window's view of the output as sound files: the last seconds, and recordings of any length.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace idiophone {
+
+/// For the message thread. WAV files are stereo, 32-bit float. An offline render is in none. The
+/// status shows errors.
+class RecorderView {
+public:
+    virtual ~RecorderView() = default;
+
+    /// Keeps the last 30 s of the output from now on. A window calls it when it opens.
+    virtual void keepLastSound() = 0;
+    /// Whether anything in the kept output is heard.
+    virtual bool hasLastSound() const = 0;
+    /// Writes the kept output, without the silence at both ends, and replaces the file. Returns
+    /// false on failure.
+    virtual bool writeLastSound(const std::filesystem::path& file) = 0;
+    /// A name for a sound file without its extension: the preset and the local time.
+    virtual std::string newName() const = 0;
+};
+
+} // namespace idiophone
