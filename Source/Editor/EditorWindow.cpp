@@ -75,6 +75,7 @@ EditorWindow::EditorWindow(juce::AudioProcessor& audioProcessor, ProcessorView& 
     lookButton.onClick = [this] {
         setLook(look.scheme() == LookScheme::dark ? LookScheme::light : LookScheme::dark);
     };
+    recorder.onWidth = [this] { placeParts(); };
     silence.describe("Silence", "End all sound at once");
     silence.onClick = [this] { view.instrument.silence(); };
     showParts(*this, presets, lookButton, object, deck, status, recorder, silence, volume,
@@ -177,6 +178,7 @@ void EditorWindow::timerCallback() {
     presets.refresh();
     object.refresh();
     deck.refresh();
+    recorder.refresh();
     volume.refresh();
     keyboard.refresh();
     const auto now = view.status.takeStatus();

@@ -23,6 +23,9 @@ public:
     /// Sets another icon for the off state of a toggle.
     void setPictureOff(juce::Path icon) { pictureOff = std::move(icon); }
 
+    /// Sets the colour of an active toggle.
+    void setActiveColour(LookColour colour) { activeColour = colour; }
+
     /// Sets the texts for the screen reader and the mouse.
     void describe(const juce::String& title, const juce::String& tooltip) {
         if (title != getTitle())
@@ -43,7 +46,7 @@ public:
             g.drawRoundedRectangle(area.reduced(1.5f), 4, 1.5f);
         }
         const auto colour = !isEnabled()       ? LookColour::outline
-                            : getToggleState() ? LookColour::accent
+                            : getToggleState() ? activeColour
                                                : LookColour::text;
         const float side = juce::jmin(18.0f, area.getWidth() - 8, area.getHeight() - 8);
         const auto square = area.withSizeKeepingCentre(side, side);
@@ -66,6 +69,7 @@ public:
 
 private:
     juce::Path picture, pictureOff;
+    LookColour activeColour = LookColour::accent;
 };
 
 } // namespace idiophone

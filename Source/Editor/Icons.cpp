@@ -84,6 +84,14 @@ juce::Path soundFile() { // a wave, and an arrow that takes it out
                  "M.58 .36 L.92 .36 M.76 .18 L.94 .36 L.76 .54");
 }
 
+juce::Path record() {
+    juce::Path ring;
+    ring.addEllipse(0.1f, 0.1f, 0.8f, 0.8f);
+    auto path = drawn(ring);
+    path.addEllipse(0.28f, 0.28f, 0.44f, 0.44f);
+    return path;
+}
+
 juce::Path copy() { // a sheet before another
     auto lines = juce::Drawable::parseSVGPath("M.22 .66 L.12 .66 L.12 .12 L.66 .12 L.66 .22");
     lines.addRoundedRectangle(0.34f, 0.34f, 0.54f, 0.54f, 0.08f);

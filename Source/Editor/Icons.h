@@ -16,5 +16,6 @@ juce::Path redo();
 juce::Path copy();
 juce::Path silence();
 juce::Path soundFile();
+juce::Path record();
 
 } // namespace idiophone::icons

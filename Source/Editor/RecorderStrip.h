@@ -1,4 +1,4 @@
-// The output as sound files: a button for the last seconds.
+// The output as sound files: buttons for the last seconds and for recordings of any length.
 #pragma once
 
 #include "Editor/CaptureButton.h"
@@ -7,33 +7,100 @@
 #include "Editor/Look.h"
 #include "Editor/ProcessorView.h"
 
+#include <functional>
 #include <juce_gui_basics/juce_gui_basics.h>
 
 namespace idiophone {
 
 class RecorderStrip final : public juce::Component {
 public:
-    explicit RecorderStrip(ProcessorView& view)
-        : last(view.status, soundCapture(view.recorder), "Last 30 seconds", icons::soundFile()) {
-        view.recorder.keepLastSound();
+    explicit RecorderStrip(ProcessorView& processor)
+        : view(processor.recorder), last(processor.status,
+                                         soundCapture(processor.recorder),
+                                         "Last 30 seconds",
+                                         icons::soundFile()) {
+        view.keepLastSound();
         last.describe(
             "Last 30 seconds",
             "The last 30 seconds as a WAV file. Drag it into the host, or click to save.");
-        addAndMakeVisible(last);
+        record.setActiveColour(LookColour::error);
+        record.onClick = [this] {
+            view.recording().isRunning ? view.stopRecording() : view.startRecording();
+            refresh();
+        };
+        take.setTitle("Recording");
+        take.fileToDrag = [this] { return complete(); };
+        take.onClick = [this] {
+            if (const auto file = complete(); file != juce::File())
+                file.revealToUser();
+        };
+        showParts(*this, last, record);
+        addChildComponent(take);
+        refresh();
     }
+
+    /// Called when `width` has changed.
+    std::function<void()> onWidth;
 
     /// The width that it needs, in pixels.
-    int width() const { return button + gap; }
+    int width() const { return 2 * button + gap + (take.isVisible() ? takeWidth : 0); }
 
-    void resized() override {
-        last.setBounds(
-            getLocalBounds().removeFromLeft(button).withSizeKeepingCentre(button, button));
+    /// Shows the state of a recording: while it runs its time, then also the file.
+    void refresh() {
+        const auto now = view.recording();
+        const auto file = now.file.empty() ? juce::String() : textOf(now.file.filename());
+        record.setToggleState(now.isRunning, juce::dontSendNotification);
+        record.describe(now.isRunning ? "Stop recording" : "Record",
+                        now.isRunning ? "Stop, and keep the recording in the music folder"
+                                      : "Record the sound to a WAV file in the music folder");
+        const auto seconds = static_cast<int>(now.seconds);
+        const auto time =
+            juce::String(seconds / 60) + ":" + juce::String(seconds % 60).paddedLeft('0', 2);
+        if (time != take.getButtonText())
+            take.setButtonText(time);
+        const auto text = now.isRunning ? juce::String("Recording")
+                                        : file + ". Drag it into the host, or click to show it in "
+                                                 "its folder.";
+        if (text != take.getTooltip()) {
+            take.setTooltip(text);
+            showColour();
+        }
+        if (const bool isShown = now.isRunning || file.isNotEmpty(); isShown != take.isVisible()) {
+            take.setVisible(isShown);
+            juce::NullCheckedInvocation::invoke(onWidth);
+        }
     }
 
-private:
-    static constexpr int button = 28, gap = 8;
+    void resized() override {
+        auto area = getLocalBounds().withTrimmedRight(gap);
+        const auto place = [&](juce::Component& part, int width) {
+            part.setBounds(area.removeFromLeft(width).withSizeKeepingCentre(width - 2, button - 2));
+        };
+        place(last, button);
+        place(record, button);
+        if (take.isVisible())
+            place(take, takeWidth);
+    }
+    void lookAndFeelChanged() override { showColour(); }
 
+private:
+    static constexpr int button = 28, takeWidth = 62, gap = 8;
+
+    /// Red while it records.
+    void showColour() {
+        take.setColour(
+            juce::TextButton::textColourOffId,
+            colourOf(*this, view.recording().isRunning ? LookColour::error : LookColour::text));
+    }
+    juce::File complete() const {
+        const auto now = view.recording();
+        return now.isRunning || now.file.empty() ? juce::File() : fileOf(now.file);
+    }
+
+    RecorderView& view;
     CaptureButton<IconButton> last;
+    IconButton record{"Record", icons::record()};
+    DragOutButton<juce::TextButton> take; ///< the recording that runs or was made last
 };
 
 } // namespace idiophone

@@ -38,6 +38,33 @@ bool RecorderSession::writeLastSound(const std::filesystem::path& file) {
     return written.has_value();
 }
 
+void RecorderSession::startRecording() {
+    const auto refuse = [this](const std::string& reason) {
+        session.reportError("The recording cannot start: " + reason + ".");
+    };
+    keepLastSound();
+    const auto sound = lastSound.sound();
+    if (sound == nullptr)
+        return refuse("the host has not started the sound yet");
+    const auto folder =
+        juce::File::getSpecialLocation(juce::File::userMusicDirectory).getChildFile("Idiophone");
+    if (folder.createDirectory().failed())
+        return refuse("there can be no folder " + folder.getFullPathName().toStdString());
+    const auto file = folder.getNonexistentChildFile(fromUtf8(newName()), ".wav");
+    if (const auto started = recorder.start(sound, pathOf(file)); !started)
+        refuse(started.error().message);
+}
+
+void RecorderSession::stopRecording() {
+    recorder.stop();
+    poll();
+}
+
+void RecorderSession::poll() {
+    if (const auto error = recorder.takeError(); !error.empty())
+        session.reportError(error);
+}
+
 std::string RecorderSession::newName() const {
     const auto preset = fromUtf8(session.playingPreset().details.name).trim();
     const auto time = juce::Time::getCurrentTime().formatted(" %Y-%m-%d %H.%M.%S");

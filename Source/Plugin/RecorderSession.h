@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Editor/RecorderView.h"
+#include "Plugin/SoundRecorder.h"
 #include "Plugin/SoundSession.h"
 
 namespace idiophone {
@@ -15,13 +16,20 @@ public:
     void keepLastSound() override { lastSound.keep(); }
     bool hasLastSound() const override { return !heard().left.empty(); }
     bool writeLastSound(const std::filesystem::path& file) override;
+    void startRecording() override;
+    void stopRecording() override;
+    Recording recording() const override { return recorder.state(); }
     std::string newName() const override;
+
+    /// Call it regularly. Reports a recording that ended by itself.
+    void poll();
 
 private:
     RollingSound::Piece heard() const;
 
     SoundSession& session;
     LastSound& lastSound;
+    SoundRecorder recorder; ///< completes its file when the processor ends
 };
 
 } // namespace idiophone

@@ -28,6 +28,7 @@ WindowSession::WindowSession(SharedParts& shared, SoundSession& session)
 void WindowSession::poll() {
     instrument.poll();
     imports.poll();
+    recorder.poll();
 }
 
 } // namespace idiophone

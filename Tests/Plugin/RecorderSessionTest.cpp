@@ -1,10 +1,13 @@
 #include "Plugin/RecorderSession.h"
 
 #include "Plugin/WatchedHost.h"
+#include "Support/HomeFolder.h"
 #include "Support/SoundFile.h"
 #include "Support/TestFolder.h"
+#include "Support/WaitUntil.h"
 
 #include <catch2/catch_test_macros.hpp>
+#include <fstream>
 
 using namespace idiophone;
 using namespace idiophone::test;
@@ -136,3 +139,61 @@ TEST_CASE("Keeping the last sound neither allocates, locks nor calls the system"
         host.block(music, 480);
     CHECK(host.processor.view().recorder.hasLastSound());
 }
+
+#ifndef _WIN32
+TEST_CASE("A recording lies in the music folder, as it was heard") {
+    const HomeFolder home;
+    Played played;
+    playSecond(played.processor);
+    played.recorder.startRecording();
+    CHECK(played.recorder.recording().isRunning);
+    const auto output = playSecond(played.processor);
+    played.recorder.stopRecording();
+    const auto made = played.recorder.recording();
+    CHECK_FALSE(made.isRunning);
+    CHECK(made.seconds == 1);
+    CHECK(made.file.parent_path() == home.music());
+    CHECK(made.file.filename().string().starts_with("Test keyboard 20"));
+    CHECK(made.file.extension() == ".wav");
+    CHECK(readSoundFile(made.file).sound == output); // silence stays
+    CHECK_FALSE(played.processor.view().status.takeStatus().isError);
+}
+
+TEST_CASE("A plugin that closes while it records completes the file") {
+    const HomeFolder home;
+    HostSound output;
+    {
+        Played played(false);
+        played.recorder.startRecording(); // no window has asked for the last sound before
+        output = playSecond(played.processor);
+    }
+    auto files = std::filesystem::directory_iterator(home.music());
+    REQUIRE(files != std::filesystem::directory_iterator());
+    CHECK(readSoundFile(files->path()).sound == output);
+}
+
+TEST_CASE("A recording without a folder, or before the host has a sample rate, does not start") {
+    const HomeFolder home;
+    Processor unprepared;
+    unprepared.view().recorder.startRecording();
+    CHECK(unprepared.view().status.takeStatus().sentence ==
+          "The recording cannot start: the host has not started the sound yet.");
+    std::ofstream(home.music().parent_path()) << "a file where the music folder should be";
+    Played played;
+    played.recorder.startRecording();
+    CHECK_FALSE(played.recorder.recording().isRunning);
+    CHECK(played.processor.view().status.takeStatus().sentence ==
+          "The recording cannot start: there can be no folder " + home.music().string() + ".");
+}
+
+TEST_CASE("A recording that ends by itself is reported") {
+    const HomeFolder home;
+    Played played;
+    played.recorder.startRecording();
+    played.processor.prepareToPlay(96000, 480);
+    waitUntil([&] { return !played.recorder.recording().isRunning; });
+    played.processor.poll();
+    CHECK(played.processor.view().status.takeStatus().sentence ==
+          "The recording has ended, because the sample rate has changed.");
+}
+#endif
