@@ -1,6 +1,7 @@
 #include "Analysis/ModalAnalysis.h"
 
 #include "Analysis/BodyModel.h"
+#include "Analysis/Eigensolver.h"
 #include "Analysis/MethodChoice.h"
 #include "Analysis/ShellBody.h"
 #include "Analysis/SolidBody.h"
@@ -22,6 +23,8 @@ namespace {
 // Repair and decimation of 20,000 triangles take half of a preview's time (measured), and this many
 // elements take the other half.
 constexpr int previewElements = 300, previewShellVertices = 300;
+/// More modes would make previews longer than two seconds (docs/decisions/0023).
+constexpr int previewModes = 350;
 
 /// One analysis: the whole one, or the preview of few elements.
 struct Task {
@@ -166,32 +169,42 @@ nearestVertices(const Mesh& surface, const Mesh& repaired, const std::vector<int
     return nearest;
 }
 
-/// Solves the body in the band that its elements resolve. A stiff body such as a hollow ball may
-/// have no mode in the band of a preview's elements. The band then extends, because a mode that is
-/// some per cent off is better than none.
+/// Returns the end of a preview's band: beyond what its elements resolve, up to a number of modes,
+/// because a mode that is some per cent off sounds nearer to the object than none.
+double previewBandHz(const BodyModel& body, double maxFrequencyHz) {
+    const auto isAffordable = [&](double hz) {
+        const auto modes = countModesBelow(body.model, hz);
+        return modes && *modes <= previewModes;
+    };
+    if (isAffordable(maxFrequencyHz))
+        return maxFrequencyHz;
+    constexpr double lowestPreviewHz = 100;
+    double low = std::clamp(body.servedBandHz, lowestPreviewHz, maxFrequencyHz);
+    double high = maxFrequencyHz;
+    for (int step = 0; step < 8; ++step) {
+        const double middle = std::sqrt(low * high);
+        (isAffordable(middle) ? low : high) = middle;
+    }
+    return low;
+}
+
+/// Solves the body in the band that its elements resolve, and a preview beyond.
 Result<ModalObject>
 solved(const BodyModel& body, const std::vector<int>& shapeVertices, const Task& task) {
-    constexpr double lowestPreviewHz = 100;
     const auto& settings = task.settings;
-    double highestHz =
-        task.isPreview ? std::max(body.servedBandHz, lowestPreviewHz) : body.servedBandHz;
-    for (;; highestHz *= 4) {
-        const double bandHz = std::min(highestHz, settings.maxFrequencyHz);
-        auto object = solveBody(body,
-                                {.name = settings.name,
-                                 .source = settings.source,
-                                 .lowestFrequencyHz = settings.lowestFrequencyHz,
-                                 .maxFrequencyHz = bandHz,
-                                 .maximumModes = settings.maximumModes,
-                                 .shapeVertices = shapeVertices,
-                                 .listeningDirections = settings.listeningDirections,
-                                 .radiation = settings.radiation,
-                                 .threads = settings.threads},
-                                task.control);
-        if (object || !task.isPreview || task.control.isCancelled() ||
-            bandHz >= settings.maxFrequencyHz)
-            return object;
-    }
+    return solveBody(body,
+                     {.name = settings.name,
+                      .source = settings.source,
+                      .lowestFrequencyHz = settings.lowestFrequencyHz,
+                      .maxFrequencyHz = task.isPreview
+                                            ? previewBandHz(body, settings.maxFrequencyHz)
+                                            : body.servedBandHz,
+                      .maximumModes = settings.maximumModes,
+                      .shapeVertices = shapeVertices,
+                      .listeningDirections = settings.listeningDirections,
+                      .radiation = settings.radiation,
+                      .threads = settings.threads},
+                     task.control);
 }
 
 Result<ModalObject> analysed(const Mesh& mesh, const Task& task) {
@@ -276,7 +289,7 @@ analysePreview(const Mesh& mesh, const AnalysisSettings& settings, const WorkCon
     task.settings.elementBudget = previewElements;
     task.settings.shapeVertices.clear();
     task.settings.listeningDirections = stereoDirections();
-    task.settings.radiation = RadiationMethod::quick;
+    task.settings.radiation = RadiationMethod::preview;
     return analysedInTime(mesh, task);
 }
 

@@ -55,8 +55,8 @@ analyse(const Mesh& mesh, const AnalysisSettings& settings, const WorkControl& c
 /// Analyses into a first object within a second or two, which plays until `analyse` is done. Its
 /// pitches are some per cent off. Decimates the mesh to `previewVertices` and uses few elements.
 /// Meshes of 20,000 triangles take less than 2 s (docs/decisions/0023). Shells always use the
-/// two-layer method. The band ends where the elements no longer resolve it. Every vertex carries
-/// shapes.
+/// two-layer method. The band goes beyond what the elements resolve, up to the requested maximum or
+/// some 350 modes: these upper modes are too high by several per cent. Every vertex carries shapes.
 ///
 /// It reads name, source, material, method, thickness, `largestComponentOnly` and the band from the
 /// settings. Errors: those of `analyse`, and a mesh that cannot be decimated. Any thread but the

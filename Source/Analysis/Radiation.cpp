@@ -32,7 +32,8 @@ struct Effort {
 };
 /// With 2.5 edges per wavelength a sphere is within 0.2 dB. With fewer than 1.8, bars and bowls
 /// have larger errors.
-constexpr Effort exactEffort{1800, 1.5e8, 0.002, 2.5}, quickEffort{700, 1.5e7, 0.03, 1.8};
+constexpr Effort exactEffort{1800, 1.5e8, 0.002, 2.5}, quickEffort{700, 1.5e7, 0.03, 1.8},
+    previewEffort{500, 7.5e6, 0.06, 1.8};
 
 /// A surface is refined only if it resolves less than this share of the band.
 constexpr double enoughOfBand = 0.6;
@@ -193,7 +194,9 @@ Result<Radiation> radiationOf(const RadiatingBody& body,
                               const RadiationSettings& settings,
                               const WorkControl& control) {
     const bool isExact = settings.method == RadiationMethod::exact;
-    const Effort& effort = isExact ? exactEffort : quickEffort;
+    const Effort& effort = isExact                                     ? exactEffort
+                           : settings.method == RadiationMethod::quick ? quickEffort
+                                                                       : previewEffort;
     const Eigen::VectorXd frequenciesHz = body.eigenvalues.cwiseSqrt() / (2 * std::numbers::pi);
     const auto surface =
         surfaceFor(body, effort, audibleHz(frequenciesHz.maxCoeff()), control.quiet());

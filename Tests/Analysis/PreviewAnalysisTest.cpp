@@ -46,6 +46,30 @@ TEST_CASE("A preview's lowest modes are within 3 % of the full analysis") {
     }
 }
 
+TEST_CASE("A preview reaches as high as the whole analysis, with about as many modes") {
+    for (const Mesh& mesh :
+         {hoopMesh(0.05, 0.03, 100, 12), extrudedMesh(sheetMesh(0.15, 0.03, 600), 0.02, 4)}) {
+        auto bounded = settings();
+        bounded.maxFrequencyHz = 30000;
+        const auto preview = analysePreview(mesh, bounded);
+        const auto whole = analyse(mesh, bounded);
+        REQUIRE(preview);
+        REQUIRE(whole);
+        CHECK(preview->bandHz == whole->bandHz);
+        const auto share = static_cast<double>(preview->modeCount()) / double(whole->modeCount());
+        INFO(preview->modeCount() << " modes for " << whole->modeCount());
+        CHECK(share > 0.7);
+        CHECK(share < 1.3);
+    }
+}
+
+TEST_CASE("A preview with too many modes for the whole band ends where it has enough") {
+    const auto preview = analysePreview(sheetMesh(1, 1, 4000), settings());
+    REQUIRE(preview);
+    CHECK(preview->bandHz < highestAnalysedHz);
+    CHECK(preview->modeCount() > 250);
+}
+
 TEST_CASE("A preview of 20,000 triangles has few vertices and few elements") {
     const Mesh fine[] = {icosphereMesh(0.1, 5), sheetMesh(0.4, 0.3, 10000),
                          sheetMesh(0.4, 0.05, 10000), torusMesh(0.1, 0.01, 426, 20)};
