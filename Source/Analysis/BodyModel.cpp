@@ -18,13 +18,11 @@ std::string notesOn(const BodyModel& body, const SolveSettings& settings, const 
     std::string zeroModes, lowModes;
     const Eigen::Index rigid = 6 * Eigen::Index{body.components};
     if (modes.zeroModes > rigid)
-        zeroModes = "The model has " + std::to_string(modes.zeroModes) + " zero modes where " +
-                    std::to_string(rigid) +
-                    (body.kind == ModelKind::twoLayers
-                         ? " are rigid motion: so thin a shell bends at frequencies too low to be "
-                           "separated."
-                         : " are rigid motion: flat parts bend freely in it; the two-layer method "
-                           "does not.");
+        zeroModes = (body.kind == ModelKind::twoLayers
+                         ? "The shell is so thin that some of its bending is too slow to be heard: "
+                         : "Flat parts bend freely in this method, unlike in a two-layer shell: ") +
+                    std::to_string(modes.zeroModes) + " zero modes instead of " +
+                    std::to_string(rigid) + ".";
     if (modes.belowBand > 0)
         lowModes = std::to_string(modes.belowBand) + " modes below " +
                    std::to_string(std::lround(settings.lowestFrequencyHz)) + " Hz were left out.";

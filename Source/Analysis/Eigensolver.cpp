@@ -52,7 +52,7 @@ EigenBlock solveDense(const VibrationModel& model) {
     const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> solver(MatrixXd(model.stiffness),
                                                                     MatrixXd(model.mass));
     if (solver.info() != Eigen::Success)
-        throw Fault{"The eigenvalue solver did not converge."};
+        throw Fault{"The modes of the mesh were not found in a reasonable time; simplify it."};
     return {solver.eigenvalues(), solver.eigenvectors()};
 }
 
@@ -73,7 +73,7 @@ private:
     void orthonormalise(Vectors& block) const {
         Vectors image;
         if (space_.orthonormalise(block, image).size() != block.cols() * block.cols())
-            throw Fault{"The eigenvalue solver met dependent vectors."};
+            throw Fault{"The modes of the mesh cannot be told apart; simplify or remesh it."};
     }
     void checkCancelled() const {
         if (control_.isCancelled())
@@ -84,7 +84,7 @@ private:
         control_.report(countingShare +
                             (0.99 - countingShare) *
                                 (1 - std::exp(-2 * ++operations_ / expectedOperations_)),
-                        "Solving for modes");
+                        "Finding its modes");
     }
 
     const VibrationModel& model_;
@@ -100,7 +100,7 @@ private:
 Index BandSolver::factoriseAndCount(double lambda) {
     if (!factor_.factorise(lambda)) {
         checkCancelled();
-        throw Fault{"The stiffness matrix cannot be factorised; the mesh is too badly shaped."};
+        throw Fault{"The triangles of the mesh are too badly shaped to find its modes; remesh it."};
     }
     if (operations_ == 0)
         control_.report(countingShare * (1 - std::exp(-0.1 * ++counts_)), "Counting modes");
@@ -166,11 +166,11 @@ BandSolver::solveSlice(const Slice& slice, const Vectors& deflated, const Vector
     for (; found.cols() < deflated.cols() + slice.count; ++pass) {
         const Index missing = slice.count - (found.cols() - deflated.cols());
         if (pass > 40)
-            throw Fault{"The eigenvalue solver did not converge."};
+            throw Fault{"The modes of the mesh were not found in a reasonable time; simplify it."};
         if (static_cast<double>(space_.rows()) *
                 static_cast<double>(largestBasis(missing) + found.cols()) * 8 >
             workLimitBytes)
-            throw Fault{"The analysis would need more than 3 GB; lower the band or the mesh."};
+            throw Fault{"The analysis would need more than 3 GB; simplify the mesh."};
         auto fresh = nearestModes(factor_, space_, found,
                                   {.low = slice.low,
                                    .high = slice.high,
@@ -219,11 +219,11 @@ EigenBlock BandSolver::solve() {
         throw Fault{"The object has " + std::to_string(count) + " modes below " +
                     std::to_string(std::lround(band_.highestHz)) + " Hz, more than the limit of " +
                     std::to_string(band_.maximumModes) +
-                    "; lower the highest frequency or choose a coarser mesh."};
+                    "; make it smaller or thicker, or lower the highest frequency."};
     if (n <= denseUpTo || upTo > n * 3 / 4) {
         if (n > 3000)
-            throw Fault{"Nearly all modes of the mesh lie in the band; lower the highest "
-                        "frequency."};
+            throw Fault{"The mesh is too coarse for so many modes; use a finer one, or lower the "
+                        "highest frequency."};
         return solveDense(model_);
     }
     EigenBlock all{VectorXd(count), Vectors(n, count)};

@@ -15,7 +15,7 @@ constexpr std::array<std::pair<AnalysisMethod, std::string_view>, 4> methodNames
      {AnalysisMethod::vanGelder, "van-gelder"}}};
 
 std::string shellOf(double thicknessMetres) {
-    return "Taken as a shell of " + millimetresText(thicknessMetres) + " (two-layer springs)";
+    return "Taken as a shell of " + millimetresText(thicknessMetres);
 }
 
 } // namespace
@@ -36,11 +36,11 @@ std::optional<AnalysisMethod> findMethod(std::string_view name) {
 
 std::string whyNotSolid(const MeshCheck& check) {
     if (check.boundaryEdges > 0)
-        return "it is open, with " + std::to_string(check.boundaryEdges) + " boundary edges";
+        return "its surface is open";
     if (check.nonManifoldEdges > 0)
-        return "more than two faces meet at " + std::to_string(check.nonManifoldEdges) + " edges";
+        return "more than two faces meet at some of its edges";
     if (!check.isOriented)
-        return "its faces do not agree on an outside";
+        return "it has no clear inside and outside";
     if (!check.intersectsItself)
         return "it is too tangled to tell whether it passes through itself";
     if (*check.intersectsItself)
@@ -60,10 +60,9 @@ MethodChoice chooseMethod(const MeshCheck& check, double shellThicknessMetres) {
     if (check.isThin())
         return {AnalysisMethod::twoLayer,
                 shell + "its walls are thin, " + millimetresText(check.meanThicknessMetres) +
-                    " on average; a mesh of the middle surface with that thickness would be nearer "
-                    "the truth."};
-    return {AnalysisMethod::tetrahedra,
-            "Taken as a solid (finite elements), because it is closed and thick."};
+                    " on average; a mesh of the middle of its walls, with that thickness, "
+                    "would be nearer the truth."};
+    return {AnalysisMethod::tetrahedra, "Taken as a solid, because it is closed and thick."};
 }
 
 } // namespace idiophone

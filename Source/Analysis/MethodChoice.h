@@ -18,7 +18,7 @@ MethodChoice chooseMethod(const MeshCheck& check, double shellThicknessMetres);
 /// The choice after tetrahedra could not fill a body. `why` is a sentence.
 MethodChoice shellInstead(const std::string& why, double shellThicknessMetres);
 
-/// Says why tetrahedra cannot fill a mesh that is not solid: "it has 12 boundary edges".
+/// Says why tetrahedra cannot fill a mesh that is not solid: "its surface is open".
 std::string whyNotSolid(const MeshCheck& check);
 
 } // namespace idiophone

@@ -42,7 +42,8 @@ Result<MethodChoice> methodFor(const Mesh& mesh, const Task& task) {
     if (!settings.method)
         return chooseMethod(check, settings.thicknessMetres);
     if (!check.isSolid())
-        return failure("Finite elements need a body to fill: " + whyNotSolid(check) + ".");
+        return failure("The mesh cannot be taken as a solid, because " + whyNotSolid(check) +
+                       "; choose a shell, or repair it in its own program.");
     return MethodChoice{AnalysisMethod::tetrahedra, {}};
 }
 
@@ -142,9 +143,10 @@ std::string noteOnParts(const BodyModel& body, const RepairReport& report) {
     const int more = connectedComponents(body.surface).count - report.components;
     if (more <= 0)
         return {};
-    return "Remeshing parted what hung together at single vertices or at edges of more than two "
-           "faces alone: " +
-           std::to_string(more + report.components) + " parts now move by themselves.";
+    return "Parts that met only at a point, or at an edge of more than two faces, are now "
+           "separate: "
+           "each of " +
+           std::to_string(more + report.components) + " parts moves by itself.";
 }
 
 /// Builds the body by the chosen method. If tetrahedra were an automatic choice and do not fill the

@@ -141,7 +141,7 @@ Result<void> solveAll(std::vector<RadiationTask>& tasks,
         const WorkControl& own = worker == 0 ? control : quiet;
         solve(tasks[task], hearing, own);
         own.report(static_cast<double>(++done) / static_cast<double>(tasks.size()),
-                   "Computing radiation");
+                   "Finding how it sounds in the air");
     });
     if (control.isCancelled())
         return cancellation();

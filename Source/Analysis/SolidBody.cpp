@@ -132,7 +132,7 @@ solidBody(const Mesh& surface, const SolidBodySettings& settings, const WorkCont
     }
     if (control.isCancelled())
         return cancellation();
-    control.report(0, "Filling the body with tetrahedra");
+    control.report(0, "Filling the solid");
     auto elements = tetrahedralise(
         mesh,
         {.targetEdgeMetres = edge, .keepSurface = keepSurface, .cancelled = control.cancelled});

@@ -124,16 +124,16 @@ Result<LinearTetrahedra> resultOf(const tetgenio& output) {
 std::string sentence(int code) {
     switch (code) {
     case 1:
-        return "Filling the surface with tetrahedra ran out of memory.";
+        return "Filling the solid needs more memory than this machine has.";
     case 3:
-        return "The surface intersects itself, so that it encloses no clear volume.";
+        return "The surface passes through itself, so that it encloses no clear volume.";
     case 4:
-        return "The surface has features too small to be filled with tetrahedra.";
+        return "The surface has details too small to be filled as a solid; simplify the mesh.";
     case 5:
-        return "Two faces of the surface lie too close together to be distinguished.";
+        return "Two faces of the surface lie too close together to be told apart.";
     default:
-        return "The surface could not be filled with tetrahedra (TetGen error " +
-               std::to_string(code) + ").";
+        return "The surface could not be filled as a solid (TetGen error " + std::to_string(code) +
+               ").";
     }
 }
 
@@ -142,9 +142,9 @@ std::string sentence(TetGenStop stop) {
     case TetGenStop::cancelled:
         return std::string(cancelledMessage);
     case TetGenStop::tooLong:
-        return "Filling the surface with tetrahedra takes too long; simplify the mesh.";
+        return "Filling the solid takes too long; simplify the mesh.";
     default:
-        return "The surface is too degenerate to be filled with tetrahedra; remesh it.";
+        return "The surface has triangles too thin to be filled as a solid; remesh it.";
     }
 }
 

@@ -31,8 +31,8 @@ std::string faultOf(const Mesh& surface, const TetMeshSettings& settings) {
         return "The edge length of tetrahedra must be a positive number of metres.";
     if (surface.vertexCount() > settings.maximumNodes)
         return "The surface alone has " + std::to_string(surface.vertexCount()) +
-               " vertices, and finite elements take at most " +
-               std::to_string(settings.maximumNodes) + " nodes; simplify the mesh first.";
+               " points, and a solid takes at most " + std::to_string(settings.maximumNodes) +
+               "; simplify the mesh first.";
     if (!isClosed(uniqueEdges(surface)))
         return "The surface is not closed, so that it encloses no volume.";
     return {};
@@ -97,9 +97,8 @@ Result<LinearTetrahedra> withoutCavities(const Mesh& surface, LinearTetrahedra f
     int next = 0;
     for (std::size_t p = 0; p < newIndex.size(); ++p) {
         if (newIndex[p] < 0 && static_cast<Eigen::Index>(p) < surface.vertexCount())
-            return failure("The surface's vertices lie too close together to be filled with "
-                           "tetrahedra: vertex " +
-                           std::to_string(p) + " belongs to none.");
+            return failure("Points of the surface lie too close together to be filled as a solid; "
+                           "simplify the mesh.");
         if (newIndex[p] == 0) {
             filled.points.row(next) = filled.points.row(p).eval();
             newIndex[p] = next++;
@@ -150,9 +149,9 @@ Result<TetMesh> tetrahedralise(const Mesh& closedSurface, const TetMeshSettings&
     if (const auto fault = faultOf(closedSurface, settings); !fault.empty())
         return failure(fault);
     const auto tooMany = [&] {
-        return failure("At an element size of " + millimetresText(settings.targetEdgeMetres) +
-                       " the body needs more than " + std::to_string(settings.maximumNodes) +
-                       " nodes; lower the highest frequency or simplify the mesh.");
+        return failure("The solid needs more than " + std::to_string(settings.maximumNodes) +
+                       " points, " + millimetresText(settings.targetEdgeMetres) +
+                       " apart; simplify the mesh or lower the highest frequency.");
     };
     const double regular = std::pow(settings.targetEdgeMetres, 3) / (6 * std::sqrt(2.0));
     const int maximumAdded = settings.maximumNodes - static_cast<int>(closedSurface.vertexCount());

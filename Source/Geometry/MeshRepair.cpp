@@ -103,30 +103,31 @@ std::string RepairReport::text() const {
         if (count > 0)
             add(before + std::to_string(count) + " " + (count == 1 ? one : many) + ".");
     };
-    say(weldedVertices, "Welded ", "vertex", "vertices");
-    say(degenerateFaces, "Dropped ", "degenerate face", "degenerate faces");
-    say(duplicateFaces, "Dropped ", "duplicate face", "duplicate faces");
-    say(joinedVertices, "Joined ", "vertex to the edge that it lay on",
-        "vertices to the edges that they lay on");
-    say(unreferencedVertices, "Dropped ", "vertex of no face", "vertices of no face");
-    say(droppedComponents, "Dropped ", "smaller component", "smaller components");
-    say(flippedFaces, "Turned ", "face over", "faces over");
-    say(cutVertices, "Cut the mesh where it is not a manifold: ", "added vertex", "added vertices");
+    say(weldedVertices, "Joined ", "point that lay on another", "points that lay on others");
+    say(degenerateFaces, "Left out ", "face without an area", "faces without an area");
+    say(duplicateFaces, "Left out ", "face that was there twice", "faces that were there twice");
+    say(joinedVertices, "Closed the gap at ", "point that lay on an edge",
+        "points that lay on edges");
+    say(unreferencedVertices, "Left out ", "point without a face", "points without a face");
+    say(droppedComponents, "Left out ", "smaller part", "smaller parts");
+    say(flippedFaces, "Turned ", "face over that looked the wrong way",
+        "faces over that looked the wrong way");
+    say(cutVertices,
+        "Cut the surface where its parts met only at an edge or a point: ", "added point",
+        "added points");
     if (boundaryEdges > maximumOpenEdges)
-        add("Too many open edges to look for vertices that lie on them.");
-    say(boundaryEdges, "Open: ", "boundary edge", "boundary edges");
+        add("It has too many open edges to look for gaps between them.");
+    say(boundaryEdges, "The surface is open along ", "edge", "edges");
     if (mayBeCutOff())
-        add("Many vertices have no face: the end of the mesh may be missing.");
-    say(nonManifoldEdges, "Not a manifold: ", "edge of more than two faces",
-        "edges of more than two faces");
-    say(oneSidedEdges, "One-sided: ", "edge at which the faces cannot agree on a side",
-        "edges at which the faces cannot agree on a side");
-    say(hollows, "", "closed surface inside another, taken for a hollow",
-        "closed surfaces inside others, taken for hollows");
+        add("Many points have no face: the end of the mesh may be missing.");
+    say(nonManifoldEdges, "More than two faces meet at ", "edge", "edges");
+    say(oneSidedEdges, "The surface has one side only: its faces disagree at ", "edge", "edges");
+    say(hollows, "", "closed surface inside another is taken for a hollow",
+        "closed surfaces inside others are taken for hollows");
     if (isTangled)
-        add("Too tangled to find out which closed surfaces are hollows of others.");
+        add("The surface is too tangled to tell which of its parts are hollows.");
     if (components > 1)
-        say(components, "", "component", "components that do not touch");
+        say(components, "It has ", "part", "parts that do not touch");
     return text;
 }
 

@@ -43,7 +43,8 @@ struct RepairReport {
     /// Returns true if the end of the mesh may be missing: it is open, and it had too many vertices
     /// without a face to be explained by stray vertices or dropped faces.
     bool mayBeCutOff() const;
-    /// Returns sentences for the user, such as "Welded 36 vertices. Open: 40 boundary edges."; may
+    /// Returns sentences for the user, such as "Joined 36 points that lay on
+    /// others. The surface is open along 40 edges."; may
     /// be empty.
     std::string text() const;
 };

@@ -95,7 +95,7 @@ TEST_CASE("Finite elements for a mesh without a body give a one-sentence error")
     AnalysisSettings settings = settingsOf(6000);
     settings.method = AnalysisMethod::tetrahedra;
     CHECK_THAT(analyse(sheetMesh(0.3, 0.05, 200), settings).error().message,
-               ContainsSubstring("Finite elements need a body to fill: it is open"));
+               ContainsSubstring("cannot be taken as a solid, because its surface is open"));
     CHECK_THAT(analyse(twoCrossedBoxes(), settings).error().message,
                ContainsSubstring("passes through itself"));
 }

@@ -126,7 +126,7 @@ class Analyse(ConsoleTest):
             self.write("soup.obj", obj_text(soup, [(3 * f, 3 * f + 1, 3 * f + 2)
                                                    for f in range(len(faces))])),
             "--max-frequency", 4000)
-        self.assertIn("elded", report["notes"])
+        self.assertIn("Joined", report["notes"])
         self.assertEqual(info["vertices"], len(vertices))
 
     def test_open_and_non_manifold_meshes_work(self):

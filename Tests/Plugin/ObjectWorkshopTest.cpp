@@ -122,7 +122,7 @@ TEST_CASE("Impossible settings are refused in a sentence, and other settings can
     }
     workshop.analyseAgain({.method = "fem"});
     CHECK(productsOf(workshop).empty());
-    CHECK_THAT(workshop.status().error, ContainsSubstring("Finite elements need a body to fill"));
+    CHECK_THAT(workshop.status().error, ContainsSubstring("cannot be taken as a solid"));
 }
 
 TEST_CASE("A second analysis works without the file, with its new unit, material and thickness") {
