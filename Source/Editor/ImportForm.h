@@ -1,6 +1,7 @@
-// The import settings as a form: unit, material, thickness and method.
+// The import settings as a form: unit, material, size, thickness and method.
 #pragma once
 
+#include "Editor/ImportMeasures.h"
 #include "Editor/Look.h"
 #include "Editor/ProcessorView.h"
 #include "Editor/Utf8.h"
@@ -16,57 +17,42 @@
 
 namespace idiophone {
 
-/// "2 mm".
-inline juce::String thicknessText(double metres) {
-    return juce::String(juce::String(1000 * metres, 3).getDoubleValue()) + " mm";
-}
-/// Parses a thickness in mm, cm, m or in; mm if there is no unit. Returns nothing unless it is a
-/// number between 0.01 mm and 1 m.
-inline std::optional<double> parseThicknessMetres(const juce::String& text) {
-    const auto plain = text.trim().toLowerCase().replaceCharacter(',', '.');
-    const auto number = plain.initialSectionContainingOnly("0123456789.");
-    const auto word = plain.substring(number.length()).trim();
-    double metresPerUnit = 1e-3;
-    if (word == "m")
-        metresPerUnit = 1;
-    else if (word == "cm")
-        metresPerUnit = 1e-2;
-    else if (word == "in" || word == "\"")
-        metresPerUnit = 0.0254;
-    else if (word.isNotEmpty() && word != "mm")
-        return std::nullopt;
-    const double metres = number.getDoubleValue() * metresPerUnit;
-    if (!number.containsAnyOf("0123456789") || !(metres >= 1e-5 && metres <= 1))
-        return std::nullopt;
-    return metres;
-}
-
 /// Needs at least 340 x 92 px to show all text.
 class ImportForm final : public juce::Component {
 public:
     static constexpr int height = 92;
 
     explicit ImportForm(ProcessorView& processor) : view(processor) {
-        describe(unit, names[0], "Unit", "The unit of length of the mesh file");
-        describe(material, names[1], "Material", "The material of the object");
-        describe(thickness, names[2], "Thickness of shells",
+        describe(unit, "Unit", "Unit", "The unit of length of the mesh file");
+        describe(material, "Material", "Material", "The material of the object");
+        describe(size, "Longest side", "Longest side",
+                 "Type a length, in cm or with a unit, to scale the object");
+        describe(thickness, "Thickness", "Thickness of shells",
                  "Wall thickness if the mesh is a shell, in mm or with a unit");
-        describe(
-            method, names[3], "Method",
-            "How the mesh is analysed: solids by finite elements, thin or open meshes as shells");
+        describe(method, "Method", "Method",
+                 "What the mesh is: a solid body, or a shell if it is thin or open");
         fill(unit, units);
         fill(method, methods);
         fillMaterials();
         material.beforeOpening = [this] { fillMaterials(); };
+        size.setEditable(true);
         thickness.setEditable(true);
         unit.onChange = method.onChange = material.onChange = [this] {
             auto wanted = settings;
             wanted.unit = chosen(unit, units);
+            if (wanted.unit != settings.unit)
+                wanted.longestMetres = 0; // the unit says the size now
             wanted.method = chosen(method, methods);
             wanted.material = material.getText().toStdString();
             changeTo(wanted);
         };
-        thickness.onTextChange = [this] { typedThickness(); };
+        size.onTextChange = [this] {
+            typed(size, &ImportSettings::longestMetres, parseSizeMetres(size.getText()));
+        };
+        thickness.onTextChange = [this] {
+            typed(thickness, &ImportSettings::thicknessMetres,
+                  parseThicknessMetres(thickness.getText()));
+        };
         show(view.workshop.importStatus());
     }
 
@@ -77,22 +63,32 @@ public:
         select(method, methods, settings.method, status.method);
         if (material.getText() != fromUtf8(settings.material))
             material.setText(fromUtf8(settings.material), juce::dontSendNotification);
-        if (!thickness.isBeingEdited())
-            thickness.setText(thicknessText(settings.thicknessMetres), juce::dontSendNotification);
-        thickness.setColour(juce::Label::outlineColourId, colourOf(*this, LookColour::outline));
+        longestMetres = *std::ranges::max_element(status.sidesMetres);
+        for (auto* field : {&size, &thickness}) {
+            if (!field->isBeingEdited())
+                showLength(*field);
+            field->setColour(juce::Label::outlineColourId, colourOf(*this, LookColour::outline));
+        }
     }
 
     void resized() override {
         constexpr int gap = 12, nameHeight = 17, rowGap = 6;
-        const std::array<juce::Component*, 4> fields{&unit, &material, &thickness, &method};
-        const int width = (getWidth() - gap) / 2;
-        const int row = (getHeight() - rowGap) / 2;
-        for (int i = 0; i < 4; ++i) {
-            juce::Rectangle<int> area((i % 2) * (width + gap), (i / 2) * (row + rowGap), width,
-                                      row);
-            names[static_cast<std::size_t>(i)].setBounds(area.removeFromTop(nameHeight));
-            fields[static_cast<std::size_t>(i)]->setBounds(area);
-        }
+        const int half = (getWidth() - gap) / 2, quarter = (half - gap) / 2;
+        auto area = getLocalBounds();
+        auto upper = area.removeFromTop((getHeight() - rowGap) / 2);
+        area.removeFromTop(rowGap);
+        std::size_t next = 0;
+        const auto place = [&](juce::Component& field, juce::Rectangle<int>& row, int width) {
+            auto cell = row.removeFromLeft(width);
+            row.removeFromLeft(gap);
+            names[next++].setBounds(cell.removeFromTop(nameHeight));
+            field.setBounds(cell);
+        };
+        place(unit, upper, half);
+        place(material, upper, half);
+        place(size, area, quarter);
+        place(thickness, area, quarter);
+        place(method, area, half);
     }
 
 private:
@@ -104,10 +100,10 @@ private:
     static constexpr std::array units{Choice{"", "Guessed"},       Choice{"m", "Metres"},
                                       Choice{"cm", "Centimetres"}, Choice{"mm", "Millimetres"},
                                       Choice{"in", "Inches"},      Choice{"ft", "Feet"}};
-    static constexpr std::array methods{Choice{"", "Auto"}, Choice{"fem", "Finite elements"},
-                                        Choice{"two-layer", "Shell, two layers"},
-                                        Choice{"spring-mass", "Shell, springs as published"},
-                                        Choice{"van-gelder", "Shell, van Gelder's springs"}};
+    static constexpr std::array methods{Choice{"", "Auto"}, Choice{"fem", "Solid"},
+                                        Choice{"two-layer", "Shell"},
+                                        Choice{"spring-mass", "Shell of springs, as published"},
+                                        Choice{"van-gelder", "Shell of van Gelder's springs"}};
 
     static void fill(juce::ComboBox& list, std::span<const Choice> choices) {
         int item = 1;
@@ -154,14 +150,16 @@ private:
         }
     };
 
+    /// Describes the next field; `words` stand above it.
     void describe(juce::Component& field,
-                  juce::Label& name,
+                  const juce::String& words,
                   const juce::String& title,
                   const juce::String& tooltip) {
+        auto& name = names[described++];
         field.setTitle(title);
         if (auto* client = dynamic_cast<juce::SettableTooltipClient*>(&field))
             client->setTooltip(tooltip);
-        name.setText(title, juce::dontSendNotification);
+        name.setText(words, juce::dontSendNotification);
         name.setAccessible(false);
         name.setInterceptsMouseClicks(false, false);
         showParts(*this, name, field);
@@ -179,12 +177,21 @@ private:
             material.addItem(fromUtf8(name), item++);
         material.setText(fromUtf8(settings.material), juce::dontSendNotification);
     }
-    void typedThickness() {
+    /// Takes a typed length, or shows the former one again.
+    void
+    typed(juce::Label& field, double ImportSettings::*length, const std::optional<double>& metres) {
         auto wanted = settings;
-        if (const auto metres = parseThicknessMetres(thickness.getText()))
-            wanted.thicknessMetres = *metres;
-        thickness.setText(thicknessText(wanted.thicknessMetres), juce::dontSendNotification);
+        if (metres)
+            wanted.*length = *metres;
         changeTo(wanted);
+        showLength(field);
+    }
+    void showLength(juce::Label& field) {
+        const double longest = settings.longestMetres > 0 ? settings.longestMetres : longestMetres;
+        field.setText(&field == &thickness ? thicknessText(settings.thicknessMetres)
+                      : longest > 0        ? sizeText(longest)
+                                           : juce::String(),
+                      juce::dontSendNotification);
     }
     void changeTo(const ImportSettings& wanted) {
         if (wanted == settings)
@@ -197,8 +204,10 @@ private:
     ImportSettings settings;
     juce::ComboBox unit, method;
     MaterialList material;
-    juce::Label thickness;
-    std::array<TextLabel, 4> names;
+    juce::Label size, thickness;
+    double longestMetres = 0; ///< of the object, or 0
+    std::array<TextLabel, 5> names;
+    std::size_t described = 0; ///< number of fields with a name
 };
 
 } // namespace idiophone

@@ -6,6 +6,7 @@
 #include "Editor/FileButton.h"
 #include "Editor/ImportForm.h"
 #include "Editor/Look.h"
+#include "Editor/ObjectShortcuts.h"
 #include "Editor/ProcessorView.h"
 #include "Editor/Utf8.h"
 
@@ -14,6 +15,8 @@
 namespace idiophone {
 
 class ImportPage final : public DeckPage {
+    using Stage = ImportStatus::Stage;
+
 public:
     explicit ImportPage(ProcessorView& processor)
         : DeckPage("Object"), view(processor),
@@ -38,27 +41,45 @@ public:
                   "The object at its own size, struck along the path as the keys go up",
                   [this] { view.workshop.setKeyLayout(KeyLayout::zones); });
         setTextOf(keys, "Keys play it");
+        shortcuts.onChosen = [this](const ObjectShortcut& shortcut) { make(shortcut); };
         file.setTitle("File");
         step.setTitle("Progress");
+        measures.setTitle("Size and mass");
         report.setMultiLine(true);
         report.setReadOnly(true);
         report.setCaretVisible(false);
         report.setFont(Look::textFont());
         report.setIndents(0, 2);
         report.setTitle("What was made of the file");
-        showParts(*this, open, file, step, keys, form, report);
+        showParts(*this, open, file, step, measures, shortcuts, form, keys, report);
         shown = view.workshop.importStatus();
         lookAndFeelChanged();
         showKeys();
+        showActions(shown);
         showStatus();
+    }
+
+    /// Says what an import is doing; empty if nothing.
+    static juce::String stepText(const ImportStatus& status) {
+        const auto step =
+            fromUtf8(status.step) +
+            (status.secondsLeft ? ", " + timeText(*status.secondsLeft) : juce::String("..."));
+        switch (status.stage) {
+        case Stage::working:
+            return step;
+        case Stage::previewed:
+            return "A preview plays. " + step;
+        case Stage::cancelled:
+            return "Cancelled.";
+        default:
+            return {};
+        }
     }
 
     void refresh() override {
         showKeys();
         auto status = view.workshop.importStatus();
-        const bool canBeAnalysed = !status.isWorking() && view.workshop.canAnalyseAgain();
-        if (again.isEnabled() != canBeAnalysed)
-            again.setEnabled(canBeAnalysed);
+        showActions(status);
         if (status == shown)
             return;
         shown = std::move(status);
@@ -89,9 +110,12 @@ public:
         file.setBounds(top.withTrimmedRight(gap));
         area.removeFromTop(4);
         step.setBounds(area.removeFromTop(18));
+        measures.setBounds(step.getBounds());
         bar = area.removeFromTop(6).withTrimmedBottom(2);
+        shortcuts.setBounds(area.removeFromTop(24));
+        area.removeFromTop(4);
         form.setBounds(area.removeFromTop(ImportForm::height));
-        area.removeFromTop(8);
+        area.removeFromTop(4);
         auto row = area.removeFromTop(line);
         keys.setBounds(row.removeFromLeft(88));
         const int width = (row.getWidth() - gap) / 2;
@@ -106,30 +130,36 @@ public:
         report.setColour(Editor::outlineColourId, juce::Colours::transparentBlack);
         report.setColour(Editor::focusedOutlineColourId, colourOf(*this, LookColour::outline));
         step.setColour(juce::Label::textColourId, colourOf(*this, LookColour::dimText));
+        measures.setColour(juce::Label::textColourId, colourOf(*this, LookColour::text));
         keys.setColour(juce::Label::textColourId, colourOf(*this, LookColour::text));
         showStatus();
     }
 
 private:
-    using Stage = ImportStatus::Stage;
-
-    static juce::String stepText(const ImportStatus& status) {
-        switch (status.stage) {
-        case Stage::working:
-            return fromUtf8(status.step) + "...";
-        case Stage::previewed:
-            return "A preview plays. " + fromUtf8(status.step) + "...";
-        case Stage::cancelled:
-            return "Cancelled.";
-        default:
-            return {};
-        }
+    static juce::String timeText(int seconds) {
+        return "about " +
+               (seconds < 90 ? juce::String(seconds) + " s"
+                             : juce::String((seconds + 30) / 60) + " min") +
+               " left";
     }
 
     static void setTextOf(juce::Label& label, const juce::String& text) {
         label.setText(text, juce::dontSendNotification);
     }
 
+    /// Makes the object anew as the shortcut says, whether or not it came from a file.
+    void make(const ObjectShortcut& shortcut) {
+        const auto status = view.workshop.importStatus();
+        view.workshop.setImportSettings(withShortcut(status.settings, shortcut));
+        if (!status.followsSettings)
+            view.workshop.analyseAgain();
+        refresh();
+    }
+    void showActions(const ImportStatus& status) {
+        const bool canAnalyse = view.workshop.canAnalyseAgain();
+        again.setEnabled(canAnalyse && !status.isWorking());
+        shortcuts.show(status.settings, canAnalyse);
+    }
     void showKeys() {
         const auto layout = view.workshop.keyLayout();
         for (const auto& [button, own] :
@@ -143,6 +173,8 @@ private:
         setTextOf(file, shown.stage == Stage::none ? juce::String("Drop a mesh here, or")
                                                    : fromUtf8(shown.fileName));
         setTextOf(step, stepText(shown));
+        setTextOf(measures, measuresText(shown.sidesMetres, shown.massKg));
+        measures.setVisible(step.getText().isEmpty());
         cancel.setVisible(isWorking);
         again.setVisible(!isWorking);
         form.show(shown);
@@ -176,7 +208,8 @@ private:
     FileButton open;
     juce::TextButton cancel{"Cancel"}, again{"Analyse anew"};
     juce::TextButton scaled{"To their pitches"}, zones{"Along a path"};
-    TextLabel file, step, keys;
+    TextLabel file, step, measures, keys;
+    ObjectShortcutRow shortcuts;
     ImportForm form;
     juce::TextEditor report;
     juce::Rectangle<int> bar;

@@ -16,6 +16,9 @@ struct ImportSettings {
     double thicknessMetres = 0.002; ///< thickness of a shell; 1e-5 to 1
     /// "fem", "two-layer", "spring-mass" or "van-gelder"; empty: chosen for the mesh.
     std::string method = {};
+    /// The longest side of the mesh's bounding box, to which it is scaled, 0.001 to 20; 0: as the
+    /// unit says.
+    double longestMetres = 0;
 
     bool operator==(const ImportSettings&) const = default;
 };
@@ -41,6 +44,12 @@ struct ImportStatus {
     double progress = 0; ///< 0 to 1
     std::string step;    ///< current step, such as "Solving for modes"
     std::string error;   ///< one sentence
+    /// While working: an estimate, once there is one.
+    std::optional<int> secondsLeft;
+    /// Sides of the bounding box, and the mass, of the last object made, or of a single object that
+    /// was not imported; 0 before.
+    std::array<double, 3> sidesMetres{};
+    double massKg = 0;
     // About the last object made; empty before.
     std::string summary; ///< such as "171 modes from 412 Hz to 44.0 kHz; 1.60 kg of Steel, ..."
     std::string notes;   ///< choices of repair and analysis with reasons, in sentences

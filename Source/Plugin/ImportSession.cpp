@@ -4,6 +4,7 @@
 #include "Instrument/SingleObjectMap.h"
 #include "Object/Material.h"
 #include "Object/OneLine.h"
+#include "Plugin/ImportSummary.h"
 #include "Plugin/OwnSlots.h"
 #include "Plugin/WithinMemory.h"
 
@@ -20,6 +21,7 @@ void ImportSession::begin(int originOfJob) {
 
 void ImportSession::openFile(const std::filesystem::path& file) {
     begin(session.origin());
+    importSettings.longestMetres = 0; // a new file has its own size
     workshop.open(file, importSettings);
 }
 
@@ -39,6 +41,7 @@ ImportSettings ImportSession::settingsInForce() const {
     const auto object = foreignObject();
     if (object == nullptr || object == settingsGivenFor.lock())
         return settings;
+    settings.longestMetres = 0;
     const auto values = shared.parameters.values();
     const auto chosen = static_cast<std::size_t>(values[ParameterId::material]);
     const auto names = choiceNames(ParameterId::material);
@@ -79,6 +82,10 @@ ImportStatus ImportSession::importStatus() const {
     auto status = isOfWhatPlays ? workshop.status() : ImportStatus{};
     status.followsSettings = followsSettings();
     status.settings = status.isWorking() ? importSettings : settingsInForce();
+    if (const auto foreign = foreignObject()) {
+        status.sidesMetres = sidesMetresOf(*foreign);
+        status.massKg = foreign->mass.massKg;
+    }
     return status;
 }
 

@@ -32,8 +32,8 @@ juce::String frequency(double hz) {
 
 std::string summaryOf(const ModalObject& object) {
     const double lowestHz = std::sqrt(object.eigenvalues.front()) / (2 * std::numbers::pi);
-    const auto& half = ObjectBox(object).halfExtentMetres;
-    const auto millimetres = [&](std::size_t axis) { return figure(2000 * half[axis]); };
+    const auto sides = sidesMetresOf(object);
+    const auto millimetres = [&](std::size_t axis) { return figure(1000 * sides[axis]); };
     const double kilograms = object.mass.massKg;
     const auto modes = static_cast<int>(object.modeCount());
     return (juce::String(modes) + (modes == 1 ? " mode at " : " modes from ") +
@@ -43,6 +43,13 @@ std::string summaryOf(const ModalObject& object) {
             fromUtf8(object.material.name) + ", " + millimetres(0) + " x " + millimetres(1) +
             " x " + millimetres(2) + " mm")
         .toStdString();
+}
+
+std::array<double, 3> sidesMetresOf(const ModalObject& object) {
+    auto sides = ObjectBox(object).halfExtentMetres;
+    for (double& side : sides)
+        side *= 2;
+    return sides;
 }
 
 std::string notesOf(const ModalObject& object, const std::string& unitSentence) {

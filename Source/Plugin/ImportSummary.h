@@ -3,6 +3,7 @@
 
 #include "Object/ModalObject.h"
 
+#include <array>
 #include <string>
 
 namespace idiophone {
@@ -10,6 +11,9 @@ namespace idiophone {
 /// Returns a summary such as "171 modes from 412 Hz to 44.0 kHz; 32.7 kg of Steel, 200 x 200 x 200
 /// mm".
 std::string summaryOf(const ModalObject& object);
+
+/// Returns the sides of the bounding box.
+std::array<double, 3> sidesMetresOf(const ModalObject& object);
 
 /// Returns the sentence about the mesh's unit, then the notes of the object's analysis.
 std::string notesOf(const ModalObject& object, const std::string& unitSentence);

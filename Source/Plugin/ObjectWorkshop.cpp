@@ -5,13 +5,14 @@
 #include "Editor/Utf8.h"
 #include "Geometry/LengthUnit.h"
 #include "Geometry/MeshReader.h"
-#include "Object/MaterialFile.h"
 #include "Object/ModalObjectFile.h"
 #include "Plugin/FileKinds.h"
+#include "Plugin/ImportChoices.h"
 #include "Plugin/ImportSummary.h"
 #include "Plugin/WithinMemory.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <exception>
 #include <system_error>
@@ -25,25 +26,6 @@ constexpr double readShare = 0.03, previewShare = 0.12;
 
 /// Maximum shapes times modes that an object keeps: 4 MB in half precision in every project.
 constexpr std::size_t maximumShapes = 700'000, minimumRows = 300;
-
-struct Choices {
-    Material material;
-    std::optional<AnalysisMethod> method;
-};
-
-Result<Choices> choicesOf(const ImportSettings& settings) {
-    if (!(settings.thicknessMetres >= 1e-5 && settings.thicknessMetres <= 1))
-        return failure("The thickness must be between 0.01 mm and 1 m.");
-    if (!settings.unit.empty() && !lengthUnitNamed(settings.unit))
-        return failure("There is no unit '" + settings.unit + "'.");
-    const auto method = findMethod(settings.method);
-    if (!method && !settings.method.empty())
-        return failure("There is no method '" + settings.method + "'.");
-    auto material = findAnyMaterial(settings.material);
-    if (!material)
-        return tl::unexpected(material.error());
-    return Choices{.material = std::move(*material), .method = method};
-}
 
 /// Shortens a reader's sentence for the window: gives the file without its folder.
 std::string withoutFolder(const std::string& sentence, const std::filesystem::path& file) {
@@ -108,6 +90,7 @@ void ObjectWorkshop::start(std::shared_ptr<Job> job) {
         former.swap(product);
         mesh.swap(formerMesh);
         shown = std::move(status);
+        remaining = {};
         current = waiting = std::move(job);
     }
     try {
@@ -141,7 +124,10 @@ bool ObjectWorkshop::hasMesh() const {
 
 ImportStatus ObjectWorkshop::status() const {
     const std::scoped_lock lock(mutex);
-    return shown;
+    auto status = shown;
+    if (status.isWorking())
+        status.secondsLeft = remaining.seconds(std::chrono::steady_clock::now());
+    return status;
 }
 
 std::optional<ObjectWorkshop::Product> ObjectWorkshop::takeProduct() {
@@ -200,7 +186,7 @@ Result<void> ObjectWorkshop::makeFromMesh(const Job& job, const Source& source) 
     const auto choices = choicesOf(job.settings);
     if (!choices)
         return refuse(choices.error());
-    const auto unit = unitOf(source, job.settings);
+    const auto unit = unitOf(source.mesh, source.isMetres, job.settings);
     Mesh metres = source.mesh;
     metres.vertices *= unit.unit.metresPerUnit;
     const AnalysisSettings settings{.name =
@@ -222,6 +208,10 @@ Result<void> ObjectWorkshop::makeFromMesh(const Job& job, const Source& source) 
         deliver(job, withFewerShapes(std::move(*preview), minimumRows), unit, Finish::preview);
     if (job.cancelled)
         return {};
+    {
+        const std::scoped_lock lock(mutex);
+        remaining.start(std::chrono::steady_clock::now());
+    }
     auto object = idiophone::analyse(metres, settings, control(previewShare, 1, ""));
     if (!object)
         return refuse(object.error());
@@ -243,20 +233,14 @@ Result<void> ObjectWorkshop::makeFromModal(const Job& job) {
     return {};
 }
 
-UnitGuess ObjectWorkshop::unitOf(const Source& source, const ImportSettings& settings) {
-    if (source.isMetres)
-        return {.unit = *lengthUnitNamed("m"), .isSure = true, .sentence = {}};
-    if (const auto named = lengthUnitNamed(settings.unit))
-        return {.unit = *named, .isSure = true, .sentence = {}};
-    return guessLengthUnit(source.mesh);
-}
-
 void ObjectWorkshop::report(const Job& job, double progress, std::string_view step) {
     const std::scoped_lock lock(mutex);
     if (current.get() != &job || job.cancelled)
         return;
     shown.progress = std::max(shown.progress, progress);
     shown.step = step;
+    remaining.report((shown.progress - previewShare) / (1 - previewShare),
+                     std::chrono::steady_clock::now());
 }
 
 void ObjectWorkshop::deliver(const Job& job,
@@ -277,6 +261,8 @@ void ObjectWorkshop::deliver(const Job& job,
         return;
     shown.stage = isPreview ? ImportStatus::Stage::previewed : ImportStatus::Stage::done;
     shown.summary = std::move(summary);
+    shown.sidesMetres = sidesMetresOf(*shared);
+    shown.massKg = shared->mass.massKg;
     shown.notes = std::move(notes);
     shown.unit = unit.unit.symbol;
     shown.method = shared->method;

@@ -7,6 +7,7 @@
 #include "Geometry/Mesh.h"
 #include "Object/ModalObject.h"
 #include "Object/Result.h"
+#include "Plugin/RemainingTime.h"
 
 #include <atomic>
 #include <condition_variable>
@@ -79,7 +80,6 @@ private:
     Result<void> make(const Job& job);
     Result<void> makeFromMesh(const Job& job, const Source& source);
     Result<void> makeFromModal(const Job& job);
-    static UnitGuess unitOf(const Source& source, const ImportSettings& settings);
     void report(const Job& job, double progress, std::string_view step);
     void deliver(const Job& job, ModalObject object, const UnitGuess& unit, Finish finish);
     void fail(const Job& job, const std::string& sentence);
@@ -89,6 +89,7 @@ private:
     std::shared_ptr<Job> waiting, current; ///< `current` is the latest job
     std::shared_ptr<const Source> mesh;    ///< mesh of the latest job that had one
     ImportStatus shown;
+    RemainingTime remaining; ///< of the whole analysis
     std::optional<Product> product;
     bool ending = false;
     std::thread worker;

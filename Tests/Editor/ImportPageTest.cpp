@@ -68,6 +68,113 @@ TEST_CASE("Thickness is parsed in the typed unit, in millimetres by default") {
         CHECK(parseThicknessMetres(thicknessText(metres)).value() == Approx(metres));
 }
 
+TEST_CASE("A size is parsed in the typed unit, in centimetres by default") {
+    CHECK(parseSizeMetres("12").value() == Approx(0.12));
+    CHECK(parseSizeMetres("12,5 cm").value() == Approx(0.125));
+    CHECK(parseSizeMetres("80 mm").value() == Approx(0.08));
+    CHECK(parseSizeMetres("2m").value() == Approx(2));
+    for (const auto* wrong : {"", "0.05", "25 m", "-3", "cm", "3 miles"})
+        CHECK_FALSE(parseSizeMetres(wrong));
+    for (const double metres : {0.002, 0.125, 1.2, 12.0})
+        CHECK(parseSizeMetres(sizeText(metres)).value() == Approx(metres));
+}
+
+TEST_CASE("Size and mass are texts in centimetres, and grams or kilograms") {
+    CHECK(measuresText({0.3, 0.12, 0.004}, 0.34) == "30 x 12 x 0.4 cm, 340 g");
+    CHECK(measuresText({1.234, 0.5, 0}, 12.345) == "123 x 50 x 0 cm, 12.3 kg");
+    CHECK(measuresText({}, 0) == "");
+}
+
+TEST_CASE("The time that is left is said in seconds, then in minutes") {
+    ImportStatus status;
+    status.stage = ImportStage::previewed;
+    status.step = "Finding its modes";
+    CHECK(ImportPage::stepText(status) == "A preview plays. Finding its modes...");
+    status.secondsLeft = 12;
+    CHECK(ImportPage::stepText(status) == "A preview plays. Finding its modes, about 12 s left");
+    status.stage = ImportStage::working;
+    status.secondsLeft = 150;
+    CHECK(ImportPage::stepText(status) == "Finding its modes, about 3 min left");
+}
+
+TEST_CASE("The page shows size and mass, and a typed longest side scales the object") {
+    Page p;
+    auto& size = part<juce::Label>(p.page, "Longest side");
+    auto& measures = part<juce::Label>(p.page, "Size and mass");
+    p.processor.view().workshop.openFile(smallPlateFile("plate.obj", 1));
+    finish(p.processor);
+    p.page.refresh();
+    CHECK(size.getText() == "6 cm");
+    CHECK(measures.getText().startsWith("6 x 3.6 x 0 cm, 33"));
+    CHECK(measures.isVisible());
+
+    size.setText("12 cm", juce::sendNotificationSync);
+    CHECK(p.processor.view().workshop.importStatus().isWorking());
+    finish(p.processor);
+    p.page.refresh();
+    CHECK(size.getText() == "12 cm");
+    CHECK(measures.getText().startsWith("12 x 7.2 x 0 cm"));
+    CHECK(p.report().contains("Scaled to a longest side of 120 mm"));
+
+    size.setText("very large", juce::sendNotificationSync);
+    CHECK(size.getText() == "12 cm");
+    CHECK_FALSE(p.processor.view().workshop.importStatus().isWorking());
+
+    p.choose("Unit", 6); // feet
+    finish(p.processor);
+    p.page.refresh();
+    CHECK(size.getText() == "1.83 cm");
+
+    p.processor.view().workshop.openFile(smallPlateFile("next.obj", 1));
+    finish(p.processor);
+    p.choose("Unit", 1);
+    size.setText("20", juce::sendNotificationSync);
+    p.processor.view().workshop.openFile(smallPlateFile("last.obj", 1));
+    finish(p.processor);
+    p.page.refresh();
+    CHECK(size.getText() == "6 cm"); // a new file has its own size
+}
+
+TEST_CASE("A shortcut sets size, material and thickness in one click and analyses anew") {
+    Page p;
+    auto& bell = part<juce::Button>(p.page, "Make it: Bell");
+    CHECK_FALSE(bell.isEnabled()); // bars
+    p.processor.view().workshop.openFile(smallPlateFile("plate.obj", 1));
+    finish(p.processor);
+    p.page.refresh();
+    CHECK_FALSE(bell.getToggleState());
+    click(bell);
+    CHECK(bell.getToggleState());
+    finish(p.processor);
+    p.page.refresh();
+    const auto object = p.processor.view().instrument.playedObjects().front().object;
+    CHECK(object->material.name == "Bell bronze");
+    CHECK(object->thicknessMetres == Approx(0.003));
+    CHECK(part<juce::Label>(p.page, "Longest side").getText() == "12 cm");
+    CHECK(part<juce::Label>(p.page, "Size and mass").getText().startsWith("12 x 7.2"));
+
+    p.processor.setCurrentProgram(4); // a steel ring, which did not come from a file
+    p.page.refresh();
+    CHECK_FALSE(bell.getToggleState());
+    CHECK(part<juce::Label>(p.page, "Size and mass").getText().endsWith("g"));
+    click(part<juce::Button>(p.page, "Make it: Toy"));
+    const auto status = p.processor.view().workshop.importStatus();
+    CHECK(status.isWorking());
+    CHECK(status.settings.material == "Tin");
+    p.processor.view().workshop.cancelImport();
+}
+
+TEST_CASE("Every shortcut can be made") {
+    for (const auto& shortcut : objectShortcuts) {
+        INFO(shortcut.name);
+        CHECK(findMaterial(shortcut.material) != nullptr);
+        const auto settings = withShortcut({}, shortcut);
+        CHECK(parseSizeMetres(sizeText(settings.longestMetres)).has_value());
+        CHECK(parseThicknessMetres(thicknessText(settings.thicknessMetres)).has_value());
+        CHECK(settings.method == (shortcut.isShell ? "two-layer" : ""));
+    }
+}
+
 TEST_CASE("The page shows the file and the choices made, and new settings start a new analysis") {
     Page p;
     CHECK(p.file().contains("Drop"));
@@ -82,7 +189,7 @@ TEST_CASE("The page shows the file and the choices made, and new settings start 
     CHECK(p.report().contains("Taken as a shell of 2 mm"));
     CHECK_FALSE(part<juce::Button>(p.page, "Cancel the analysis").isVisible());
     CHECK(part<juce::ComboBox>(p.page, "Unit").getText() == "Guessed: Millimetres");
-    CHECK(part<juce::ComboBox>(p.page, "Method").getText() == "Auto: Shell, two layers");
+    CHECK(part<juce::ComboBox>(p.page, "Method").getText() == "Auto: Shell");
 
     part<juce::ComboBox>(p.page, "Material").setText("Glass", juce::sendNotificationSync);
     CHECK(p.processor.view().workshop.importStatus().isWorking());
@@ -187,8 +294,9 @@ TEST_CASE("Files can be dropped anywhere on the window; unreadable files are rep
 TEST_CASE("The page's buttons show their whole text and have tooltips") {
     Page p;
     p.page.setLookAndFeel(&p.look);
-    for (const auto* title : {"Open a mesh or a modal object", "Analyse anew",
-                              "Keys scaled to their pitches", "Keys along a strike path"}) {
+    for (const auto* title :
+         {"Open a mesh or a modal object", "Analyse anew", "Keys scaled to their pitches",
+          "Keys along a strike path", "Make it: Plate"}) {
         auto& button = part<juce::TextButton>(p.page, title);
         INFO(title);
         CHECK(juce::GlyphArrangement::getStringWidth(Look::textFont(), button.getButtonText()) +

@@ -106,6 +106,22 @@ TEST_CASE("A file without a usable object is refused in a sentence that names it
     }
 }
 
+TEST_CASE("A mesh is scaled to the longest side that is given, whatever its unit") {
+    ObjectWorkshop workshop;
+    workshop.open(smallPlateFile("plate.obj", 1000), {.longestMetres = 0.3});
+    const auto products = productsOf(workshop);
+    REQUIRE_FALSE(products.empty());
+    const auto status = workshop.status();
+    CHECK(status.unit == "mm");
+    CHECK(std::abs(status.sidesMetres[0] - 0.3) < 1e-6);
+    CHECK(std::abs(status.sidesMetres[1] - 0.18) < 1e-6);
+    CHECK(status.massKg == products.back().object->mass.massKg);
+    CHECK_THAT(status.notes, ContainsSubstring("Scaled to a longest side of 300 mm."));
+    workshop.analyseAgain({.longestMetres = 21});
+    CHECK(productsOf(workshop).empty());
+    CHECK(workshop.status().error == "plate.obj: The longest side must be between 1 mm and 20 m.");
+}
+
 TEST_CASE("Impossible settings are refused in a sentence, and other settings can use the mesh") {
     ObjectWorkshop workshop;
     workshop.open(smallPlateFile("plate.obj", 1), {.thicknessMetres = -1});

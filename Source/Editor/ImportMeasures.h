@@ -1,0 +1,74 @@
+// Texts of lengths and masses of imported objects, and what is typed for them.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <juce_core/juce_core.h>
+#include <optional>
+
+namespace idiophone {
+
+/// "2 mm".
+inline juce::String thicknessText(double metres) {
+    return juce::String(juce::String(1000 * metres, 3).getDoubleValue()) + " mm";
+}
+
+/// Three significant digits, or whole numbers from 100 up, without zeros at the end: "12.5",
+/// "0.04".
+inline juce::String figureText(double value) {
+    if (value >= 100)
+        return juce::String(juce::roundToInt(value));
+    const int decimals = value >= 10 ? 1 : value >= 1 ? 2 : 3;
+    return juce::String(juce::String(value, decimals).getDoubleValue());
+}
+
+/// "12.5 cm".
+inline juce::String sizeText(double metres) {
+    return figureText(100 * metres) + " cm";
+}
+
+/// "30 x 12 x 0.4 cm, 340 g"; empty for an object without extent.
+inline juce::String measuresText(const std::array<double, 3>& sidesMetres, double massKg) {
+    if (!(*std::ranges::max_element(sidesMetres) > 0))
+        return {};
+    juce::StringArray sides;
+    for (const double side : sidesMetres)
+        sides.add(figureText(100 * side));
+    return sides.joinIntoString(" x ") + " cm, " +
+           (massKg < 1 ? figureText(1000 * massKg) + " g" : figureText(massKg) + " kg");
+}
+
+/// Parses a length in mm, cm, m or in; `metresPerUnit` applies if there is no unit. Returns nothing
+/// unless it is a number from `minimum` to `maximum` in metres.
+inline std::optional<double>
+parseLengthMetres(const juce::String& text, double metresPerUnit, double minimum, double maximum) {
+    const auto plain = text.trim().toLowerCase().replaceCharacter(',', '.');
+    const auto number = plain.initialSectionContainingOnly("0123456789.");
+    const auto word = plain.substring(number.length()).trim();
+    if (word == "m")
+        metresPerUnit = 1;
+    else if (word == "cm")
+        metresPerUnit = 1e-2;
+    else if (word == "mm")
+        metresPerUnit = 1e-3;
+    else if (word == "in" || word == "\"")
+        metresPerUnit = 0.0254;
+    else if (word.isNotEmpty())
+        return std::nullopt;
+    const double metres = number.getDoubleValue() * metresPerUnit;
+    if (!number.containsAnyOf("0123456789") || !(metres >= minimum && metres <= maximum))
+        return std::nullopt;
+    return metres;
+}
+
+/// A thickness from 0.01 mm to 1 m, in mm if there is no unit.
+inline std::optional<double> parseThicknessMetres(const juce::String& text) {
+    return parseLengthMetres(text, 1e-3, 1e-5, 1);
+}
+
+/// A size from 1 mm to 20 m, in cm if there is no unit.
+inline std::optional<double> parseSizeMetres(const juce::String& text) {
+    return parseLengthMetres(text, 1e-2, 1e-3, 20);
+}
+
+} // namespace idiophone

@@ -1,0 +1,26 @@
+// Checks the settings of an import, and what they name.
+#pragma once
+
+#include "Analysis/AnalysisMethod.h"
+#include "Editor/WorkshopView.h"
+#include "Geometry/LengthUnit.h"
+#include "Object/Material.h"
+#include "Object/Result.h"
+
+#include <optional>
+
+namespace idiophone {
+
+struct ImportChoices {
+    Material material;
+    std::optional<AnalysisMethod> method; ///< empty: chosen for the mesh
+};
+
+/// Returns the unit of the mesh: metres, the one that the settings name, or a guess. If the
+/// settings give the longest side, `metresPerUnit` scales the mesh to it.
+UnitGuess unitOf(const Mesh& mesh, bool isMetres, const ImportSettings& settings);
+
+/// Error, one sentence: a setting is out of range or names nothing.
+Result<ImportChoices> choicesOf(const ImportSettings& settings);
+
+} // namespace idiophone
