@@ -107,6 +107,14 @@ Eigen::MatrixXd surfaceShapes(const BodyModel& body, const Eigen::MatrixXd& shap
     return shapes.topRows(3 * body.surface.vertexCount());
 }
 
+/// Returns the share of the modes in the time of an analysis, the rest is the radiation's
+/// (measured).
+double shareOfModes(const BodyModel& body, RadiationMethod method) {
+    if (body.kind == ModelKind::twoLayers)
+        return 0.15;
+    return method == RadiationMethod::exact ? 0.4 : 0.65;
+}
+
 } // namespace
 
 std::string joinedSentences(std::initializer_list<std::string> sentences) {
@@ -121,7 +129,7 @@ Result<ModalObject> solveBody(const BodyModel& body,
                               const SolveSettings& settings,
                               const WorkControl& control,
                               Eigen::MatrixXcd* nearPressures) {
-    const double modesShare = settings.radiation == RadiationMethod::exact ? 0.4 : 0.9;
+    const double modesShare = shareOfModes(body, settings.radiation);
     const auto start = std::chrono::steady_clock::now();
     const auto modes = solveModes(body.model,
                                   {.lowestHz = settings.lowestFrequencyHz,

@@ -22,7 +22,7 @@ using Eigen::VectorXd;
 constexpr Index denseUpTo = 400; ///< rows; dense solves are faster below
 constexpr double workLimitBytes = 3e9;
 constexpr unsigned usefulThreads = 8;  ///< more would wait for the memory and for the last fronts
-constexpr double countingShare = 0.05; ///< share of the counting phase in the progress
+constexpr double countingShare = 0.25; ///< share of the counting phase in the progress
 /// A slice costs about three factorisations, and about 7 n products per mode for each mode in its
 /// basis. Fewer than 60 modes would waste work on modes outside the slice. More than 220 would make
 /// one dense step too long to cancel.

@@ -133,14 +133,20 @@ Result<void> solveAll(std::vector<RadiationTask>& tasks,
                       const Hearing& hearing,
                       WorkTeam& team,
                       const WorkControl& control) {
-    std::atomic<std::size_t> done = 0;
+    // Only tasks whose surface pressure is solved take time.
+    const auto isLong = [&](const RadiationTask& task) {
+        return task.frequencyHz <= hearing.solvedHz;
+    };
+    const auto expected = std::max<std::ptrdiff_t>(1, std::ranges::count_if(tasks, isLong));
+    std::atomic<std::ptrdiff_t> done = 0;
     const WorkControl quiet = control.quiet();
     team.runAll(tasks.size(), [&](std::size_t task, std::size_t worker) {
         if (control.isCancelled())
             return;
         const WorkControl& own = worker == 0 ? control : quiet;
         solve(tasks[task], hearing, own);
-        own.report(static_cast<double>(++done) / static_cast<double>(tasks.size()),
+        done += isLong(tasks[task]) ? 1 : 0;
+        own.report(static_cast<double>(done) / static_cast<double>(expected),
                    "Finding how it sounds in the air");
     });
     if (control.isCancelled())
