@@ -1,6 +1,5 @@
 #include "Editor/ParameterControl.h"
 
-#include "Editor/KeyedSlider.h"
 #include "Editor/ParameterMenu.h"
 #include "Editor/Utf8.h"
 
@@ -24,11 +23,9 @@ ParameterControl::ParameterControl(const ParameterInfo& row,
                                    ProcessorView& processor,
                                    Shape inShape)
     : info(row), view(processor), shape(inShape), shown(std::numeric_limits<double>::quiet_NaN()),
-      burst([this] { view.parameters.beginChange(info.parameter); },
-            [this] { view.parameters.endChange(info.parameter); }) {
+      burst([this] { beginGesture(); }, [this] { endGesture(); }) {
     const auto title = fromUtf8(info.name);
     setTitle(title);
-    name.setTooltip(parameterTooltip(info));
     addAndMakeVisible(name);
     if (info.scale == ParameterScale::onOff)
         makeSwitch();
@@ -43,16 +40,15 @@ ParameterControl::ParameterControl(const ParameterInfo& row,
 
 void ParameterControl::makeSlider() {
     makeValueText();
-    auto keyed = std::make_unique<KeyedSlider>(info);
-    keyed->onReturn = [this] { value.showEditor(); };
-    slider = std::move(keyed);
+    slider = std::make_unique<KeyedSlider>(info);
+    slider->onReturn = [this] { value.showEditor(); };
+    slider->resetValue = [this] { return view.parameters.presetValue(info.parameter); };
     if (shape == Shape::knob) {
         slider->setSliderStyle(juce::Slider::RotaryHorizontalVerticalDrag);
         name.setJustificationType(juce::Justification::centred);
         value.setJustificationType(juce::Justification::centred);
     }
     slider->setTitle(getTitle());
-    slider->setTooltip(parameterTooltip(info));
     slider->textFromValueFunction = [this](double number) {
         return fromUtf8(formatParameter(info, number));
     };
@@ -65,7 +61,6 @@ void ParameterControl::makeSlider() {
 void ParameterControl::makeSwitch() {
     toggle = std::make_unique<LeftClicked<juce::ToggleButton>>();
     toggle->setTitle(getTitle());
-    toggle->setTooltip(parameterTooltip(info));
     toggle->onClick = [this] { changeTo(toggle->getToggleState() ? 1 : 0); };
     addAndMakeVisible(*toggle);
 }
@@ -80,22 +75,35 @@ void ParameterControl::makeValueText() {
     addAndMakeVisible(value);
 }
 
-// JUCE also reports a notch of the wheel as a drag.
-void ParameterControl::beginDrag() {
-    if (!slider->isMouseButtonDown())
-        return;
-    burst.finish();
-    isDragged = true;
+// An edit, so that the step has the parameter's name if other figures become custom with it.
+void ParameterControl::beginGesture() {
+    view.history.beginEdit(info.name);
     view.parameters.beginChange(info.parameter);
 }
 
+void ParameterControl::endGesture() {
+    view.parameters.endChange(info.parameter);
+    view.history.endEdit();
+}
+
+// JUCE also reports a notch of the wheel as a drag.
+void ParameterControl::beginDrag() {
+    if (!slider->isPressed() || drags++ > 0)
+        return;
+    beginGesture(); // before a burst of clicks ends: one gesture
+    burst.finish();
+}
+
 void ParameterControl::endDrag() {
-    if (std::exchange(isDragged, false))
-        view.parameters.endChange(info.parameter);
+    if (drags == 0 || --drags > 0)
+        return;
+    if (!slider->wasMoved()) // it may become a double click
+        burst.extend();
+    endGesture();
 }
 
 void ParameterControl::slid() {
-    if (!isDragged)
+    if (drags == 0)
         burst.extend();
     view.parameters.makeCustom(info.parameter);
     view.parameters.change(info.parameter, slider->getValue());
@@ -104,7 +112,9 @@ void ParameterControl::slid() {
 
 void ParameterControl::changeTo(double number) {
     burst.finish();
+    view.history.beginEdit(info.name);
     view.parameters.changeOnce(info.parameter, number);
+    view.history.endEdit();
 }
 
 void ParameterControl::typed() {
@@ -146,6 +156,8 @@ void ParameterControl::showTooltip() {
     if (const auto sentence = controllerSentence(info, view.controllers); sentence.isNotEmpty())
         text << "\n" << sentence;
     name.setTooltip(text);
+    if (slider != nullptr)
+        slider->setTooltip(text);
     if (toggle != nullptr)
         toggle->setTooltip(text);
 }

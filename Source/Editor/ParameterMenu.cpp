@@ -21,8 +21,12 @@ parameterMenu(const ParameterInfo& info, ProcessorView& view, std::function<void
                           valueText(info, view.parameters.effectiveValue(parameter)));
     if (typeValue != nullptr)
         menu.addItem("Type a value...", live, false, std::move(typeValue));
-    menu.addItem("Reset to " + valueText(info, info.defaultValue), live, false,
-                 [&info, &view] { view.parameters.changeOnce(info.parameter, info.defaultValue); });
+    const auto addValue = [&](const juce::String& name, double value) {
+        menu.addItem(name + valueText(info, value), live, false,
+                     [&info, &view, value] { view.parameters.changeOnce(info.parameter, value); });
+    };
+    addValue("Reset to ", view.parameters.presetValue(parameter));
+    addValue("Default: ", info.defaultValue);
     menu.addSeparator();
     if (midi.learningParameter() == parameter)
         menu.addItem("Stop waiting for a MIDI controller", [&midi] { midi.stopLearning(); });

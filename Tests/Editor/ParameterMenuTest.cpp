@@ -45,16 +45,22 @@ void play(Processor& processor, int controller, int value) {
 
 } // namespace
 
-TEST_CASE("The menu shows the value, and resets it to the default in one step") {
+TEST_CASE("The menu shows the value, and sets the preset's or the default in one step") {
     Processor processor;
+    auto state = testState();
+    state.preset.parameters.set(strikeSpread, 12);
+    restore(processor, state);
     processor.view().parameters.change(strikeSpread, 33);
     CHECK(textsOf(menuOf(processor, strikeSpread))[0].contains("33"));
-    REQUIRE(choose(menuOf(processor, strikeSpread), "Reset to"));
-    CHECK(processor.view().parameters.value(strikeSpread) ==
-          parameterInfo(strikeSpread).defaultValue);
-    processor.windowSession().history.undo();
-    CHECK(processor.view().parameters.value(strikeSpread) == 33);
-    CHECK_FALSE(processor.windowSession().history.canUndo());
+    const auto checkStep = [&](const char* item, double expected) {
+        REQUIRE(choose(menuOf(processor, strikeSpread), item));
+        CHECK(processor.view().parameters.value(strikeSpread) == expected);
+        processor.windowSession().history.undo();
+        CHECK(processor.view().parameters.value(strikeSpread) == 33);
+        CHECK_FALSE(processor.windowSession().history.canUndo());
+    };
+    checkStep("Reset to 12.0 %", 12);
+    checkStep("Default: 2.0 %", parameterInfo(strikeSpread).defaultValue);
 }
 
 TEST_CASE("The menu learns, names and forgets a controller") {
