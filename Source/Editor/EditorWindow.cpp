@@ -79,6 +79,8 @@ EditorWindow::EditorWindow(juce::AudioProcessor& audioProcessor, ProcessorView& 
     silence.onClick = [this] { view.instrument.silence(); };
     showParts(*this, presets, lookButton, object, deck, status, silence, volume, keyboard);
     addChildComponent(browser);
+    deck.setShowsUnits(preferences.showsUnits());
+    deck.onUnits = [this] { preferences.setShowsUnits(deck.showsUnits()); };
     presets.onBrowse = [this] { setBrowsing(!browser.isVisible()); };
     presets.onSaveAs = [this] {
         setBrowsing(true);

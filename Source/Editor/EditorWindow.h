@@ -2,6 +2,7 @@
 // beside it, then status and keyboard.
 #pragma once
 
+#include "Editor/ControlHost.h"
 #include "Editor/DropFrame.h"
 #include "Editor/FocusRing.h"
 #include "Editor/IconButton.h"
@@ -24,6 +25,7 @@ namespace idiophone {
 
 class EditorWindow final : public juce::AudioProcessorEditor,
                            public juce::FileDragAndDropTarget,
+                           public ControlHost,
                            private juce::Timer {
 public:
     static constexpr int minimumWidth = 800, minimumHeight = 500;
@@ -42,6 +44,10 @@ public:
     void setBrowsing(bool browses);
 
     void setLook(LookScheme scheme);
+
+    ValueDisplay valueDisplay() const override {
+        return deck.showsUnits() ? ValueDisplay::units : ValueDisplay::plain;
+    }
 
     /// Accepts files that the workshop reads, scales and keyboard mappings anywhere on the window.
     /// For other files the status gives the reason. Captures dragged from this program are ignored.

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "Editor/Appearance.h"
+#include "Editor/ControlHost.h"
 #include "Editor/DescribedComponent.h"
 #include "Editor/GestureBurst.h"
 #include "Editor/Look.h"
@@ -41,9 +42,11 @@ public:
     /// Moves the ring if the material has changed.
     void refresh() {
         const auto now = placeOf(figuresInEffect(view));
-        if (now.fast == shown.fast && now.ringing == shown.ringing)
+        const auto displayNow = valueDisplayAround(*this);
+        if (now.fast == shown.fast && now.ringing == shown.ringing && displayNow == display)
             return;
         shown = now;
+        display = displayNow;
         notifyDescriptionChanged();
         repaint();
     }
@@ -113,8 +116,11 @@ public:
     }
     juce::String description() const override {
         const double seconds = decaySecondsAt(shown);
-        return juce::String(juce::roundToInt(soundMetresPerSecond(shown))) + " m/s, rings " +
-               juce::String(seconds, seconds < 1 ? 2 : 1) + " s at 1 kHz";
+        const auto rings = "rings " + juce::String(seconds, seconds < 1 ? 2 : 1) + " s";
+        return display == ValueDisplay::plain
+                   ? rings
+                   : juce::String(juce::roundToInt(soundMetresPerSecond(shown))) + " m/s, " +
+                         rings + " at 1 kHz";
     }
 
 private:
@@ -219,7 +225,8 @@ private:
 
     ProcessorView& view;
     PlanePlace shown{-1, -1};
-    std::optional<std::size_t> hovered;   ///< index into the material library
+    std::optional<std::size_t> hovered; ///< index into the material library
+    ValueDisplay display = ValueDisplay::plain;
     bool editing = false, mixing = false; ///< mixing: the figures' gestures are open
     GestureBurst burst;                   ///< joins presses of arrow keys into one gesture
 };

@@ -1,5 +1,6 @@
 #include "Editor/ParameterControl.h"
 
+#include "Editor/ControlHost.h"
 #include "Editor/ParameterMenu.h"
 #include "Editor/Utf8.h"
 
@@ -49,9 +50,7 @@ void ParameterControl::makeSlider() {
         value.setJustificationType(juce::Justification::centred);
     }
     slider->setTitle(getTitle());
-    slider->textFromValueFunction = [this](double number) {
-        return fromUtf8(formatParameter(info, number));
-    };
+    slider->textFromValueFunction = [this](double number) { return textOf(number); };
     slider->onDragStart = [this] { beginDrag(); };
     slider->onDragEnd = [this] { endDrag(); };
     slider->onValueChange = [this] { slid(); };
@@ -110,6 +109,10 @@ void ParameterControl::slid() {
     refresh();
 }
 
+juce::String ParameterControl::textOf(double number) const {
+    return fromUtf8(formatParameter(info, number, display));
+}
+
 void ParameterControl::changeTo(double number) {
     burst.finish();
     view.history.beginEdit(info.name);
@@ -118,7 +121,7 @@ void ParameterControl::changeTo(double number) {
 }
 
 void ParameterControl::typed() {
-    if (const auto parsed = parseParameter(info, value.getText().toStdString()))
+    if (const auto parsed = parseParameter(info, value.getText().toStdString(), display))
         changeTo(*parsed);
     shown = std::numeric_limits<double>::quiet_NaN(); // so that refresh replaces the text
     refresh();
@@ -130,15 +133,16 @@ void ParameterControl::refresh() {
     refreshController();
     const double now = view.parameters.effectiveValue(info.parameter);
     const bool live = view.parameters.isLive(info.parameter);
-    if (now == shown && live == isLive)
+    const auto displayNow = valueDisplayAround(*this);
+    if (now == shown && live == isLive && display == displayNow)
         return;
     shown = now;
     isLive = live;
+    display = displayNow;
     setEnabled(live);
     showTooltip();
     if (!value.isBeingEdited())
-        value.setText(live ? fromUtf8(formatParameter(info, now)) : juce::String("re-analyse"),
-                      juce::dontSendNotification);
+        value.setText(live ? textOf(now) : juce::String("re-analyse"), juce::dontSendNotification);
     if (slider != nullptr) {
         slider->setValue(now, juce::dontSendNotification);
         slider->setAlpha(live ? 1.0f : 0.4f);
@@ -150,7 +154,7 @@ void ParameterControl::refresh() {
 }
 
 void ParameterControl::showTooltip() {
-    auto text = parameterTooltip(info);
+    auto text = parameterTooltip(info, display);
     if (!isLive)
         text << "\n" << idleSentence(info.parameter);
     if (const auto sentence = controllerSentence(info, view.controllers); sentence.isNotEmpty())
@@ -178,7 +182,8 @@ void ParameterControl::refreshController() {
 
 juce::PopupMenu ParameterControl::menu() {
     const juce::Component::SafePointer<ParameterControl> self(this);
-    return parameterMenu(info, view, slider == nullptr ? nullptr : std::function<void()>([self] {
+    return parameterMenu(info, view, display,
+                         slider == nullptr ? nullptr : std::function<void()>([self] {
                              if (self != nullptr)
                                  self->value.showEditor();
                          }));

@@ -45,6 +45,7 @@ private:
     void beginDrag();
     void endDrag();
     void slid();
+    juce::String textOf(double value) const;
     void changeTo(double value);
     void typed();
     void placeName(juce::Rectangle<int> area);
@@ -57,6 +58,7 @@ private:
     ProcessorView& view;
     Shape shape;
     double shown;
+    ValueDisplay display = ValueDisplay::plain;
     bool isLive = true;
     bool isLearning = false;
     std::optional<int> controller; ///< number of the MIDI controller that moves it

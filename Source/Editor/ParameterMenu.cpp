@@ -5,24 +5,30 @@
 namespace idiophone {
 namespace {
 
-juce::String valueText(const ParameterInfo& info, double value) {
-    return fromUtf8(formatParameter(info, value));
+/// "23.90 GPa", in the plain display "56 (23.90 GPa)".
+juce::String valueText(const ParameterInfo& info, double value, ValueDisplay display) {
+    const auto withUnit = fromUtf8(formatParameter(info, value));
+    return info.isPhysical && display == ValueDisplay::plain
+               ? fromUtf8(formatParameter(info, value, display)) + " (" + withUnit + ")"
+               : withUnit;
 }
 
 } // namespace
 
-juce::PopupMenu
-parameterMenu(const ParameterInfo& info, ProcessorView& view, std::function<void()> typeValue) {
+juce::PopupMenu parameterMenu(const ParameterInfo& info,
+                              ProcessorView& view,
+                              ValueDisplay display,
+                              std::function<void()> typeValue) {
     auto& midi = view.controllers;
     const auto parameter = info.parameter;
     const bool live = view.parameters.isLive(parameter);
     juce::PopupMenu menu;
     menu.addSectionHeader(fromUtf8(info.name) + ": " +
-                          valueText(info, view.parameters.effectiveValue(parameter)));
+                          valueText(info, view.parameters.effectiveValue(parameter), display));
     if (typeValue != nullptr)
         menu.addItem("Type a value...", live, false, std::move(typeValue));
     const auto addValue = [&](const juce::String& name, double value) {
-        menu.addItem(name + valueText(info, value), live, false,
+        menu.addItem(name + valueText(info, value, display), live, false,
                      [&info, &view, value] { view.parameters.changeOnce(info.parameter, value); });
     };
     addValue("Reset to ", view.parameters.presetValue(parameter));
@@ -39,12 +45,18 @@ parameterMenu(const ParameterInfo& info, ProcessorView& view, std::function<void
     return menu;
 }
 
-juce::String parameterTooltip(const ParameterInfo& info) {
+juce::String parameterTooltip(const ParameterInfo& info, ValueDisplay display) {
     const auto description = fromUtf8(info.description);
     if (info.scale == ParameterScale::onOff || info.scale == ParameterScale::choice)
         return description;
-    const auto text = [&](double value) { return fromUtf8(formatParameter(info, value)); };
-    return description + "\n" + text(info.minimum) + " to " + text(info.maximum);
+    const auto range = [&](ValueDisplay shown) {
+        return fromUtf8(formatParameter(info, info.minimum, shown) + " to " +
+                        formatParameter(info, info.maximum, shown));
+    };
+    const auto units = range(ValueDisplay::units);
+    return description + "\n" +
+           (info.isPhysical && display == ValueDisplay::plain ? range(display) + " (" + units + ")"
+                                                              : units);
 }
 
 juce::String controllerSentence(const ParameterInfo& info, const MidiLearnView& midi) {

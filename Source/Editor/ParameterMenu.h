@@ -10,11 +10,14 @@ namespace idiophone {
 
 /// Builds the menu for the current state; its items refer to the view. Without `typeValue` there is
 /// no item to type a value.
-juce::PopupMenu
-parameterMenu(const ParameterInfo& info, ProcessorView& view, std::function<void()> typeValue);
+juce::PopupMenu parameterMenu(const ParameterInfo& info,
+                              ProcessorView& view,
+                              ValueDisplay display,
+                              std::function<void()> typeValue);
 
-/// The parameter's description; for a number also its range with the unit.
-juce::String parameterTooltip(const ParameterInfo& info);
+/// The parameter's description; for a number also its range, of a plain display with and without
+/// units.
+juce::String parameterTooltip(const ParameterInfo& info, ValueDisplay display);
 
 /// "Moved by MIDI controller 21", a request to move one while learning, or empty.
 juce::String controllerSentence(const ParameterInfo& info, const MidiLearnView& midi);

@@ -21,6 +21,13 @@ public:
         file.setValue(lookKey, scheme == LookScheme::light ? "light" : "dark");
     }
 
+    /// Whether figures of physics have units, and not values from 0 to 100.
+    bool showsUnits() const { return file.getBoolValue(unitsKey); }
+    void setShowsUnits(bool shows) {
+        readAnew();
+        file.setValue(unitsKey, shows);
+    }
+
     /// The last size of the window; (0, 0) the first time.
     juce::Point<int> windowSize() const {
         return {file.getIntValue(widthKey), file.getIntValue(heightKey)};
@@ -32,7 +39,8 @@ public:
     }
 
 private:
-    static constexpr const char *lookKey = "look", *widthKey = "width", *heightKey = "height";
+    static constexpr const char *lookKey = "look", *widthKey = "width", *heightKey = "height",
+                                *unitsKey = "units";
 
     static juce::File place() {
         const auto folder = userSettingsFolder();

@@ -48,6 +48,38 @@ struct Opened {
 
 } // namespace
 
+TEST_CASE("Figures of physics show 0 to 100 until units are switched on, and the switch is kept") {
+    Opened opened;
+    opened.load("Steel Plate");
+    auto& shown = opened.part<juce::Label>("Stiffness");
+    runTimersUntil([&] { return shown.getText() == "86"; }); // of 0.01 to 1000 GPa
+    auto& units = opened.part<juce::Button>("Units");
+    units.setToggleState(true, juce::sendNotificationSync);
+    CHECK(shown.getText() == "200.0 GPa");
+    CHECK(opened.part<juce::Label>("Tune").getText() == "0.0 cents");
+    opened.window.reset();
+    opened.window = open(opened.processor);
+    CHECK(opened.part<juce::Button>("Units").getToggleState());
+}
+
+TEST_CASE("A typed number follows the display, and a number with a unit is physical") {
+    Opened opened;
+    auto& stiffness = opened.part<juce::Label>("Stiffness");
+    stiffness.setText("50", juce::sendNotificationSync);
+    CHECK(opened.value(youngsModulus) == Approx(std::sqrt(0.01 * 1000)));
+    CHECK(stiffness.getText() == "50");
+    stiffness.setText("70 GPa", juce::sendNotificationSync);
+    CHECK(opened.value(youngsModulus) == 70);
+    stiffness.setText("500 MPa", juce::sendNotificationSync);
+    CHECK(opened.value(youngsModulus) == Approx(0.5));
+    stiffness.setText("3 kg", juce::sendNotificationSync);
+    CHECK(opened.value(youngsModulus) == Approx(0.5));
+    auto& units = opened.part<juce::Button>("Units");
+    units.setToggleState(true, juce::sendNotificationSync);
+    stiffness.setText("50", juce::sendNotificationSync);
+    CHECK(opened.value(youngsModulus) == 50);
+}
+
 TEST_CASE("A double click resets a control to the preset's value, in one step") {
     Opened opened;
     opened.load("Steel Plate");
