@@ -14,6 +14,8 @@ public:
 
     /// How figures of physics are shown and typed now.
     virtual ValueDisplay valueDisplay() const = 0;
+    /// Shows the list of the MIDI controllers that parameters have learned.
+    virtual void showControllers() = 0;
 };
 
 /// The display of the host around a component; plain without one.

@@ -68,7 +68,7 @@ std::string refusalOf(const juce::File& file, const ProcessorView& view) {
 
 EditorWindow::EditorWindow(juce::AudioProcessor& audioProcessor, ProcessorView& processorView)
     : AudioProcessorEditor(audioProcessor), view(processorView), look(preferences.look()),
-      presets(view), object(view), browser(view.presets),
+      presets(view), object(view), controllers(view), browser(view.presets),
       volume(parameterInfo(ParameterId::volume), view), keyboard(view) {
     setLookAndFeel(&look);
     makePages();
@@ -78,9 +78,11 @@ EditorWindow::EditorWindow(juce::AudioProcessor& audioProcessor, ProcessorView& 
     silence.describe("Silence", "End all sound at once");
     silence.onClick = [this] { view.instrument.silence(); };
     showParts(*this, presets, lookButton, object, deck, status, silence, volume, keyboard);
+    addChildComponent(controllers);
     addChildComponent(browser);
     deck.setShowsUnits(preferences.showsUnits());
     deck.onUnits = [this] { preferences.setShowsUnits(deck.showsUnits()); };
+    controllers.onClose = [this] { listControllers(false); };
     presets.onBrowse = [this] { setBrowsing(!browser.isVisible()); };
     presets.onSaveAs = [this] {
         setBrowsing(true);
@@ -140,6 +142,7 @@ void EditorWindow::setLook(LookScheme scheme) {
 void EditorWindow::setBrowsing(bool browses) {
     if (!browses)
         view.presets.keepAudition();
+    listControllers(false);
     browser.setVisible(browses);
     object.setVisible(!browses);
     deck.setVisible(!browses);
@@ -148,6 +151,11 @@ void EditorWindow::setBrowsing(bool browses) {
     else if (isShowing() && juce::JUCEApplicationBase::isStandaloneApp())
         keyboard.takeFocus();
     presets.refresh();
+}
+
+void EditorWindow::listControllers(bool lists) {
+    controllers.setVisible(lists);
+    deck.setVisible(!lists);
 }
 
 bool EditorWindow::keyPressed(const juce::KeyPress& key) {
@@ -178,6 +186,7 @@ void EditorWindow::timerCallback() {
     presets.refresh();
     object.refresh();
     deck.refresh();
+    controllers.refresh();
     volume.refresh();
     keyboard.refresh();
     const auto now = view.status.takeStatus();
@@ -240,6 +249,7 @@ void EditorWindow::paint(juce::Graphics& g) {
 
 void EditorWindow::resized() {
     placeParts();
+    controllers.setBounds(deck.getBounds());
     focusRing.follow();
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "Editor/ControlHost.h"
+#include "Editor/ControllerList.h"
 #include "Editor/DropFrame.h"
 #include "Editor/FocusRing.h"
 #include "Editor/IconButton.h"
@@ -48,6 +49,7 @@ public:
     ValueDisplay valueDisplay() const override {
         return deck.showsUnits() ? ValueDisplay::units : ValueDisplay::plain;
     }
+    void showControllers() override { listControllers(true); }
 
     /// Accepts files that the workshop reads, scales and keyboard mappings anywhere on the window.
     /// For other files the status gives the reason. Captures dragged from this program are ignored.
@@ -61,6 +63,7 @@ private:
     void makePages();
     void placeParts();
     void setBusy(bool busy);
+    void listControllers(bool lists);
 
     ProcessorView& view;
     Preferences preferences;
@@ -69,6 +72,7 @@ private:
     juce::TextButton lookButton;
     ObjectPane object;
     PageDeck deck;
+    ControllerList controllers;
     PresetBrowser browser;
     StatusBar status;
     IconButton silence{"Silence", icons::silence()};

@@ -182,11 +182,18 @@ void ParameterControl::refreshController() {
 
 juce::PopupMenu ParameterControl::menu() {
     const juce::Component::SafePointer<ParameterControl> self(this);
-    return parameterMenu(info, view, display,
-                         slider == nullptr ? nullptr : std::function<void()>([self] {
-                             if (self != nullptr)
-                                 self->value.showEditor();
-                         }));
+    ParameterMenuActions actions;
+    if (slider != nullptr)
+        actions.typeValue = [self] {
+            if (self != nullptr)
+                self->value.showEditor();
+        };
+    if (findParentComponentOfClass<ControlHost>() != nullptr)
+        actions.listControllers = [self] {
+            if (self != nullptr)
+                self->findParentComponentOfClass<ControlHost>()->showControllers();
+        };
+    return parameterMenu(info, view, display, std::move(actions));
 }
 
 void ParameterControl::showMenu() {

@@ -18,15 +18,15 @@ juce::String valueText(const ParameterInfo& info, double value, ValueDisplay dis
 juce::PopupMenu parameterMenu(const ParameterInfo& info,
                               ProcessorView& view,
                               ValueDisplay display,
-                              std::function<void()> typeValue) {
+                              ParameterMenuActions actions) {
     auto& midi = view.controllers;
     const auto parameter = info.parameter;
     const bool live = view.parameters.isLive(parameter);
     juce::PopupMenu menu;
     menu.addSectionHeader(fromUtf8(info.name) + ": " +
                           valueText(info, view.parameters.effectiveValue(parameter), display));
-    if (typeValue != nullptr)
-        menu.addItem("Type a value...", live, false, std::move(typeValue));
+    if (actions.typeValue != nullptr)
+        menu.addItem("Type a value...", live, false, std::move(actions.typeValue));
     const auto addValue = [&](const juce::String& name, double value) {
         menu.addItem(name + valueText(info, value, display), live, false,
                      [&info, &view, value] { view.parameters.changeOnce(info.parameter, value); });
@@ -42,6 +42,8 @@ juce::PopupMenu parameterMenu(const ParameterInfo& info,
     if (const auto number = midi.controllerOf(parameter))
         menu.addItem("Forget MIDI controller " + juce::String(*number),
                      [&midi, parameter] { midi.forgetController(parameter); });
+    if (actions.listControllers != nullptr)
+        menu.addItem("MIDI controllers...", std::move(actions.listControllers));
     return menu;
 }
 

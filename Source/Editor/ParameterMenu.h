@@ -8,12 +8,17 @@
 
 namespace idiophone {
 
-/// Builds the menu for the current state; its items refer to the view. Without `typeValue` there is
-/// no item to type a value.
+/// What the menu can do beyond the view. Without a function there is no item for it.
+struct ParameterMenuActions {
+    std::function<void()> typeValue;
+    std::function<void()> listControllers;
+};
+
+/// Builds the menu for the current state; its items refer to the view.
 juce::PopupMenu parameterMenu(const ParameterInfo& info,
                               ProcessorView& view,
                               ValueDisplay display,
-                              std::function<void()> typeValue);
+                              ParameterMenuActions actions);
 
 /// The parameter's description; for a number also its range, of a plain display with and without
 /// units.

@@ -34,7 +34,7 @@ bool choose(const juce::PopupMenu& menu, const juce::String& beginning) {
 }
 
 juce::PopupMenu menuOf(Processor& processor, ParameterId parameter) {
-    return parameterMenu(parameterInfo(parameter), processor.view(), ValueDisplay::plain, nullptr);
+    return parameterMenu(parameterInfo(parameter), processor.view(), ValueDisplay::plain, {});
 }
 
 void play(Processor& processor, int controller, int value) {
@@ -70,7 +70,7 @@ TEST_CASE("The menu and the tooltip of a figure name its units in both displays"
     processor.view().parameters.change(youngsModulus, 100);
     const auto& info = parameterInfo(youngsModulus);
     const auto header = [&](ValueDisplay display) {
-        return textsOf(parameterMenu(info, processor.view(), display, nullptr))[0];
+        return textsOf(parameterMenu(info, processor.view(), display, {}))[0];
     };
     CHECK(header(ValueDisplay::plain) == "Stiffness: 80 (100.0 GPa)");
     CHECK(header(ValueDisplay::units) == "Stiffness: 100.0 GPa");
