@@ -9,7 +9,6 @@
 #include "Editor/QualityPage.h"
 #include "Editor/StrikePage.h"
 #include "Editor/TuningPage.h"
-#include "Editor/Utf8.h"
 
 #include <algorithm>
 #include <vector>
@@ -37,13 +36,11 @@ void recolourTexts(juce::Component& part) {
 
 EditorWindow::EditorWindow(juce::AudioProcessor& audioProcessor, ProcessorView& processorView)
     : AudioProcessorEditor(audioProcessor), view(processorView), look(preferences.look()),
-      presets(view), object(view), browser(view.presets), recorder(view),
+      presets(view), object(view), controllers(view), browser(view.presets), recorder(view),
       volume(parameterInfo(ParameterId::volume), view), keyboard(view) {
     setLookAndFeel(&look);
     makePages();
-    lookButton.onClick = [this] {
-        setLook(look.scheme() == LookScheme::dark ? LookScheme::light : LookScheme::dark);
-    };
+    lookButton.onLook = [this](LookScheme scheme) { setLook(scheme); };
     recorder.onWidth = [this] { placeParts(); };
     silence.describe("Silence", "End all sound at once");
     silence.onClick = [this] {
@@ -56,7 +53,11 @@ EditorWindow::EditorWindow(juce::AudioProcessor& audioProcessor, ProcessorView& 
     };
     showParts(*this, presets, scaleButton, lookButton, object, deck, status, recorder, silence,
               volume, keyboard);
+    addChildComponent(controllers);
     addChildComponent(browser);
+    deck.setShowsUnits(preferences.showsUnits());
+    deck.onUnits = [this] { preferences.setShowsUnits(deck.showsUnits()); };
+    controllers.onClose = [this] { listControllers(false); };
     presets.onBrowse = [this] { setBrowsing(!browser.isVisible()); };
     presets.onSaveAs = [this] {
         setBrowsing(true);
@@ -124,10 +125,7 @@ void EditorWindow::playPhrases() {
 void EditorWindow::setLook(LookScheme scheme) {
     look.setScheme(scheme);
     preferences.setLook(scheme);
-    const bool dark = scheme == LookScheme::dark;
-    lookButton.setButtonText(fromUtf8(dark ? "\xe2\x98\xbe" : "\xe2\x98\x80"));
-    lookButton.setTitle(dark ? "Light look" : "Dark look");
-    lookButton.setTooltip(dark ? "Change to the light look" : "Change to the dark look");
+    lookButton.show(scheme);
     sendLookAndFeelChange();
     dialogs->setScheme(scheme);
     colourSurroundings();
@@ -159,6 +157,7 @@ void EditorWindow::setScaleFactor(float ofHost) {
 void EditorWindow::setBrowsing(bool browses) {
     if (!browses)
         view.presets.keepAudition();
+    listControllers(false);
     browser.setVisible(browses);
     object.setVisible(!browses);
     deck.setVisible(!browses);
@@ -167,6 +166,11 @@ void EditorWindow::setBrowsing(bool browses) {
     else if (isShowing() && juce::JUCEApplicationBase::isStandaloneApp())
         keyboard.takeFocus();
     presets.refresh();
+}
+
+void EditorWindow::listControllers(bool lists) {
+    controllers.setVisible(lists);
+    deck.setVisible(!lists);
 }
 
 bool EditorWindow::keyPressed(const juce::KeyPress& key) {
@@ -198,6 +202,7 @@ void EditorWindow::timerCallback() {
     object.refresh();
     deck.refresh();
     recorder.refresh();
+    controllers.refresh();
     volume.refresh();
     keyboard.refresh();
     const auto now = view.status.takeStatus();
@@ -256,12 +261,9 @@ void EditorWindow::filesDropped(const juce::StringArray& files, int, int) {
     deck.show(dropped.isTuning() ? tuningPage : importPage);
 }
 
-void EditorWindow::paint(juce::Graphics& g) {
-    g.fillAll(colourOf(*this, LookColour::background));
-}
-
 void EditorWindow::resized() {
     placeParts();
+    controllers.setBounds(deck.getBounds());
     focusRing.follow();
 }
 

@@ -3,6 +3,8 @@
 #pragma once
 
 #include "Editor/ControlHint.h"
+#include "Editor/ControlHost.h"
+#include "Editor/ControllerList.h"
 #include "Editor/DialogLook.h"
 #include "Editor/DropFrame.h"
 #include "Editor/FirstHints.h"
@@ -11,6 +13,7 @@
 #include "Editor/Icons.h"
 #include "Editor/KeyboardPanel.h"
 #include "Editor/Look.h"
+#include "Editor/LookButton.h"
 #include "Editor/ObjectPane.h"
 #include "Editor/PageDeck.h"
 #include "Editor/ParameterControl.h"
@@ -29,12 +32,15 @@ namespace idiophone {
 
 class EditorWindow final : public juce::AudioProcessorEditor,
                            public juce::FileDragAndDropTarget,
+                           public ControlHost,
                            private juce::Timer {
 public:
     EditorWindow(juce::AudioProcessor& processor, ProcessorView& view);
     ~EditorWindow() override;
 
-    void paint(juce::Graphics& g) override;
+    void paint(juce::Graphics& g) override {
+        g.fillAll(colourOf(*this, LookColour::background));
+    }
     void resized() override;
     bool keyPressed(const juce::KeyPress& key) override;
     bool keyStateChanged(bool isDown) override;
@@ -52,6 +58,11 @@ public:
     /// Called by hosts for their screen. Multiplies the user's scale.
     void setScaleFactor(float ofHost) override;
 
+    ValueDisplay valueDisplay() const override {
+        return deck.showsUnits() ? ValueDisplay::units : ValueDisplay::plain;
+    }
+    void showControllers() override { listControllers(true); }
+
     /// Accepts files that the workshop reads, scales and keyboard mappings anywhere on the window.
     /// For other files the status gives the reason. Captures dragged from this program are ignored.
     bool isInterestedInFileDrag(const juce::StringArray& files) override;
@@ -66,6 +77,7 @@ private:
     void placeParts();
     void setBusy(bool busy);
     void colourSurroundings();
+    void listControllers(bool lists);
 
     ProcessorView& view;
     Preferences preferences;
@@ -73,9 +85,10 @@ private:
     juce::SharedResourcePointer<DialogLook> dialogs;
     PresetBar presets;
     ScaleButton scaleButton;
-    juce::TextButton lookButton;
+    LookButton lookButton;
     ObjectPane object;
     PageDeck deck;
+    ControllerList controllers;
     PresetBrowser browser;
     StatusBar status;
     RecorderStrip recorder;

@@ -1,5 +1,5 @@
 // A slider of a parameter with keys: arrows and page keys move it by fractions of its length, and
-// Shift makes arrow steps smaller. Return opens the text field.
+// Shift makes arrow steps smaller. Return opens the text field. A double click resets it.
 #pragma once
 
 #include "Editor/LeftClicked.h"
@@ -22,10 +22,22 @@ public:
              [&row](double, double, double place) { return row.fromNormalised(place); },
              [&row](double, double, double value) { return row.toNormalised(value); },
              [&row](double, double, double value) { return row.clamped(value); }});
-        setDoubleClickReturnValue(true, info.defaultValue);
     }
 
     std::function<void()> onReturn;
+    std::function<double()> resetValue; ///< what a double click and an Alt-click give
+
+    void mouseDown(const juce::MouseEvent& event) override {
+        setDoubleClickReturnValue(true, resetValue());
+        isMoved = false;
+        LeftClicked::mouseDown(event);
+    }
+    void mouseUp(const juce::MouseEvent& event) override {
+        isMoved = event.mouseWasDraggedSinceMouseDown();
+        LeftClicked::mouseUp(event);
+    }
+    /// Whether the mouse moved during the press that ended last.
+    bool wasMoved() const { return isMoved; }
 
     bool keyPressed(const juce::KeyPress& key) override {
         using juce::KeyPress;
@@ -63,6 +75,7 @@ private:
                  juce::sendNotificationSync);
     }
 
+    bool isMoved = false;
     const ParameterInfo& info; ///< a row of the table, which is never destroyed
 };
 

@@ -25,6 +25,9 @@ public:
             Control::mouseUp(event);
     }
 
+    /// Whether the left button is down on the control.
+    bool isPressed() const { return isOwn; }
+
 private:
     /// Set when the press begins. JUCE ends a press when the last button comes up, and that may be
     /// any button.

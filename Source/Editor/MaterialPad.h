@@ -3,6 +3,7 @@
 #pragma once
 
 #include "Editor/Appearance.h"
+#include "Editor/ControlHost.h"
 #include "Editor/DescribedComponent.h"
 #include "Editor/GestureBurst.h"
 #include "Editor/Look.h"
@@ -15,6 +16,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace idiophone {
@@ -28,7 +30,7 @@ class MaterialPad final : public DescribedComponent {
 public:
     explicit MaterialPad(ProcessorView& processor)
         : DescribedComponent(juce::AccessibilityRole::slider), view(processor),
-          burst([this] { beginMix(); }, [this] { endMix(); }) {
+          burst([this] { beginEdit(); }, [this] { endEdit(); }) {
         setTitle("Material pad");
         setDescription(
             "From slow to fast sound, from dull to ringing; arrows move between materials");
@@ -40,9 +42,11 @@ public:
     /// Moves the ring if the material has changed.
     void refresh() {
         const auto now = placeOf(figuresInEffect(view));
-        if (now.fast == shown.fast && now.ringing == shown.ringing)
+        const auto displayNow = valueDisplayAround(*this);
+        if (now.fast == shown.fast && now.ringing == shown.ringing && displayNow == display)
             return;
         shown = now;
+        display = displayNow;
         notifyDescriptionChanged();
         repaint();
     }
@@ -70,21 +74,19 @@ public:
         burst.finish();
         if (!event.mods.isLeftButtonDown())
             return;
+        beginEdit();
         if (const auto named = namedAt(event.position))
-            return choose(*named);
-        beginMix();
-        mix(placeAt(event.position));
+            choose(*named);
+        else
+            mix(placeAt(event.position));
     }
     void mouseDrag(const juce::MouseEvent& event) override {
-        if (!event.mods.isLeftButtonDown() || (!mixing && event.getDistanceFromDragStart() < reach))
-            return;
-        if (!mixing)
-            beginMix();
-        mix(placeAt(event.position));
+        if (editing && (mixing || event.getDistanceFromDragStart() >= reach))
+            mix(placeAt(event.position));
     }
     void mouseUp(const juce::MouseEvent&) override {
-        if (mixing)
-            endMix();
+        if (editing)
+            endEdit();
     }
     void mouseMove(const juce::MouseEvent& event) override { hover(namedAt(event.position)); }
     void mouseExit(const juce::MouseEvent&) override { hover(std::nullopt); }
@@ -114,8 +116,11 @@ public:
     }
     juce::String description() const override {
         const double seconds = decaySecondsAt(shown);
-        return juce::String(juce::roundToInt(soundMetresPerSecond(shown))) + " m/s, rings " +
-               juce::String(seconds, seconds < 1 ? 2 : 1) + " s at 1 kHz";
+        const auto rings = "rings " + juce::String(seconds, seconds < 1 ? 2 : 1) + " s";
+        return display == ValueDisplay::plain
+                   ? rings
+                   : juce::String(juce::roundToInt(soundMetresPerSecond(shown))) + " m/s, " +
+                         rings + " at 1 kHz";
     }
 
 private:
@@ -155,12 +160,22 @@ private:
                                    double(firstLibraryMaterial) + double(named));
         refresh();
     }
-    void beginMix() {
-        mixing = true;
-        for (const auto parameter : customMaterialParameters)
-            view.parameters.beginChange(parameter);
+    /// A press, or presses of arrow keys: one step, whether it chooses, mixes or both.
+    void beginEdit() {
+        editing = true;
+        view.history.beginEdit("Material");
+    }
+    void endEdit() {
+        if (std::exchange(mixing, false))
+            for (const auto parameter : customMaterialParameters)
+                view.parameters.endChange(parameter);
+        view.history.endEdit();
+        editing = false;
     }
     void mix(const PlanePlace& place) {
+        if (!std::exchange(mixing, true))
+            for (const auto parameter : customMaterialParameters)
+                view.parameters.beginChange(parameter);
         const auto material = materialAt(place, materialLibrary());
         view.parameters.change(ParameterId::youngsModulus, material.youngsModulusPa * 1e-9);
         view.parameters.change(ParameterId::density, material.densityKgPerM3);
@@ -170,11 +185,6 @@ private:
         view.parameters.change(ParameterId::lossFactor, material.damping.lossFactor);
         view.parameters.change(ParameterId::material, customMaterial); // after its figures
         refresh();
-    }
-    void endMix() {
-        for (const auto parameter : customMaterialParameters)
-            view.parameters.endChange(parameter);
-        mixing = false;
     }
     void paintNamed(juce::Graphics& g) const {
         const auto library = materialLibrary();
@@ -216,8 +226,9 @@ private:
     ProcessorView& view;
     PlanePlace shown{-1, -1};
     std::optional<std::size_t> hovered; ///< index into the material library
-    bool mixing = false;
-    GestureBurst burst; ///< joins presses of arrow keys into one gesture
+    ValueDisplay display = ValueDisplay::plain;
+    bool editing = false, mixing = false; ///< mixing: the figures' gestures are open
+    GestureBurst burst;                   ///< joins presses of arrow keys into one gesture
 };
 
 } // namespace idiophone

@@ -7,6 +7,7 @@
 #include "Editor/Look.h"
 
 #include <algorithm>
+#include <functional>
 #include <memory>
 #include <numeric>
 #include <utility>
@@ -23,7 +24,20 @@ public:
     PageDeck() {
         setTitle("Pages");
         setFocusContainerType(FocusContainerType::focusContainer);
+        units.setTitle("Units");
+        units.setTooltip("Show figures of physics with their units, or from 0 to 100");
+        units.setClickingTogglesState(true);
+        units.onClick = [this] {
+            juce::NullCheckedInvocation::invoke(onUnits);
+            refresh();
+        };
+        addAndMakeVisible(units);
     }
+
+    /// Called when the user switches the units of figures on or off.
+    std::function<void()> onUnits;
+    bool showsUnits() const { return units.getToggleState(); }
+    void setShowsUnits(bool shows) { units.setToggleState(shows, juce::dontSendNotification); }
 
     void add(std::unique_ptr<DeckPage> page) {
         const int index = pageCount();
@@ -74,7 +88,7 @@ public:
     void resized() override { arrange(); }
 
 private:
-    static constexpr int widestTab = 130, minimumTabGap = 14;
+    static constexpr int widestTab = 130, minimumTabGap = 14, unitsWidth = 54;
 
     /// A page's name, underlined while the page is visible.
     class Tab final : public juce::Button {
@@ -141,6 +155,10 @@ private:
                 std::min(width, DeckPage::maximumWidth), below.getHeight()));
             pages[index]->refresh();
         }
+        units.setBounds(backs.back()
+                            .second.withHeight(titleHeight)
+                            .reduced(DeckPage::padding, 2)
+                            .removeFromRight(unitsWidth));
         repaint();
     }
     /// Removes the tabs from the top of the area, and returns their places.
@@ -179,6 +197,7 @@ private:
         return widths;
     }
 
+    juce::TextButton units{"Units"};
     std::vector<std::unique_ptr<DeckPage>> pages;
     std::vector<std::unique_ptr<Tab>> tabs;
     std::vector<std::pair<DeckPage*, juce::Rectangle<int>>> backs; ///< of the visible pages

@@ -1,6 +1,6 @@
 #include "Editor/ParameterControl.h"
 
-#include "Editor/KeyedSlider.h"
+#include "Editor/ControlHost.h"
 #include "Editor/ParameterMenu.h"
 #include "Editor/Utf8.h"
 
@@ -24,11 +24,9 @@ ParameterControl::ParameterControl(const ParameterInfo& row,
                                    ProcessorView& processor,
                                    Shape inShape)
     : info(row), view(processor), shape(inShape), shown(std::numeric_limits<double>::quiet_NaN()),
-      burst([this] { view.parameters.beginChange(info.parameter); },
-            [this] { view.parameters.endChange(info.parameter); }) {
+      burst([this] { beginGesture(); }, [this] { endGesture(); }) {
     const auto title = fromUtf8(info.name);
     setTitle(title);
-    name.setTooltip(parameterTooltip(info));
     addAndMakeVisible(name);
     if (info.scale == ParameterScale::onOff)
         makeSwitch();
@@ -43,19 +41,16 @@ ParameterControl::ParameterControl(const ParameterInfo& row,
 
 void ParameterControl::makeSlider() {
     makeValueText();
-    auto keyed = std::make_unique<KeyedSlider>(info);
-    keyed->onReturn = [this] { value.showEditor(); };
-    slider = std::move(keyed);
+    slider = std::make_unique<KeyedSlider>(info);
+    slider->onReturn = [this] { value.showEditor(); };
+    slider->resetValue = [this] { return view.parameters.presetValue(info.parameter); };
     if (shape == Shape::knob) {
         slider->setSliderStyle(juce::Slider::RotaryHorizontalVerticalDrag);
         name.setJustificationType(juce::Justification::centred);
         value.setJustificationType(juce::Justification::centred);
     }
     slider->setTitle(getTitle());
-    slider->setTooltip(parameterTooltip(info));
-    slider->textFromValueFunction = [this](double number) {
-        return fromUtf8(formatParameter(info, number));
-    };
+    slider->textFromValueFunction = [this](double number) { return textOf(number); };
     slider->onDragStart = [this] { beginDrag(); };
     slider->onDragEnd = [this] { endDrag(); };
     slider->onValueChange = [this] { slid(); };
@@ -65,7 +60,6 @@ void ParameterControl::makeSlider() {
 void ParameterControl::makeSwitch() {
     toggle = std::make_unique<LeftClicked<juce::ToggleButton>>();
     toggle->setTitle(getTitle());
-    toggle->setTooltip(parameterTooltip(info));
     toggle->onClick = [this] { changeTo(toggle->getToggleState() ? 1 : 0); };
     addAndMakeVisible(*toggle);
 }
@@ -80,35 +74,54 @@ void ParameterControl::makeValueText() {
     addAndMakeVisible(value);
 }
 
-// JUCE also reports a notch of the wheel as a drag.
-void ParameterControl::beginDrag() {
-    if (!slider->isMouseButtonDown())
-        return;
-    burst.finish();
-    isDragged = true;
+// An edit, so that the step has the parameter's name if other figures become custom with it.
+void ParameterControl::beginGesture() {
+    view.history.beginEdit(info.name);
     view.parameters.beginChange(info.parameter);
 }
 
+void ParameterControl::endGesture() {
+    view.parameters.endChange(info.parameter);
+    view.history.endEdit();
+}
+
+// JUCE also reports a notch of the wheel as a drag.
+void ParameterControl::beginDrag() {
+    if (!slider->isPressed() || drags++ > 0)
+        return;
+    beginGesture(); // before a burst of clicks ends: one gesture
+    burst.finish();
+}
+
 void ParameterControl::endDrag() {
-    if (std::exchange(isDragged, false))
-        view.parameters.endChange(info.parameter);
+    if (drags == 0 || --drags > 0)
+        return;
+    if (!slider->wasMoved()) // it may become a double click
+        burst.extend();
+    endGesture();
 }
 
 void ParameterControl::slid() {
-    if (!isDragged)
+    if (drags == 0)
         burst.extend();
     view.parameters.makeCustom(info.parameter);
     view.parameters.change(info.parameter, slider->getValue());
     refresh();
 }
 
+juce::String ParameterControl::textOf(double number) const {
+    return fromUtf8(formatParameter(info, number, display));
+}
+
 void ParameterControl::changeTo(double number) {
     burst.finish();
+    view.history.beginEdit(info.name);
     view.parameters.changeOnce(info.parameter, number);
+    view.history.endEdit();
 }
 
 void ParameterControl::typed() {
-    if (const auto parsed = parseParameter(info, value.getText().toStdString()))
+    if (const auto parsed = parseParameter(info, value.getText().toStdString(), display))
         changeTo(*parsed);
     shown = std::numeric_limits<double>::quiet_NaN(); // so that refresh replaces the text
     refresh();
@@ -120,15 +133,16 @@ void ParameterControl::refresh() {
     refreshController();
     const double now = view.parameters.effectiveValue(info.parameter);
     const bool live = view.parameters.isLive(info.parameter);
-    if (now == shown && live == isLive)
+    const auto displayNow = valueDisplayAround(*this);
+    if (now == shown && live == isLive && display == displayNow)
         return;
     shown = now;
     isLive = live;
+    display = displayNow;
     setEnabled(live);
     showTooltip();
     if (!value.isBeingEdited())
-        value.setText(live ? fromUtf8(formatParameter(info, now)) : juce::String("re-analyse"),
-                      juce::dontSendNotification);
+        value.setText(live ? textOf(now) : juce::String("re-analyse"), juce::dontSendNotification);
     if (slider != nullptr) {
         slider->setValue(now, juce::dontSendNotification);
         slider->setAlpha(live ? 1.0f : 0.4f);
@@ -140,12 +154,14 @@ void ParameterControl::refresh() {
 }
 
 void ParameterControl::showTooltip() {
-    auto text = parameterTooltip(info);
+    auto text = parameterTooltip(info, display);
     if (!isLive)
         text << "\n" << idleSentence(info.parameter);
     if (const auto sentence = controllerSentence(info, view.controllers); sentence.isNotEmpty())
         text << "\n" << sentence;
     name.setTooltip(text);
+    if (slider != nullptr)
+        slider->setTooltip(text);
     if (toggle != nullptr)
         toggle->setTooltip(text);
 }
@@ -166,10 +182,18 @@ void ParameterControl::refreshController() {
 
 juce::PopupMenu ParameterControl::menu() {
     const juce::Component::SafePointer<ParameterControl> self(this);
-    return parameterMenu(info, view, slider == nullptr ? nullptr : std::function<void()>([self] {
-                             if (self != nullptr)
-                                 self->value.showEditor();
-                         }));
+    ParameterMenuActions actions;
+    if (slider != nullptr)
+        actions.typeValue = [self] {
+            if (self != nullptr)
+                self->value.showEditor();
+        };
+    if (findParentComponentOfClass<ControlHost>() != nullptr)
+        actions.listControllers = [self] {
+            if (self != nullptr)
+                self->findParentComponentOfClass<ControlHost>()->showControllers();
+        };
+    return parameterMenu(info, view, display, std::move(actions));
 }
 
 void ParameterControl::showMenu() {

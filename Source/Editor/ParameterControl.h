@@ -4,6 +4,7 @@
 
 #include "Editor/ChoiceList.h"
 #include "Editor/GestureBurst.h"
+#include "Editor/KeyedSlider.h"
 #include "Editor/Look.h"
 #include "Editor/ProcessorView.h"
 
@@ -39,9 +40,12 @@ private:
     void makeSlider();
     void makeSwitch();
     void makeValueText();
+    void beginGesture();
+    void endGesture();
     void beginDrag();
     void endDrag();
     void slid();
+    juce::String textOf(double value) const;
     void changeTo(double value);
     void typed();
     void placeName(juce::Rectangle<int> area);
@@ -54,14 +58,15 @@ private:
     ProcessorView& view;
     Shape shape;
     double shown;
+    ValueDisplay display = ValueDisplay::plain;
     bool isLive = true;
     bool isLearning = false;
     std::optional<int> controller; ///< number of the MIDI controller that moves it
     TextLabel name, value;
-    std::unique_ptr<juce::Slider> slider;
+    std::unique_ptr<KeyedSlider> slider;
     std::unique_ptr<juce::ToggleButton> toggle;
     std::unique_ptr<ChoiceList> list;
-    bool isDragged = false;
+    int drags = 0;      ///< drags under way: a double click makes one within its press
     GestureBurst burst; ///< joins steps of the mouse wheel or a key into one gesture
 };
 

@@ -5,24 +5,34 @@
 namespace idiophone {
 namespace {
 
-juce::String valueText(const ParameterInfo& info, double value) {
-    return fromUtf8(formatParameter(info, value));
+/// "23.90 GPa", in the plain display "56 (23.90 GPa)".
+juce::String valueText(const ParameterInfo& info, double value, ValueDisplay display) {
+    const auto withUnit = fromUtf8(formatParameter(info, value));
+    return info.isPhysical && display == ValueDisplay::plain
+               ? fromUtf8(formatParameter(info, value, display)) + " (" + withUnit + ")"
+               : withUnit;
 }
 
 } // namespace
 
-juce::PopupMenu
-parameterMenu(const ParameterInfo& info, ProcessorView& view, std::function<void()> typeValue) {
+juce::PopupMenu parameterMenu(const ParameterInfo& info,
+                              ProcessorView& view,
+                              ValueDisplay display,
+                              ParameterMenuActions actions) {
     auto& midi = view.controllers;
     const auto parameter = info.parameter;
     const bool live = view.parameters.isLive(parameter);
     juce::PopupMenu menu;
     menu.addSectionHeader(fromUtf8(info.name) + ": " +
-                          valueText(info, view.parameters.effectiveValue(parameter)));
-    if (typeValue != nullptr)
-        menu.addItem("Type a value...", live, false, std::move(typeValue));
-    menu.addItem("Reset to " + valueText(info, info.defaultValue), live, false,
-                 [&info, &view] { view.parameters.changeOnce(info.parameter, info.defaultValue); });
+                          valueText(info, view.parameters.effectiveValue(parameter), display));
+    if (actions.typeValue != nullptr)
+        menu.addItem("Type a value...", live, false, std::move(actions.typeValue));
+    const auto addValue = [&](const juce::String& name, double value) {
+        menu.addItem(name + valueText(info, value, display), live, false,
+                     [&info, &view, value] { view.parameters.changeOnce(info.parameter, value); });
+    };
+    addValue("Reset to ", view.parameters.presetValue(parameter));
+    addValue("Default: ", info.defaultValue);
     menu.addSeparator();
     if (midi.learningParameter() == parameter)
         menu.addItem("Stop waiting for a MIDI controller", [&midi] { midi.stopLearning(); });
@@ -32,15 +42,23 @@ parameterMenu(const ParameterInfo& info, ProcessorView& view, std::function<void
     if (const auto number = midi.controllerOf(parameter))
         menu.addItem("Forget MIDI controller " + juce::String(*number),
                      [&midi, parameter] { midi.forgetController(parameter); });
+    if (actions.listControllers != nullptr)
+        menu.addItem("MIDI controllers...", std::move(actions.listControllers));
     return menu;
 }
 
-juce::String parameterTooltip(const ParameterInfo& info) {
+juce::String parameterTooltip(const ParameterInfo& info, ValueDisplay display) {
     const auto description = fromUtf8(info.description);
     if (info.scale == ParameterScale::onOff || info.scale == ParameterScale::choice)
         return description;
-    const auto text = [&](double value) { return fromUtf8(formatParameter(info, value)); };
-    return description + "\n" + text(info.minimum) + " to " + text(info.maximum);
+    const auto range = [&](ValueDisplay shown) {
+        return fromUtf8(formatParameter(info, info.minimum, shown) + " to " +
+                        formatParameter(info, info.maximum, shown));
+    };
+    const auto units = range(ValueDisplay::units);
+    return description + "\n" +
+           (info.isPhysical && display == ValueDisplay::plain ? range(display) + " (" + units + ")"
+                                                              : units);
 }
 
 juce::String controllerSentence(const ParameterInfo& info, const MidiLearnView& midi) {

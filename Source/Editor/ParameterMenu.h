@@ -8,13 +8,21 @@
 
 namespace idiophone {
 
-/// Builds the menu for the current state; its items refer to the view. Without `typeValue` there is
-/// no item to type a value.
-juce::PopupMenu
-parameterMenu(const ParameterInfo& info, ProcessorView& view, std::function<void()> typeValue);
+/// What the menu can do beyond the view. Without a function there is no item for it.
+struct ParameterMenuActions {
+    std::function<void()> typeValue;
+    std::function<void()> listControllers;
+};
 
-/// The parameter's description; for a number also its range with the unit.
-juce::String parameterTooltip(const ParameterInfo& info);
+/// Builds the menu for the current state; its items refer to the view.
+juce::PopupMenu parameterMenu(const ParameterInfo& info,
+                              ProcessorView& view,
+                              ValueDisplay display,
+                              ParameterMenuActions actions);
+
+/// The parameter's description; for a number also its range, of a plain display with and without
+/// units.
+juce::String parameterTooltip(const ParameterInfo& info, ValueDisplay display);
 
 /// "Moved by MIDI controller 21", a request to move one while learning, or empty.
 juce::String controllerSentence(const ParameterInfo& info, const MidiLearnView& midi);

@@ -21,6 +21,13 @@ public:
         file.setValue(lookKey, scheme == LookScheme::light ? "light" : "dark");
     }
 
+    /// Whether figures of physics have units, and not values from 0 to 100.
+    bool showsUnits() const { return file.getBoolValue(unitsKey); }
+    void setShowsUnits(bool shows) {
+        readAnew();
+        file.setValue(unitsKey, shows);
+    }
+
     /// The window's scale in per cent, 75 to 200.
     int scalePercent() const { return juce::jlimit(75, 200, file.getIntValue(scaleKey, 100)); }
     void setScalePercent(int percent) {
@@ -55,7 +62,7 @@ public:
 private:
     static constexpr const char *lookKey = "look", *widthKey = "width", *heightKey = "height",
                                 *scaleKey = "scale", *hintsKey = "hintsSeen",
-                                *phraseKey = "playOnSelection";
+                                *phraseKey = "playOnSelection", *unitsKey = "units";
 
     static juce::File place() {
         const auto folder = userSettingsFolder();

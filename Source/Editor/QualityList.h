@@ -41,7 +41,7 @@ private:
         const char* name;
         std::array<double, parameters.size()> values; ///< in the order of `parameters`
     };
-    // Normal has the defaults of the table. Chosen by the figures in the manual's quality table.
+    // Normal has the defaults of the table. The manual has the measured costs of the others.
     static constexpr std::array qualities{Quality{"Eco", {4, 2, 1024, 1}},
                                           Quality{"Normal", {0.1, 1, 4096, 1}},
                                           Quality{"High", {0.02, 0.5, 16384, 1}}};

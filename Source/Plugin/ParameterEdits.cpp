@@ -23,6 +23,14 @@ double ParameterEdits::effectiveValue(ParameterId parameter) const {
     return effectiveFigures(parameters.values(), materialOf(playing.get()))[parameter];
 }
 
+double ParameterEdits::presetValue(ParameterId parameter) const {
+    const auto& info = parameterInfo(parameter);
+    if (info.isSetup)
+        return info.defaultValue;
+    const auto playing = session.instrument();
+    return effectiveFigures(session.presetValues(), materialOf(playing.get()))[parameter];
+}
+
 void ParameterEdits::makeCustom(ParameterId figure) {
     const auto* choice = choiceOfFigure(figure);
     if (choice == nullptr || value(choice->choice) == choice->custom)

@@ -22,6 +22,7 @@ public:
         return parameters[parameter].exactValue();
     }
     double effectiveValue(ParameterId parameter) const override;
+    double presetValue(ParameterId parameter) const override;
     void makeCustom(ParameterId figure) override;
     bool isLive(ParameterId parameter) const override;
     void beginChange(ParameterId parameter) override;

@@ -142,7 +142,7 @@ Result<void> PresetCollection::saveChosenPreset() {
     const auto sound = holder.loadedSound();
     const auto& id = sound.presetId;
     if (folder.find(id) == nullptr)
-        return failure("What plays is no preset of your own that could be replaced.");
+        return failure("The current sound is no preset of yours, so there is nothing to replace.");
     if (auto same = folder.checkContent(id, sound.presetContent); !same) {
         readPresets(); // so that the user can load the present content
         return same;

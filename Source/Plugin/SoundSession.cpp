@@ -81,6 +81,11 @@ PlayingPreset SoundSession::playingPreset() const {
             .isChanged = withSetupOf(current.stored, shared.parameters.values()) != current.stored};
 }
 
+ParameterValues SoundSession::presetValues() const {
+    const auto held = lock();
+    return current.stored;
+}
+
 Sound SoundSession::soundNow() const {
     auto sound = current;
     sound.parameters = shared.parameters.values();

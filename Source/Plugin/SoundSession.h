@@ -43,6 +43,8 @@ public:
 
     Sound loadedSound() const override;
     PlayingPreset playingPreset() const override;
+    /// Returns the values of the playing preset as it was loaded or saved.
+    ParameterValues presetValues() const;
     bool playSound(const Sound& wanted) override;
     void relabel(const Sound& wanted) override;
     void changeParameters(const Sound& of, const ParameterValues& wanted) override;

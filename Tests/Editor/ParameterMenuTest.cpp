@@ -34,7 +34,7 @@ bool choose(const juce::PopupMenu& menu, const juce::String& beginning) {
 }
 
 juce::PopupMenu menuOf(Processor& processor, ParameterId parameter) {
-    return parameterMenu(parameterInfo(parameter), processor.view(), nullptr);
+    return parameterMenu(parameterInfo(parameter), processor.view(), ValueDisplay::plain, {});
 }
 
 void play(Processor& processor, int controller, int value) {
@@ -45,16 +45,38 @@ void play(Processor& processor, int controller, int value) {
 
 } // namespace
 
-TEST_CASE("The menu shows the value, and resets it to the default in one step") {
+TEST_CASE("The menu shows the value, and sets the preset's or the default in one step") {
     Processor processor;
+    auto state = testState();
+    state.preset.parameters.set(strikeSpread, 12);
+    restore(processor, state);
     processor.view().parameters.change(strikeSpread, 33);
     CHECK(textsOf(menuOf(processor, strikeSpread))[0].contains("33"));
-    REQUIRE(choose(menuOf(processor, strikeSpread), "Reset to"));
-    CHECK(processor.view().parameters.value(strikeSpread) ==
-          parameterInfo(strikeSpread).defaultValue);
-    processor.windowSession().history.undo();
-    CHECK(processor.view().parameters.value(strikeSpread) == 33);
-    CHECK_FALSE(processor.windowSession().history.canUndo());
+    const auto checkStep = [&](const char* item, double expected) {
+        REQUIRE(choose(menuOf(processor, strikeSpread), item));
+        CHECK(processor.view().parameters.value(strikeSpread) == expected);
+        processor.windowSession().history.undo();
+        CHECK(processor.view().parameters.value(strikeSpread) == 33);
+        CHECK_FALSE(processor.windowSession().history.canUndo());
+    };
+    checkStep("Reset to 12.0 %", 12);
+    checkStep("Default: 2.0 %", parameterInfo(strikeSpread).defaultValue);
+}
+
+TEST_CASE("The menu and the tooltip of a figure name its units in both displays") {
+    Processor processor;
+    restore(processor, testState());
+    processor.view().parameters.change(material, customMaterial);
+    processor.view().parameters.change(youngsModulus, 100);
+    const auto& info = parameterInfo(youngsModulus);
+    const auto header = [&](ValueDisplay display) {
+        return textsOf(parameterMenu(info, processor.view(), display, {}))[0];
+    };
+    CHECK(header(ValueDisplay::plain) == "Stiffness: 80 (100.0 GPa)");
+    CHECK(header(ValueDisplay::units) == "Stiffness: 100.0 GPa");
+    CHECK(parameterTooltip(info, ValueDisplay::plain)
+              .endsWith("\n0 to 100 (0.01000 GPa to 1000 GPa)"));
+    CHECK(parameterTooltip(info, ValueDisplay::units).endsWith("\n0.01000 GPa to 1000 GPa"));
 }
 
 TEST_CASE("The menu learns, names and forgets a controller") {

@@ -56,6 +56,15 @@ TEST_CASE("Text that is not a value leaves the parameter unchanged") {
     auto& density = parameterOf(processor, "density");
     density.setExactValue(1234.5);
     CHECK(density.getValueForText("heavy") == density.getValue());
+    CHECK(density.getValueForText("3 Hz") == density.getValue());
+}
+
+TEST_CASE("A host's text may have another unit, and a number alone is never 0 to 100") {
+    Processor processor;
+    auto& hardness = parameterOf(processor, "mallet_hardness");
+    CHECK(hardness.getValueForText("0.2 GPa") == hardness.getValueForText("200"));
+    CHECK(hardness.getValueForText("200") == hardness.getValueForText("200 MPa"));
+    CHECK(hardness.getText(hardness.getValueForText("50"), 100) == "50.0");
 }
 
 TEST_CASE("A host that echoes a value changes no bit of it") {
