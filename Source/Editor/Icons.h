@@ -18,5 +18,7 @@ juce::Path silence();
 juce::Path frame();
 juce::Path folder();
 juce::Path sheet();
+juce::Path close();
+juce::Path minimise();
 
 } // namespace idiophone::icons

@@ -1,5 +1,6 @@
 #include "Editor/Look.h"
 
+#include "Editor/IconButton.h"
 #include "Editor/Icons.h"
 
 #include <algorithm>
@@ -152,6 +153,41 @@ void Look::drawToggleButton(juce::Graphics& g, juce::ToggleButton& button, bool 
                    : colourOf(button, LookColour::dimText));
     const auto side = on ? track.withLeft(track.getRight() - height) : track.withWidth(height);
     g.fillEllipse(side.reduced(3));
+}
+
+/// JUCE's own large sign stands behind the text. A bar marks the box instead.
+void Look::drawAlertBox(juce::Graphics& g,
+                        juce::AlertWindow& alert,
+                        const juce::Rectangle<int>&,
+                        juce::TextLayout& text) {
+    auto area = alert.getLocalBounds();
+    g.fillAll(colourOf(current, LookColour::panel));
+    g.setColour(colourOf(current, LookColour::outline));
+    g.drawRect(area);
+    const bool warns = alert.getAlertType() == juce::MessageBoxIconType::WarningIcon;
+    g.setColour(colourOf(current, warns ? LookColour::error : LookColour::accent));
+    g.fillRect(area.removeFromLeft(4));
+    text.draw(g, area.withTrimmedTop(30)
+                     .withTrimmedBottom(getAlertWindowButtonHeight() + 20)
+                     .reduced(24, 0)
+                     .toFloat());
+}
+
+juce::Button* Look::createDocumentWindowButton(int type) {
+    if (type == juce::DocumentWindow::closeButton)
+        return new IconButton("Close", icons::close());
+    if (type == juce::DocumentWindow::minimiseButton)
+        return new IconButton("Minimise", icons::minimise());
+    return LookAndFeel_V4::createDocumentWindowButton(type);
+}
+
+void Look::drawResizableWindowBorder(juce::Graphics& g,
+                                     int width,
+                                     int height,
+                                     const juce::BorderSize<int>&,
+                                     juce::ResizableWindow&) {
+    g.setColour(colourOf(current, LookColour::outline));
+    g.drawRect(0, 0, width, height);
 }
 
 void Look::drawFileBrowserRow(juce::Graphics& g,
