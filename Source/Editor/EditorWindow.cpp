@@ -212,7 +212,7 @@ bool EditorWindow::isInterestedInFileDrag(const juce::StringArray& files) {
 
 void EditorWindow::fileDragEnter(const juce::StringArray& files, int, int) {
     const DroppedFiles dropped(files, view);
-    dropFrame.show(dropped.offer(), dropped.isReadable());
+    dropFrame.show(dropped.offer(), dropped.kind() != DroppedFiles::Kind::unreadable);
 }
 
 void EditorWindow::fileDragExit(const juce::StringArray&) {
@@ -222,15 +222,22 @@ void EditorWindow::fileDragExit(const juce::StringArray&) {
 void EditorWindow::filesDropped(const juce::StringArray& files, int, int) {
     dropFrame.hide();
     const DroppedFiles dropped(files, view);
-    if (!dropped.isReadable())
+    using enum DroppedFiles::Kind;
+    switch (dropped.kind()) {
+    case unreadable:
         return view.status.reportError(dropped.refusal());
-    for (const auto& file : dropped.toOpen()) {
-        if (dropped.isTuning())
+    case preset:
+        if (const auto opened = view.presets.openPresetFile(pathOf(dropped.toOpen()[0])); !opened)
+            view.status.reportError(opened.error().message);
+        return;
+    case tuning: // a scale and its mapping arrive together
+        for (const auto& file : dropped.toOpen())
             view.tuning.openTuning(pathOf(file));
-        else
-            view.workshop.openFile(pathOf(file));
+        return deck.show(tuningPage);
+    case object:
+        view.workshop.openFile(pathOf(dropped.toOpen()[0]));
+        return deck.show(importPage);
     }
-    deck.show(dropped.isTuning() ? tuningPage : importPage);
 }
 
 void EditorWindow::paint(juce::Graphics& g) {
