@@ -157,7 +157,7 @@ choose 'rosewood xylophone'
 # By keys alone: on from the picture to a knob of the Play page, and its menu.
 click 590 240
 # shellcheck disable=SC2046
-xdotool key $(yes Tab | head -20)
+xdotool key $(yes Tab | head -22)
 sleep 0.3
 xdotool key Up Up Up
 sleep 0.3

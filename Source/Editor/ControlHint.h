@@ -25,7 +25,8 @@ public:
 private:
     /// The tooltip of the component, or else of the nearest part around it, on one line.
     static juce::String tooltipAt(juce::Component* part, const juce::Component& window) {
-        if (part == nullptr || !window.isParentOf(part))
+        if (part == nullptr || !window.isParentOf(part) ||
+            part->isCurrentlyBlockedByAnotherModalComponent())
             return {};
         for (; part != &window; part = part->getParentComponent()) {
             auto* client = dynamic_cast<juce::TooltipClient*>(part);

@@ -9,37 +9,41 @@
 
 namespace idiophone {
 
-/// One mesh or modal object, or a scale with its keyboard mapping. The first readable file decides.
+/// One mesh, modal object or preset, or a scale with its keyboard mapping. The first readable file
+/// decides.
 class DroppedFiles {
 public:
+    enum class Kind { unreadable, object, preset, tuning };
+
     /// `paths` is not empty. Reads no file.
     DroppedFiles(const juce::StringArray& paths, const ProcessorView& processor)
         : all(paths), view(processor) {
         for (const auto& path : paths) {
-            const bool isTuning = view.tuning.isTuningFile(pathOf(path));
-            if (opened.isEmpty() ? isTuning || view.workshop.canOpen(pathOf(path))
-                                 : tunes && isTuning) {
-                tunes = isTuning;
+            const auto each = kindOf(path);
+            if (opened.isEmpty() ? each != Kind::unreadable
+                                 : each == Kind::tuning && common == Kind::tuning) {
+                common = each;
                 opened.add(path);
             }
         }
     }
 
-    bool isReadable() const { return !opened.isEmpty(); }
-    /// Whether the opened files are scales and keyboard mappings.
-    bool isTuning() const { return tunes; }
-    /// The files that a drop opens: one object, or all that tune the keys.
+    Kind kind() const { return common; }
+    /// The files that a drop opens: one, or all that tune the keys.
     const juce::StringArray& toOpen() const { return opened; }
 
     /// For the time before the drop: "Drop to play teapot.obj".
     juce::String offer() const {
-        if (!isReadable())
+        if (common == Kind::unreadable)
             return unreadable();
         juce::StringArray names;
         for (const auto& path : opened)
-            names.add(juce::File(path).getFileName());
+            names.add(common == Kind::preset ? juce::File(path).getFileNameWithoutExtension()
+                                             : juce::File(path).getFileName());
         const int others = all.size() - opened.size();
-        return (tunes ? "Drop to tune the keys to " : "Drop to play ") +
+        return (common == Kind::tuning   ? "Drop to tune the keys to "
+                : common == Kind::preset ? "Drop to load the preset "
+                                         : "Drop to play ") +
                names.joinIntoString(" and ") +
                (others == 0   ? juce::String()
                 : others == 1 ? ", without the other file"
@@ -47,26 +51,24 @@ public:
     }
     /// For the status line after the drop of files that cannot be opened.
     std::string refusal() const {
-        const juce::File file(all[0]);
-        juce::String reason = "presets belong in the folder that the preset browser shows, "
-                              "materials in Materials beside it, and a preset names the scene that "
-                              "it plays.";
-        if (!isPresetLike(all[0])) {
-            const auto patterns =
-                fromUtf8(view.workshop.openPatterns() + ";" + view.tuning.tuningPatterns());
-            reason = "it is none of " + patterns.removeCharacters("*").replace(";", ", ") + ".";
-        }
-        return (file.getFileName().quoted() + " is not opened here: " + reason).toStdString();
+        const auto patterns = fromUtf8(view.workshop.openPatterns() + ";" +
+                                       view.tuning.tuningPatterns() + ";*" + presetEnding);
+        return (juce::File(all[0]).getFileName().quoted() + " is not opened here: it is none of " +
+                patterns.removeCharacters("*").replace(";", ", ") + ".")
+            .toStdString();
     }
 
 private:
-    static bool isPresetLike(const juce::String& path) {
-        return juce::File(path).hasFileExtension("json");
-    }
+    static constexpr const char* presetEnding = ".json";
 
+    Kind kindOf(const juce::String& path) const {
+        if (view.tuning.isTuningFile(pathOf(path)))
+            return Kind::tuning;
+        if (view.workshop.canOpen(pathOf(path)))
+            return Kind::object;
+        return juce::File(path).hasFileExtension(presetEnding) ? Kind::preset : Kind::unreadable;
+    }
     juce::String unreadable() const {
-        if (isPresetLike(all[0]))
-            return "Copy presets into the folder that the preset browser shows";
         if (juce::File(all[0]).isDirectory())
             return "Idiophone opens files, not folders";
         juce::StringArray endings;
@@ -81,7 +83,7 @@ private:
 
     juce::StringArray all, opened;
     const ProcessorView& view;
-    bool tunes = false;
+    Kind common = Kind::unreadable;
 };
 
 } // namespace idiophone

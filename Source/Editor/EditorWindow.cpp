@@ -24,14 +24,6 @@ constexpr double deckShare = 0.44;
 /// starts after `ticksToRest` quiet ticks.
 constexpr int busyHz = 25, restHz = 8, ticksToRest = 50;
 
-/// JUCE keeps the old colour in text that was already typed, so colour it again.
-void recolourTexts(juce::Component& part) {
-    if (auto* editor = dynamic_cast<juce::TextEditor*>(&part))
-        editor->applyColourToAllText(editor->findColour(juce::TextEditor::textColourId), false);
-    for (auto* child : part.getChildren())
-        recolourTexts(*child);
-}
-
 } // namespace
 
 EditorWindow::EditorWindow(juce::AudioProcessor& audioProcessor, ProcessorView& processorView)
@@ -240,7 +232,7 @@ bool EditorWindow::isInterestedInFileDrag(const juce::StringArray& files) {
 
 void EditorWindow::fileDragEnter(const juce::StringArray& files, int, int) {
     const DroppedFiles dropped(files, view);
-    dropFrame.show(dropped.offer(), dropped.isReadable());
+    dropFrame.show(dropped.offer(), dropped.kind() != DroppedFiles::Kind::unreadable);
 }
 
 void EditorWindow::fileDragExit(const juce::StringArray&) {
@@ -250,15 +242,22 @@ void EditorWindow::fileDragExit(const juce::StringArray&) {
 void EditorWindow::filesDropped(const juce::StringArray& files, int, int) {
     dropFrame.hide();
     const DroppedFiles dropped(files, view);
-    if (!dropped.isReadable())
+    using enum DroppedFiles::Kind;
+    switch (dropped.kind()) {
+    case unreadable:
         return view.status.reportError(dropped.refusal());
-    for (const auto& file : dropped.toOpen()) {
-        if (dropped.isTuning())
+    case preset:
+        if (const auto opened = view.presets.openPresetFile(pathOf(dropped.toOpen()[0])); !opened)
+            view.status.reportError(opened.error().message);
+        return;
+    case tuning: // a scale and its mapping arrive together
+        for (const auto& file : dropped.toOpen())
             view.tuning.openTuning(pathOf(file));
-        else
-            view.workshop.openFile(pathOf(file));
+        return deck.show(tuningPage);
+    case object:
+        view.workshop.openFile(pathOf(dropped.toOpen()[0]));
+        return deck.show(importPage);
     }
-    deck.show(dropped.isTuning() ? tuningPage : importPage);
 }
 
 void EditorWindow::resized() {

@@ -63,7 +63,8 @@ public:
     }
     void showControllers() override { listControllers(true); }
 
-    /// Accepts files that the workshop reads, scales and keyboard mappings anywhere on the window.
+    /// Accepts files that the workshop reads, presets, scales and keyboard mappings anywhere on the
+    /// window.
     /// For other files the status gives the reason. Captures dragged from this program are ignored.
     bool isInterestedInFileDrag(const juce::StringArray& files) override;
     void fileDragEnter(const juce::StringArray& files, int x, int y) override;

@@ -107,6 +107,14 @@ juce::Path sheet() { // with a folded corner
     return drawn("M.2 .08 L.6 .08 L.8 .28 L.8 .92 L.2 .92 Z M.6 .08 L.6 .28 L.8 .28");
 }
 
+juce::Path close() {
+    return drawn("M.24 .24 L.76 .76 M.76 .24 L.24 .76");
+}
+
+juce::Path minimise() {
+    return drawn("M.22 .5 L.78 .5");
+}
+
 juce::Path copy() { // a sheet before another
     auto lines = juce::Drawable::parseSVGPath("M.22 .66 L.12 .66 L.12 .12 L.66 .12 L.66 .22");
     lines.addRoundedRectangle(0.34f, 0.34f, 0.54f, 0.54f, 0.08f);

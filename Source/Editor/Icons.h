@@ -20,5 +20,7 @@ juce::Path record();
 juce::Path frame();
 juce::Path folder();
 juce::Path sheet();
+juce::Path close();
+juce::Path minimise();
 
 } // namespace idiophone::icons

@@ -1,5 +1,6 @@
 #include "Editor/Look.h"
 
+#include "Editor/IconButton.h"
 #include "Editor/Icons.h"
 
 #include <algorithm>
@@ -158,6 +159,41 @@ void Look::drawToggleButton(juce::Graphics& g, juce::ToggleButton& button, bool 
                juce::Justification::centredRight, true);
 }
 
+/// JUCE's own large sign stands behind the text. A bar marks the box instead.
+void Look::drawAlertBox(juce::Graphics& g,
+                        juce::AlertWindow& alert,
+                        const juce::Rectangle<int>&,
+                        juce::TextLayout& text) {
+    auto area = alert.getLocalBounds();
+    g.fillAll(colourOf(current, LookColour::panel));
+    g.setColour(colourOf(current, LookColour::outline));
+    g.drawRect(area);
+    const bool warns = alert.getAlertType() == juce::MessageBoxIconType::WarningIcon;
+    g.setColour(colourOf(current, warns ? LookColour::error : LookColour::accent));
+    g.fillRect(area.removeFromLeft(4));
+    text.draw(g, area.withTrimmedTop(30)
+                     .withTrimmedBottom(getAlertWindowButtonHeight() + 20)
+                     .reduced(24, 0)
+                     .toFloat());
+}
+
+juce::Button* Look::createDocumentWindowButton(int type) {
+    if (type == juce::DocumentWindow::closeButton)
+        return new IconButton("Close", icons::close());
+    if (type == juce::DocumentWindow::minimiseButton)
+        return new IconButton("Minimise", icons::minimise());
+    return LookAndFeel_V4::createDocumentWindowButton(type);
+}
+
+void Look::drawResizableWindowBorder(juce::Graphics& g,
+                                     int width,
+                                     int height,
+                                     const juce::BorderSize<int>&,
+                                     juce::ResizableWindow&) {
+    g.setColour(colourOf(current, LookColour::outline));
+    g.drawRect(0, 0, width, height);
+}
+
 void Look::drawFileBrowserRow(juce::Graphics& g,
                               int width,
                               int height,
@@ -194,6 +230,13 @@ void Look::drawFileBrowserRow(juce::Graphics& g,
     }
     g.setColour(colour(text));
     g.drawFittedText(name, area, juce::Justification::centredLeft, 1, 0.8f);
+}
+
+void recolourTexts(juce::Component& part) {
+    if (auto* editor = dynamic_cast<juce::TextEditor*>(&part))
+        editor->applyColourToAllText(editor->findColour(juce::TextEditor::textColourId), false);
+    for (auto* child : part.getChildren())
+        recolourTexts(*child);
 }
 
 } // namespace idiophone

@@ -63,6 +63,17 @@ public:
                           juce::ToggleButton& button,
                           bool highlighted,
                           bool down) override;
+    void drawAlertBox(juce::Graphics& g,
+                      juce::AlertWindow& alert,
+                      const juce::Rectangle<int>& textArea,
+                      juce::TextLayout& text) override;
+    /// The buttons of the standalone's title bar and of dialogs.
+    juce::Button* createDocumentWindowButton(int type) override;
+    void drawResizableWindowBorder(juce::Graphics& g,
+                                   int width,
+                                   int height,
+                                   const juce::BorderSize<int>& border,
+                                   juce::ResizableWindow& window) override;
     /// A row of the file chooser where the system has none.
     void drawFileBrowserRow(juce::Graphics& g,
                             int width,
@@ -100,5 +111,8 @@ template <class... Parts>
 void showParts(juce::Component& parent, Parts&... parts) {
     (parent.addAndMakeVisible(parts), ...);
 }
+
+/// Colours text that was typed into `part` and its children. JUCE keeps its old colour otherwise.
+void recolourTexts(juce::Component& part);
 
 } // namespace idiophone

@@ -3,6 +3,7 @@
 
 #include "Object/Result.h"
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -53,6 +54,8 @@ public:
 
     /// Loads a preset, as one step of the edit history.
     virtual Result<void> loadPreset(const std::string& id) = 0;
+    /// Loads the preset of any file, as one step of the edit history. It does not join the shelf.
+    virtual Result<void> openPresetFile(const std::filesystem::path& file) = 0;
     /// Loads a plain sound with all parameters at their defaults, as one step of the edit history.
     virtual Result<void> loadInitialSound() = 0;
 

@@ -1,7 +1,10 @@
 #include "Plugin/PresetCollection.h"
 
+#include "Editor/Utf8.h"
 #include "Instrument/FactoryContent.h"
+#include "Object/FileBytes.h"
 #include "Object/OneLine.h"
+#include "Object/TextFile.h"
 #include "Plugin/FactoryPrograms.h"
 #include "Plugin/ObjectEmbedding.h"
 #include "Plugin/PresetObjects.h"
@@ -83,14 +86,19 @@ Result<PresetCollection::FoundSound> PresetCollection::soundOf(const std::string
         return failure("There is no preset '" + id + "' any more.");
     if (!entry->preset)
         return tl::unexpected(entry->preset.error());
-    const auto built = buildPresetInstrument(entry->preset->keyMap, folder.fileOf(id));
+    return soundOfFile(*entry->preset, folder.fileOf(id), id, entry->content);
+}
+
+Result<PresetCollection::FoundSound> PresetCollection::soundOfFile(Preset preset,
+                                                                   const juce::File& file,
+                                                                   const std::string& id,
+                                                                   std::uint64_t content) {
+    const auto built = buildPresetInstrument(preset.keyMap, file);
     if (!built)
-        return failure(entry->preset->name + " cannot be played: " + built.error().message);
-    auto preset = *entry->preset;
+        return failure(preset.name + " cannot be played: " + built.error().message);
     preset.keyMap = built->keyMap; // with the absolute path of a scene: projects embed no scenes
     if (built->notice.empty())
-        return FoundSound{.sound =
-                              soundWith(std::move(preset), built->instrument, id, entry->content),
+        return FoundSound{.sound = soundWith(std::move(preset), built->instrument, id, content),
                           .notice = {}};
     // Give it no preset id, so that saving over the file must be confirmed.
     preset.mutedModes = {};
@@ -104,10 +112,24 @@ void PresetCollection::play(const FoundSound& found) {
         holder.reportError(found.notice);
 }
 
-Result<void> PresetCollection::loadPreset(const std::string& id) {
-    return soundOf(id).map([&](const FoundSound& found) {
-        history.record(found.sound.preset.name, [&] { play(found); });
+Result<void> PresetCollection::load(const Result<FoundSound>& found) {
+    return found.map([&](const FoundSound& loaded) {
+        history.record(loaded.sound.preset.name, [&] { play(loaded); });
     });
+}
+
+Result<void> PresetCollection::loadPreset(const std::string& id) {
+    return load(soundOf(id));
+}
+
+Result<void> PresetCollection::openPresetFile(const std::filesystem::path& file) {
+    return load(readTextFile(file, largestPresetBytes)
+                    .and_then([&](const std::string& text) {
+                        return parsePreset(text, nameOf(file.filename()));
+                    })
+                    .and_then([&](const Preset& preset) {
+                        return soundOfFile(preset, fileOf(file), {}, 0);
+                    }));
 }
 
 Result<void> PresetCollection::loadInitialSound() {

@@ -26,6 +26,7 @@ public:
     void readPresets() override;
     PlayingPreset playingPreset() const override;
     Result<void> loadPreset(const std::string& id) override;
+    Result<void> openPresetFile(const std::filesystem::path& file) override;
     Result<void> loadInitialSound() override;
     Result<void> auditionPreset(const std::string& id) override;
     void keepAudition() override { history.keepAudition(); }
@@ -44,6 +45,11 @@ private:
         std::string notice; ///< a sentence for the user, or empty
     };
     Result<FoundSound> soundOf(const std::string& id);
+    static Result<FoundSound> soundOfFile(Preset preset,
+                                          const juce::File& file,
+                                          const std::string& id,
+                                          std::uint64_t content);
+    Result<void> load(const Result<FoundSound>& found);
     void play(const FoundSound& found);
     /// Writes the playing sound to that file by `write`, which returns its id.
     Result<void> save(Sound sound,

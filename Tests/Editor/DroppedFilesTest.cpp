@@ -3,7 +3,9 @@
 
 #include "Editor/EditorWindow.h"
 #include "Editor/WindowParts.h"
+#include "Instrument/FactoryContent.h"
 #include "Plugin/Processor.h"
+#include "Support/UserSettings.h"
 
 #include <catch2/catch_test_macros.hpp>
 
@@ -27,8 +29,7 @@ TEST_CASE("Before a drop, the window says which files it opens or why it opens n
     CHECK(offer({"/a/README"}) == "Idiophone cannot read README");
     CHECK(offer({"/a/b.docx", "/a/c.DOCX"}) == "Idiophone cannot read .docx files");
     CHECK(offer({"/a/b.docx", "/a/c.png"}) == "Idiophone can read none of these 2 files");
-    CHECK(offer({"/a/My bell.json"}) ==
-          "Copy presets into the folder that the preset browser shows");
+    CHECK(offer({"/a/My bell.json"}) == "Drop to load the preset My bell");
     CHECK(offer({juce::File::getSpecialLocation(juce::File::tempDirectory).getFullPathName()}) ==
           "Idiophone opens files, not folders");
 }
@@ -55,4 +56,21 @@ TEST_CASE("The frame shows during a drag only, and an unreadable drop is refused
     const auto status = processor.view().status.takeStatus();
     CHECK(status.isError);
     CHECK(status.sentence.starts_with("\"letter.docx\" is not opened here"));
+}
+
+TEST_CASE("A dropped preset plays, and a JSON file that is no preset is refused in one sentence") {
+    const UserSettings user;
+    Processor processor;
+    EditorWindow window(processor, processor.view());
+    user.write("Bell.json", encodePreset(factoryPresets()[3]));
+    user.write("other.json", "{}");
+    window.filesDropped({fileOf(user.folder() / "Bell.json").getFullPathName()}, 5, 5);
+    const auto& presets = processor.view().presets;
+    CHECK(presets.playingPreset().details.name == factoryPresets()[3].name);
+    CHECK(presets.playingPreset().id.empty()); // it is not on the shelf
+    CHECK(processor.windowSession().history.canUndo());
+    CHECK_FALSE(processor.view().status.takeStatus().isError);
+    window.filesDropped({fileOf(user.folder() / "other.json").getFullPathName()}, 5, 5);
+    CHECK(processor.view().status.takeStatus().isError);
+    CHECK(presets.playingPreset().details.name == factoryPresets()[3].name);
 }

@@ -150,6 +150,33 @@ TEST_CASE("Dialogs of the process wear the look of the window, and JUCE's after 
     CHECK(background() == before);
 }
 
+TEST_CASE("Names and details in the file chooser are readable in both looks, selected or not") {
+    juce::TimeSliceThread thread("files");
+    juce::DirectoryContentsList files(nullptr, thread);
+    juce::FileListComponent list(files);
+    for (const auto scheme : {LookScheme::dark, LookScheme::light})
+        for (const bool isSelected : {false, true}) {
+            Look look(scheme);
+            juce::Image row(juce::Image::RGB, 700, 24, true);
+            juce::Graphics g(row);
+            g.fillAll(colourOf(scheme, LookColour::panel));
+            look.drawFileBrowserRow(g, 700, 24, juce::File(), "|||||||||||||", nullptr, "||||||||",
+                                    "||||||||||||", false, isSelected, 0, list);
+            const auto contrastIn = [&](int from, int to) {
+                float darkest = 1, brightest = 0;
+                for (int x = from; x < to; ++x) {
+                    const float here = row.getPixelAt(x, 12).getPerceivedBrightness();
+                    darkest = std::min(darkest, here);
+                    brightest = std::max(brightest, here);
+                }
+                return brightest - darkest;
+            };
+            CHECK(contrastIn(32, 120) > 0.3f);
+            CHECK(contrastIn(580, 690) > 0.2f);
+            CHECK(contrastIn(510, 570) > 0.2f);
+        }
+}
+
 TEST_CASE("Every enabled control has an accessible name") {
     Processor processor;
     const auto window = open(processor);
