@@ -4,6 +4,7 @@
 #include "Editor/Utf8.h"
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <map>
 #include <string>
@@ -41,6 +42,10 @@ juce::String small(const juce::String& text) {
 juce::String small(const std::string& text) {
     return small(fromUtf8(text));
 }
+
+/// Those of the factory presets (docs/presets.md), in the order of a list.
+constexpr std::array soundWords{"dark",    "warm", "clear", "bright", "short",
+                                "ringing", "long", "soft",  "hard"};
 
 /// "ph" becomes "f", the same sound.
 Letters lettersOf(const juce::String& word) {
@@ -102,7 +107,10 @@ juce::StringArray tagsOf(const std::vector<ShelvedPreset>& presets) {
             ++counts[small(tag).trim()];
     counts.erase(juce::String());
     std::vector<std::pair<juce::String, int>> sorted(counts.begin(), counts.end());
-    std::ranges::stable_sort(sorted, std::ranges::greater(), &std::pair<juce::String, int>::second);
+    std::ranges::stable_sort(sorted, {}, [](const auto& tag) {
+        const auto sound = std::find(soundWords.begin(), soundWords.end(), tag.first);
+        return std::pair(sound - soundWords.begin(), -tag.second);
+    });
     juce::StringArray tags;
     for (const auto& [tag, count] : sorted)
         tags.add(tag);

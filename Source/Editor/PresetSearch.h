@@ -13,7 +13,8 @@ namespace idiophone {
 /// words of name, folder and tags. Nothing if a word does not occur. An empty search has 0.
 std::optional<int> searchErrors(const ShelvedPreset& preset, const juce::String& words);
 
-/// All tags of the presets, ignoring case, without repeats; the most frequent first.
+/// All tags of the presets, ignoring case, without repeats: first the words for sound, from dark to
+/// bright, short to long, soft to hard, then the others, the most frequent first.
 juce::StringArray tagsOf(const std::vector<ShelvedPreset>& presets);
 
 /// "wood, bright, short".

@@ -1,6 +1,7 @@
 #include "Editor/PresetPhrase.h"
 
 #include "Editor/EditorWindow.h"
+#include "Editor/OpenWindow.h"
 #include "Editor/WindowParts.h"
 #include "Support/TestSound.h"
 #include "Support/UserSettings.h"
@@ -214,35 +215,37 @@ TEST_CASE("Selecting a preset in the browser or by the arrows plays it, if the s
     const UserSettings user;
     Processor processor;
     processor.prepareToPlay(48000, 512);
-    const auto isHeard = [&](juce::AudioProcessorEditor& window, bool byArrow) {
-        render(processor, 512, 512, {});
-        if (byArrow)
-            find<juce::Button>(window, "Next preset")->onClick();
-        else
+    const auto peak = [&] { return loudest(render(processor, 512, 512, {})); };
+    const auto stepTo = [&](juce::AudioProcessorEditor& window, bool inBrowser) {
+        processor.reset();
+        REQUIRE(peak() == 0); // and the window sees a host that processes
+        if (inBrowser)
             find<PresetBrowser>(window, "Preset browser")
                 ->keyPressed(juce::KeyPress(juce::KeyPress::downKey));
-        for (int waited = 0; waited < 15; ++waited) { // the first note comes after 0.15 s
-            juce::Thread::sleep(20);
-            juce::Timer::callPendingTimersSynchronously();
-            render(processor, 512, 512, {});
-        }
-        const float peak = loudest(render(processor, 512, 512, {}));
-        processor.reset();
-        return peak > 1e-4f;
+        else
+            find<juce::Button>(window, "Next preset")->onClick();
     };
     {
-        const std::unique_ptr<juce::AudioProcessorEditor> window(processor.createEditor());
-        CHECK(isHeard(*window, true));
+        const auto window = open(processor);
+        stepTo(*window, false);
+        runTimersUntil([&] { return peak() > 1e-4f; });
         find<juce::Button>(*window, "Preset")->onClick();
-        CHECK(isHeard(*window, false));
+        stepTo(*window, true);
+        runTimersUntil([&] { return peak() > 1e-4f; });
+
         auto* playSwitch = find<juce::ToggleButton>(*window, "Play on selection");
         REQUIRE(playSwitch != nullptr);
         CHECK(playSwitch->getToggleState());
         playSwitch->setToggleState(false, juce::dontSendNotification);
         playSwitch->onClick();
-        CHECK_FALSE(isHeard(*window, false));
-        CHECK_FALSE(isHeard(*window, true));
+        for (const bool inBrowser : {true, false}) {
+            stepTo(*window, inBrowser);
+            for (int waited = 0; waited < 400; waited += 20) { // a phrase starts after 150 ms
+                juce::Thread::sleep(20);
+                juce::Timer::callPendingTimersSynchronously();
+                CHECK(peak() == 0);
+            }
+        }
     }
-    const std::unique_ptr<juce::AudioProcessorEditor> window(processor.createEditor());
-    CHECK_FALSE(find<juce::ToggleButton>(*window, "Play on selection")->getToggleState());
+    CHECK_FALSE(find<juce::ToggleButton>(*open(processor), "Play on selection")->getToggleState());
 }

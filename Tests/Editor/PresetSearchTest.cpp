@@ -33,12 +33,12 @@ TEST_CASE("A search finds presets that contain every word, ignoring case") {
     CHECK(searchErrors({}, "") == 0);
 }
 
-TEST_CASE("Each tag is listed once, the most frequent first") {
+TEST_CASE("Each tag is listed once: words for sound in their order, then the most frequent") {
     auto first = bowl(), second = bowl(), third = bowl();
-    second.tags = {"Zones", "metal", " "};
-    third.tags = {"zones", "bells"};
+    second.tags = {"Zones", "metal", " ", "long", "bright"};
+    third.tags = {"zones", "bells", "long", "Dark"};
     CHECK(tagsOf({first, second, third}) ==
-          juce::StringArray({"zones", "bells", "glass", "metal"}));
+          juce::StringArray({"dark", "bright", "long", "zones", "bells", "glass", "metal"}));
     CHECK(tagsOf({}).isEmpty());
 }
 
