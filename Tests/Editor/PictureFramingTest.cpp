@@ -1,4 +1,5 @@
-// Tests of what the picture shows after a new preset, and of the ways to reset the view.
+// Tests of what the picture shows after a new preset, of the ways to reset the view, and of its
+// hint.
 #include "Editor/ObjectPane.h"
 #include "Editor/WindowParts.h"
 #include "Instrument/FactoryContent.h"
@@ -109,4 +110,15 @@ TEST_CASE("The Frame button and a double click beside the instrument reset the v
     CHECK_FALSE(inMiddle() == framed);
     frame->onClick();
     CHECK(inMiddle() == framed);
+}
+
+TEST_CASE("The picture's hint says what the mouse does there now") {
+    TurnedView shown("Steel Plate");
+    CHECK(shown.view->getTooltip().startsWith("Click to strike"));
+    shown.view->setLayers({.drawsPath = true});
+    CHECK(shown.view->getTooltip().contains("draw"));
+    shown.processor.setCurrentProgram(presetNumber("Dice on Rosewood"));
+    shown.view->refresh();
+    REQUIRE(shown.view->isOnStage());
+    CHECK(shown.view->getTooltip().contains("bodies"));
 }
