@@ -1,5 +1,6 @@
 #include "Editor/ShownInstrument.h"
 
+#include <algorithm>
 #include <new>
 
 namespace idiophone {
@@ -30,11 +31,23 @@ std::vector<ScenePlace> ShownInstrument::outline() const {
     if (!bodies.empty())
         return scene->outline(bodies);
     auto places = scene->outline();
-    if (played.size() == 1)
-        for (const auto& part : furniture->parts())
-            for (const float side : {-1.0f, 1.0f})
-                places.push_back(scenePlace(vectorOf(part.shape.middle) +
-                                            side * vectorOf(part.shape.halfExtent)));
+    if (places.empty())
+        return places;
+    // Of a keyboard the bars matter: its tubes and legs may reach out of the picture below.
+    const float lowest =
+        played.size() == 1 ? furniture->floorHeight()
+                           : std::ranges::min(places, {}, [](const auto& at) { return at[2]; })[2];
+    for (const auto& part : furniture->parts())
+        for (int corner = 0; corner < 8; ++corner) {
+            const auto side = [corner](int axis) {
+                return (corner >> axis & 1) != 0 ? 1.0f : -1.0f;
+            };
+            auto at = scenePlace(vectorOf(part.shape.middle) +
+                                 Eigen::Vector3f(side(0), side(1), side(2))
+                                     .cwiseProduct(vectorOf(part.shape.halfExtent)));
+            at[2] = std::max(at[2], lowest);
+            places.push_back(at);
+        }
     return places;
 }
 

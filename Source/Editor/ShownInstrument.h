@@ -24,8 +24,8 @@ struct ShownInstrument {
     /// The current instrument. If there is too little memory for its picture, there are no objects.
     static ShownInstrument of(const ProcessorView& view);
 
-    /// Returns the places that the camera frames: of objects or bodies, and of a single object's
-    /// stand.
+    /// Returns the places that the camera frames: of objects or bodies, of a single object's stand,
+    /// and of a keyboard's frame from its bars upwards.
     std::vector<ScenePlace> outline() const;
     std::optional<ScenePick> pick(const ViewRay& ray) const;
     /// The bodies to draw; nothing if objects stand as laid out.
