@@ -9,6 +9,7 @@
 #include <functional>
 #include <juce_gui_basics/juce_gui_basics.h>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -18,7 +19,7 @@ namespace idiophone {
 /// For the message thread. Also ends a pending learn with the preset and with the window.
 class ControllerList final : public juce::Component, private juce::ListBoxModel {
 public:
-    explicit ControllerList(ProcessorView& processor) : view(processor), sound(soundNow()) {
+    explicit ControllerList(ProcessorView& processor) : view(processor) {
         setTitle("MIDI controllers");
         list.setTitle("Learned controllers");
         list.setModel(this);
@@ -36,10 +37,7 @@ public:
 
     /// Call it regularly, also while the list is hidden.
     void refresh() {
-        if (auto now = soundNow(); now != sound) {
-            sound = std::move(now);
-            view.controllers.stopLearning();
-        }
+        endLearningWithPreset();
         if (!isVisible())
             return;
         hint.setText(hintNow(), juce::dontSendNotification);
@@ -89,6 +87,9 @@ private:
 
         auto operator<=>(const Assigned&) const = default;
     };
+
+    /// What plays: an instrument, and the id of the preset that it belongs to.
+    using Sound = std::pair<int, std::string>;
 
     class Row final : public juce::Component {
     public:
@@ -150,19 +151,26 @@ private:
         std::ranges::sort(result);
         return result;
     }
+    void endLearningWithPreset() {
+        if (!view.controllers.learningParameter())
+            return learnsFor.reset();
+        auto now = soundNow();
+        if (learnsFor && *learnsFor != now)
+            return view.controllers.stopLearning();
+        learnsFor = std::move(now);
+    }
     juce::String hintNow() const {
         if (const auto pending = view.controllers.learningParameter())
             return "Move the MIDI controller to assign to " +
                    fromUtf8(parameterInfo(*pending).name);
         return "To add one, right-click a control and choose Learn a MIDI controller";
     }
-    /// What plays: an instrument and the preset that it belongs to.
-    std::pair<int, std::string> soundNow() const {
+    Sound soundNow() const {
         return {view.instrument.instrumentNumber(), view.presets.playingPreset().id};
     }
 
     ProcessorView& view;
-    std::pair<int, std::string> sound;
+    std::optional<Sound> learnsFor; ///< while a learn is pending
     std::vector<Assigned> assigned; ///< as shown
     juce::ListBox list;
     juce::TextButton close{"Close"};
