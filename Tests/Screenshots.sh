@@ -42,8 +42,11 @@ export XDG_CONFIG_HOME=$scratch/config XDG_RUNTIME_DIR=$scratch HOME=$scratch
 mkdir -p "$XDG_CONFIG_HOME/Idiophone"
 # Selected presets play no phrase, which would be seen to ring. The hints of the first start have
 # been seen.
-printf '<PROPERTIES>\n<VALUE name="playOnSelection" val="0"/>\n<VALUE name="hintsSeen" val="1"/>\n</PROPERTIES>\n' \
-    >"$XDG_CONFIG_HOME/Idiophone/Window.settings"
+settings() { # the scale of the window in per cent
+    printf '<PROPERTIES>\n%s\n%s\n<VALUE name="scale" val="%s"/>\n</PROPERTIES>\n' \
+        '<VALUE name="playOnSelection" val="0"/>' '<VALUE name="hintsSeen" val="1"/>' "$1" \
+        >"$XDG_CONFIG_HOME/Idiophone/Window.settings"
+}
 if command -v pulseaudio >/dev/null; then
     mkdir "$scratch/pulse"
     printf '%s\n' 'pcm.!default { type pulse hint { show on description "Default" } }' \
@@ -52,16 +55,20 @@ if command -v pulseaudio >/dev/null; then
         -L "module-native-protocol-unix" 2>/dev/null || true
 fi
 
-"$standalone" 2>/dev/null &
-running=$!
-window=
-for _ in $(seq 100); do
-    window=$(xdotool search --onlyvisible --name '^Idiophone$' 2>/dev/null | head -1) && [ -n "$window" ] && break
-    sleep 0.2
-done
-[ -n "$window" ] || { echo "The window did not open." >&2; exit 1; }
-sleep 3
-xdotool windowmove "$window" 0 0
+start() { # the standalone, at the scale of the window in per cent
+    settings "$1"
+    "$standalone" 2>/dev/null &
+    running=$!
+    window=
+    for _ in $(seq 100); do
+        window=$(xdotool search --onlyvisible --name '^Idiophone$' 2>/dev/null | head -1) && [ -n "$window" ] && break
+        sleep 0.2
+    done
+    [ -n "$window" ] || { echo "The window did not open." >&2; exit 1; }
+    sleep 3
+    xdotool windowmove "$window" 0 0
+}
+start 100
 
 title=30 # of the window's own bar
 size() { # width and height of what is below the title
@@ -96,7 +103,7 @@ drag() { # from x y to x y, with a picture of that name on the way
 }
 other_look() { click $((width - 29)) 22; xdotool mousemove --window "$window" 200 $((title + 20)); sleep 0.5; }
 for look in dark light; do
-    for extent in "800 500" "1180 860" "1920 1080"; do
+    for extent in "800 500" "1180 860" "1920 1080" "2500 1370"; do
         # shellcheck disable=SC2086
         size $extent
         shot "$look-$width-rest"
@@ -154,6 +161,13 @@ sleep 1
 shot stage-cylinder
 choose 'rosewood xylophone'
 
+# Every factory preset.
+next_preset() { click 701 22; sleep 2; }
+for number in $(seq -w "$(find Presets -name '*.json' | wc -l)"); do
+    shot "preset-$number"
+    next_preset
+done
+
 # By keys alone: on from the picture to a knob of the Play page, and its menu.
 click 590 240
 # shellcheck disable=SC2046
@@ -198,5 +212,26 @@ if "$python" -c 'import Xlib' 2>/dev/null; then
     shot tuning
     size 800 500
     shot tuning-small
+
+    # The same vibraphone in other materials, as dropped presets.
+    size 1180 860
+    for material in Rosewood "Bell glass" "Bell bronze"; do
+        preset="$scratch/Vibraphone of ${material,,}.json"
+        sed "s/\"parameters\": {/&\n\"material\": \"$material\",/" \
+            Presets/*-vibraphone.json >"$preset"
+        "$python" Tests/drop_file.py "$window" 400 300 "$preset"
+        sleep 2
+        click 400 200
+        shot "vibraphone-${material// /-}"
+    done
 fi
+
+# A scaled window.
+kill "$running"
+wait "$running" || true
+start 150
+size 1770 1290
+shot scale-150
+size 1920 1080
+shot scale-150-1920
 echo "Saved in $out."

@@ -155,10 +155,12 @@ private:
                 std::min(width, DeckPage::maximumWidth), below.getHeight()));
             pages[index]->refresh();
         }
-        units.setBounds(backs.back()
-                            .second.withHeight(titleHeight)
-                            .reduced(DeckPage::padding, 2)
-                            .removeFromRight(unitsWidth));
+        const auto beside = tabPlaces.back().translated(tabPlaces.back().getWidth(), 0);
+        units.setBounds(hasTwoRows ? beside.withSizeKeepingCentre(unitsWidth, beside.getHeight())
+                                   : backs.back()
+                                         .second.withHeight(titleHeight)
+                                         .reduced(DeckPage::padding, 2)
+                                         .removeFromRight(unitsWidth));
         repaint();
     }
     /// Removes the tabs from the top of the area, and returns their places.
@@ -173,7 +175,7 @@ private:
             return places;
         }
         const auto strip = area.removeFromTop(aboveHeight).withTrimmedBottom(4);
-        const int columns = (pageCount() + 1) / 2;
+        const int columns = pageCount() / 2 + 1; // leaves a place for the switch of the units
         const int width = strip.getWidth() / columns, height = strip.getHeight() / 2;
         for (int i = 0; i < pageCount(); ++i)
             places.emplace_back(strip.getX() + i % columns * width,
