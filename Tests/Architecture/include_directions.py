@@ -168,7 +168,7 @@ PLANTED = {
     "JUCE in Synth": ("Synth/Juce.cpp", "#include <juce_core/juce_core.h>\n", "this library"),
     "Eigen in Synth": ("Synth/E.cpp", "#include <Eigen/Core>\n", "this library"),
     "an unlisted library": ("Object/Boost.cpp", "#include <boost/any.hpp>\n", "this library"),
-    "another JUCE module than Output's": ("Output/J.cpp", "#include <juce_core/juce_core.h>\n",
+    "another JUCE module than Output's": ("Output/J.cpp", "#include <juce_gui_basics/juce_gui_basics.h>\n",
                                           "this library"),
     "a path round the modules": ("Synth/Dots.cpp", '#include "../Object/Thing.h"\n', "Module/Name.h"),
     "a header that is not there": ("Synth/No.cpp", '#include "Object/Nothing.h"\n',
