@@ -225,7 +225,8 @@ TEST_CASE("A frame is drawn with its bodies, their furniture and its mallets") {
     const auto count = [&](auto&& condition) { return std::ranges::count_if(parts, condition); };
     CHECK(count([&](const auto& part) { return part.object == die; }) == 2);
     CHECK(count([](const auto& part) { return part.pose(2, 3) == 5; }) == 4); // with their pips
-    CHECK(parts.size() == 4 + 2);                                             // head and stick
+    // Also head and stick, and the cords, pins and rails of the bars.
+    CHECK(parts.size() == 4 + 2 + 3);
 }
 
 TEST_CASE("The plain picture shows a bar in its colour, and the background beside it") {
