@@ -14,9 +14,6 @@ if [ $# -lt 1 ]; then
     sed -n '2,10s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" >&2
     exit 2
 fi
-for tool in Xvfb xvfb-run xdotool import; do
-    command -v "$tool" >/dev/null || { echo "$tool is missing: see the head of this script." >&2; exit 2; }
-done
 mkdir -p "$1"
 out=$(cd "$1" && pwd)
 build=build/${PRESET:-release}
@@ -24,51 +21,9 @@ standalone=${2:-$build/Source/Plugin/Idiophone_artefacts/Release/Standalone/Idio
 python=${PYTHON:-python3}
 console=$build/Source/Console/idiophone
 
-# On a screen of our own, once.
-if [ -z "${IDIOPHONE_SCREEN:-}" ]; then
-    export IDIOPHONE_SCREEN=1
-    exec xvfb-run -a -s "-screen 0 2560x1440x24 +extension GLX" "$0" "$out" "$standalone"
-fi
-
-scratch=$(mktemp -d)
-running=
-stop() {
-    [ -z "$running" ] || kill "$running" 2>/dev/null || true
-    [ ! -d "$scratch/pulse" ] || pulseaudio --kill 2>/dev/null || true
-    rm -rf "$scratch"
-}
-trap stop EXIT
-export XDG_CONFIG_HOME=$scratch/config XDG_RUNTIME_DIR=$scratch HOME=$scratch
-mkdir -p "$XDG_CONFIG_HOME/Idiophone"
-# Selected presets play no phrase, which would be seen to ring. The hints of the first start have
-# been seen.
-settings() { # the scale of the window in per cent
-    printf '<PROPERTIES>\n%s\n%s\n<VALUE name="scale" val="%s"/>\n</PROPERTIES>\n' \
-        '<VALUE name="playOnSelection" val="0"/>' '<VALUE name="hintsSeen" val="1"/>' "$1" \
-        >"$XDG_CONFIG_HOME/Idiophone/Window.settings"
-}
-if command -v pulseaudio >/dev/null; then
-    mkdir "$scratch/pulse"
-    printf '%s\n' 'pcm.!default { type pulse hint { show on description "Default" } }' \
-        'ctl.!default { type pulse }' >"$HOME/.asoundrc"
-    pulseaudio --start --exit-idle-time=-1 -n -L "module-null-sink" \
-        -L "module-native-protocol-unix" 2>/dev/null || true
-fi
-
-start() { # the standalone, at the scale of the window in per cent
-    settings "$1"
-    "$standalone" 2>/dev/null &
-    running=$!
-    window=
-    for _ in $(seq 100); do
-        window=$(xdotool search --onlyvisible --name '^Idiophone$' 2>/dev/null | head -1) && [ -n "$window" ] && break
-        sleep 0.2
-    done
-    [ -n "$window" ] || { echo "The window did not open." >&2; exit 1; }
-    sleep 3
-    xdotool windowmove "$window" 0 0
-}
-start 100
+set -- "$out" "$standalone"
+. Tests/window.sh
+start_window "$standalone"
 
 title=30 # of the window's own bar
 size() { # width and height of what is below the title
@@ -229,7 +184,7 @@ fi
 # A scaled window.
 kill "$running"
 wait "$running" || true
-start 150
+start_window "$standalone" scale=150
 size 1770 1290
 shot scale-150
 size 1920 1080

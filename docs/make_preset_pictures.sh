@@ -11,36 +11,9 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 build=build/${PRESET:-release}/Source
 standalone=${1:-$build/Plugin/Idiophone_artefacts/Release/Standalone/Idiophone}
 console=${2:-$build/Console/idiophone}
-if [ -z "${IDIOPHONE_SCREEN:-}" ]; then
-    export IDIOPHONE_SCREEN=1
-    exec xvfb-run -a -s "-screen 0 1600x1440x24 +extension GLX" "$0" "$standalone" "$console"
-fi
-
-scratch=$(mktemp -d)
-trap 'kill $(jobs -p) 2>/dev/null || true; pulseaudio --kill 2>/dev/null || true; rm -rf "$scratch"' EXIT
-export HOME=$scratch XDG_CONFIG_HOME=$scratch XDG_RUNTIME_DIR=$scratch
-mkdir "$scratch/Idiophone"
-cat >"$scratch/Idiophone/Window.settings" <<'SETTINGS'
-<?xml version="1.0" encoding="UTF-8"?>
-<PROPERTIES>
-  <VALUE name="look" val="dark"/>
-  <VALUE name="width" val="944"/>
-  <VALUE name="height" val="1380"/>
-  <VALUE name="playOnSelection" val="0"/>
-</PROPERTIES>
-SETTINGS
-mkdir "$scratch/pulse"
-printf '%s\n' 'pcm.!default { type pulse hint { show on description "Default" } }' \
-    'ctl.!default { type pulse }' >"$scratch/.asoundrc"
-pulseaudio --start --exit-idle-time=-1 -n -L module-null-sink -L module-native-protocol-unix 2>/dev/null
-"$standalone" 2>/dev/null &
-window=
-for _ in $(seq 100); do
-    window=$(xdotool search --onlyvisible --name '^Idiophone$' 2>/dev/null | head -1) && [ -n "$window" ] && break
-    sleep 0.2
-done
-[ -n "$window" ] || { echo "The window did not open." >&2; exit 1; }
-xdotool windowmove "$window" 0 0
+set -- "$standalone" "$console"
+. Tests/window.sh
+start_window "$standalone" look=dark width=944 height=1380
 xdotool mousemove 600 15
 sleep 4
 
@@ -57,7 +30,7 @@ settle() { # waits until the window has not changed for two seconds; on a busy m
 mkdir -p Resources/Pictures
 rm -f Resources/Pictures/*.png
 # Places in the window of 944 x 1380: a key of every scene, the picture, the arrow to the next preset.
-key=(760 1300) picture=918x612+17+102 next=(615 52)
+key=(760 1300) picture=918x612+17+102 next=(586 52)
 "$console" presets --json | python3 -c '
 import json, re, sys
 for preset in json.load(sys.stdin):
