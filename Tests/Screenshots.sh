@@ -82,6 +82,7 @@ choose() { # a preset by its name
     sleep 1.5
 }
 draw_path() { click 262 56; }
+strike_path() { click 216 56; }
 
 for look in light dark; do
     size 1180 860
@@ -146,6 +147,7 @@ draw_path
 drag 380 250 800 300 light-path-drawing
 shot light-path-drawn
 draw_path
+strike_path
 choose 'rosewood xylophone'
 other_look
 

@@ -13,7 +13,7 @@ Tests/Screenshots.sh "$shots" "$@"
 mkdir -p docs/manual/images
 keep() { convert "$shots/$1.png" -strip "docs/$2.png"; }
 keep light-vibraphone images/standalone
-keep light-handbell-nodes images/handbell
+keep vibraphone-Bell-glass images/glass-vibraphone
 keep light-browser manual/images/browser
 keep dropped manual/images/dropped
 keep stage-dice manual/images/scene

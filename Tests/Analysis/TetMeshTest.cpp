@@ -176,7 +176,7 @@ TEST_CASE("Bodies that cannot be filled give a one-sentence error") {
     CHECK(messageOf(box, {.targetEdgeMetres = std::numeric_limits<double>::quiet_NaN()})
               .find("edge length") != std::string::npos);
     CHECK(messageOf(box, {.targetEdgeMetres = 0.01, .keepSurface = false, .maximumNodes = 3000})
-              .find("more than 3000 nodes") != std::string::npos);
+              .find("more than 3000 points") != std::string::npos);
 }
 
 TEST_CASE("Two crossing boxes give an error, not a crash") {
