@@ -15,7 +15,7 @@
 
 namespace idiophone {
 
-/// What a CaptureButton exports.
+/// The file that a CaptureButton exports.
 struct Capture {
     juce::String pattern;                                    ///< gives the file extension: "*.mid"
     std::function<juce::String()> name;                      ///< of a new file, without extension

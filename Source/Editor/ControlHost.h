@@ -1,4 +1,4 @@
-// What the controls of parameters ask of the window around them.
+// The services of the window that controls of parameters use.
 #pragma once
 
 #include "Parameters/ParameterTable.h"

@@ -88,7 +88,7 @@ private:
         auto operator<=>(const Assigned&) const = default;
     };
 
-    /// What plays: an instrument, and the id of the preset that it belongs to.
+    /// The playing sound: an instrument, and the id of the preset that it belongs to.
     using Sound = std::pair<int, std::string>;
 
     class Row final : public juce::Component {

@@ -17,7 +17,7 @@ public:
 
     explicit ObjectHand(ProcessorView& processor) : view(processor) {}
 
-    /// What the mouse does in the picture, in a sentence for the user.
+    /// Says in a sentence for the user how the mouse acts in the picture.
     static const char* hint(bool onStage, bool drawsPath) {
         if (onStage)
             return "Click to set bodies in motion; drag beside them to turn the view, wheel to "

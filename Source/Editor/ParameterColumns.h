@@ -38,7 +38,7 @@ public:
         }
     }
 
-    /// What is left of a column below its last row.
+    /// The rest of a column below its last row.
     juce::Rectangle<int> areaBelow(int column) const {
         auto area = columnArea(column);
         for (const auto& group : groups)

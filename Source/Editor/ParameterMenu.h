@@ -8,7 +8,7 @@
 
 namespace idiophone {
 
-/// What the menu can do beyond the view. Without a function there is no item for it.
+/// Actions of the menu beyond the view. Without a function there is no item for it.
 struct ParameterMenuActions {
     std::function<void()> typeValue;
     std::function<void()> listControllers;

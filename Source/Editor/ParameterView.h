@@ -15,7 +15,7 @@ public:
     /// The value in effect. For a figure of a material or mallet, that of the selected one, or of
     /// the objects' own material.
     virtual double effectiveValue(ParameterId parameter) const = 0;
-    /// What a reset gives: the value in effect in the playing preset as it was loaded, or for a
+    /// Returns the value of a reset: in effect in the playing preset as it was loaded, or for a
     /// setup parameter (ParameterInfo::isSetup) the table's default.
     virtual double presetValue(ParameterId parameter) const = 0;
     /// Call before changing a figure of a material or mallet by hand: copies all its figures to the
