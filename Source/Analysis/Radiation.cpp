@@ -33,7 +33,7 @@ struct Effort {
 /// With 2.5 edges per wavelength a sphere is within 0.2 dB. With fewer than 1.8, bars and bowls
 /// have larger errors.
 constexpr Effort exactEffort{1800, 1.5e8, 0.002, 2.5}, quickEffort{700, 1.5e7, 0.03, 1.8},
-    previewEffort{500, 7.5e6, 0.06, 1.8};
+    previewEffort{350, 5e6, 0.12, 1.8};
 
 /// A surface is refined only if it resolves less than this share of the band.
 constexpr double enoughOfBand = 0.6;

@@ -36,7 +36,7 @@ std::vector<Eigen::Vector3d> directionsAllAround();
 /// Returns 1/4 to 4 in steps of half an octave.
 std::vector<double> halfOctaveRatios();
 
-/// `preview` is a third as long as `quick`, within about 6 % of each mode's frequency.
+/// `preview` is a fifth as long as `quick`, within about 12 % of each mode's frequency.
 enum class RadiationMethod { preview, quick, exact };
 
 struct RadiationSettings {
@@ -62,10 +62,10 @@ struct Radiation {
 /// velocity at ω = r √λ. Outside the audible band, ω/2π is clamped to 20 Hz or 22 kHz.
 ///
 /// At the ratio 1, each mode is solved at its own frequency, with the quick method within 3 % of
-/// it, with that of previews within 6 %. For other ratios, all modes are solved on half octaves
+/// it, with that of previews within 12 %. For other ratios, all modes are solved on half octaves
 /// from 20 Hz. The log magnitude, and the phase along the shorter arc, are interpolated over log
 /// frequency. The surface pressure has at most about 1800 unknowns, 700 with the quick method and
-/// 500 with that of previews. Larger surfaces share unknowns between triangles.
+/// 350 with that of previews. Larger surfaces share unknowns between triangles.
 ///
 /// Closed components radiate from their outside, sheets from both faces and their rim. Above
 /// `solvedHz`, every visible face acts as part of a large wall, w = jωρ/2π ∫ v_n e^{jk d·y}, and
