@@ -35,7 +35,7 @@ def change(plugin):
     """Moves the sound's parameters off their defaults, to values that each of them accepts."""
     for position, parameter in enumerate(sound_parameters(plugin)):
         parameter.raw_value = (0.3, 0.55, 0.7)[position % 3]
-    plugin.preset_level, plugin.volume, plugin.contact = -5, -3, "Strike"  # so that it is heard
+    plugin.preset_level_db, plugin.volume_db, plugin.contact = -5, -3, "Strike"  # so that it is heard
 
 
 def sound_parameters(plugin):
