@@ -33,7 +33,7 @@ std::vector<ScenePlace> ShownInstrument::outline() const {
     auto places = scene->outline();
     if (places.empty())
         return places;
-    // Of a keyboard the bars matter: its tubes and legs may reach out of the picture below.
+    // A keyboard fills the picture with its bars. Its tubes and legs may reach out of it below.
     const float lowest =
         played.size() == 1 ? furniture->floorHeight()
                            : std::ranges::min(places, {}, [](const auto& at) { return at[2]; })[2];
