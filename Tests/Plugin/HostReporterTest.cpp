@@ -31,6 +31,7 @@ struct Reported {
     Listener heard;
 };
 
+JUCE_BEGIN_IGNORE_WARNINGS_GCC_LIKE("-Wnon-virtual-dtor") // of the VST3 interface
 /// A VST3 host that keeps the values that it is sent.
 struct Vst3Host final : Steinberg::Vst::IComponentHandler {
     Steinberg::tresult PLUGIN_API beginEdit(Steinberg::Vst::ParamID) override { return 0; }
@@ -49,6 +50,7 @@ struct Vst3Host final : Steinberg::Vst::IComponentHandler {
     std::map<Steinberg::Vst::ParamID, double> values;
     Steinberg::uint32 references = 1;
 };
+JUCE_END_IGNORE_WARNINGS_GCC_LIKE
 
 } // namespace
 
