@@ -136,14 +136,17 @@ void EditorWindow::setScale(int percent) {
     userScale = float(percent) / 100;
     const auto size =
         WindowSize::within(WindowSize::screen(), {getWidth(), getHeight()}, userScale * hostScale);
+    if (juce::JUCEApplicationBase::isStandaloneApp()) // its frame, menus and dialogs grow too
+        juce::Desktop::getInstance().setGlobalScaleFactor(userScale);
     setSize(size.x, size.y);
     setScaleFactor(hostScale);
 }
 
 void EditorWindow::setScaleFactor(float ofHost) {
     hostScale = ofHost;
-    limits.setScale(hostScale * userScale);
-    AudioProcessorEditor::setScaleFactor(hostScale * userScale);
+    const float own = juce::JUCEApplicationBase::isStandaloneApp() ? 1 : userScale;
+    limits.setScale(hostScale * own);
+    AudioProcessorEditor::setScaleFactor(hostScale * own);
 }
 
 void EditorWindow::setBrowsing(bool browses) {

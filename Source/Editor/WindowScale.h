@@ -15,10 +15,12 @@ struct WindowSize {
     static constexpr int maximumWidth = 3840, maximumHeight = 2160;
     static constexpr int firstWidth = 1180, firstHeight = 860;
 
-    /// The primary screen's area without task bars; the maximum size without a screen.
+    /// The primary screen's area without task bars, at a scale of 1; the maximum size without a
+    /// screen.
     static juce::Rectangle<int> screen() {
-        const auto* primary = juce::Desktop::getInstance().getDisplays().getPrimaryDisplay();
-        return primary != nullptr ? primary->userArea
+        const auto& desktop = juce::Desktop::getInstance();
+        const auto* primary = desktop.getDisplays().getPrimaryDisplay();
+        return primary != nullptr ? primary->userArea * desktop.getGlobalScaleFactor()
                                   : juce::Rectangle<int>(maximumWidth, maximumHeight);
     }
     /// Whether the smallest window fits the screen at this scale.
