@@ -1,5 +1,6 @@
 #include "Analysis/MeasuredObject.h"
 
+#include "Analysis/DampingFit.h"
 #include "Geometry/ObjectMesh.h"
 
 #include <Eigen/Dense>
@@ -18,11 +19,6 @@ using Eigen::VectorXd;
 
 constexpr double usualMassKg = 0.2;
 constexpr double samePlaceMetres = 1e-6;
-
-double eigenvalueOf(const MeasuredMode& mode) {
-    const double omega = 2 * std::numbers::pi * mode.frequencyHz;
-    return omega * omega + mode.decayPerSecond * mode.decayPerSecond;
-}
 
 /// Returns [places, modes] amplitudes. Strikes at one place become one row, the root of their mean
 /// energy. `distinct` receives the places.
@@ -90,9 +86,12 @@ Material materialOf(const RecordingFit& fit, const MeasuredObjectSettings& setti
     if (settings.material)
         return *settings.material;
     // Only the damping is audible. The other constants are those of steel.
+    std::vector<DecayOfMode> decays;
+    for (const auto& mode : fit.modes)
+        decays.push_back({mode.eigenvalue(), mode.decayPerSecond});
     Material material = *findMaterial("Steel");
     material.name = "Measured";
-    material.damping = fittedDamping(fit.modes);
+    material.damping = fittedDamping(decays);
     material.source = "damping fitted to recordings; all else is that of steel";
     return material;
 }
@@ -131,25 +130,6 @@ void setShapes(const CarriedModes& carried, double massKg, ModalObject& object) 
 
 } // namespace
 
-// The best fit minimises the relative errors (γ + ηλ)/(2α) − 1, a linear problem. If γ or η is
-// negative, the best fit with one of them alone replaces it.
-DampingLaw fittedDamping(std::span<const MeasuredMode> modes) {
-    MatrixXd terms(modes.size(), 2);
-    for (std::size_t i = 0; i < modes.size(); ++i) {
-        const double damping = 2 * modes[i].decayPerSecond;
-        terms.row(i) << 1 / damping, eigenvalueOf(modes[i]) / damping;
-    }
-    const Eigen::RowVector2d scale = terms.colwise().norm();
-    terms = terms * scale.cwiseInverse().asDiagonal();
-    const VectorXd ones = VectorXd::Ones(terms.rows());
-    Eigen::Vector2d best = terms.colPivHouseholderQr().solve(ones);
-    if (best.minCoeff() < 0 || modes.size() < 2) {
-        const Eigen::Vector2d alone = terms.transpose() * ones; // columns of norm 1
-        best = alone(0) > alone(1) ? Eigen::Vector2d(alone(0), 0) : Eigen::Vector2d(0, alone(1));
-    }
-    return {.fluidPerSecond = best(0) / scale(0), .viscoelasticSeconds = best(1) / scale(1)};
-}
-
 Result<ModalObject> measuredObject(const RecordingFit& fit,
                                    std::span<const StruckPlace> places,
                                    const MeasuredObjectSettings& settings) {
@@ -174,9 +154,9 @@ Result<ModalObject> measuredObject(const RecordingFit& fit,
     // Sort by λ: heavy damping can give the damped frequencies another order.
     std::vector<Index> order(fit.modes.size());
     std::iota(order.begin(), order.end(), Index{0});
-    std::ranges::sort(order, {}, [&](Index i) { return eigenvalueOf(fit.modes[i]); });
+    std::ranges::sort(order, {}, [&](Index i) { return fit.modes[i].eigenvalue(); });
     for (const Index i : order) {
-        object.eigenvalues.push_back(eigenvalueOf(fit.modes[i]));
+        object.eigenvalues.push_back(fit.modes[i].eigenvalue());
         object.decaysPerSecond.push_back(fit.modes[i].decayPerSecond);
     }
     object.bandHz = std::sqrt(object.eigenvalues.back()) / (2 * std::numbers::pi);

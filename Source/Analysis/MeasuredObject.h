@@ -26,9 +26,6 @@ struct MeasuredObjectSettings {
     std::optional<double> massKg;     ///< empty: from a closed mesh of a known material, else 0.2
 };
 
-/// Returns the γ and η ≥ 0 of α = (γ + η ω²)/2 with the smallest relative errors of the decays.
-DampingLaw fittedDamping(std::span<const MeasuredMode> modes);
-
 /// Every mode keeps its measured decay (`decaysPerSecond`). If an object is struck and heard at one
 /// place, a mode's amplitude is the square of its shape along the normal. So the shape is the root
 /// of the measured amplitude. Repeated strikes at a place give the root of their mean energy.

@@ -6,6 +6,7 @@
 #include "Object/Result.h"
 
 #include <cstddef>
+#include <numbers>
 #include <span>
 #include <string>
 #include <vector>
@@ -30,6 +31,12 @@ struct MeasuredMode {
     /// [R] relative to full scale, at the middle of the contact, or at its onset if its length is
     /// unknown.
     std::vector<double> amplitudes;
+
+    /// Returns λ = ω² of the mode without damping, in rad²/s².
+    double eigenvalue() const {
+        const double omega = 2 * std::numbers::pi * frequencyHz;
+        return omega * omega + decayPerSecond * decayPerSecond;
+    }
 };
 
 struct RecordingFit {

@@ -101,23 +101,6 @@ TEST_CASE("Strikes at one position count by the mean of their energies") {
     CHECK(gain(object, 0, a) == Approx(unit * std::sqrt((0.16 + 0.01) / 2)).epsilon(1e-4));
 }
 
-TEST_CASE("The fitted damping law recovers its two parameters") {
-    for (const auto& [gamma, eta] : {std::pair{5.0, 1e-7}, {0.0, 3e-7}, {40.0, 0.0}}) {
-        std::vector<MeasuredMode> modes;
-        for (const double hz : {200.0, 900.0, 3100.0, 8000.0}) {
-            // Uses the undamped frequency: λ = ω² + α².
-            const double omega = 2 * std::numbers::pi * hz;
-            double alpha = 0;
-            for (int round = 0; round < 50; ++round)
-                alpha = (gamma + eta * (omega * omega + alpha * alpha)) / 2;
-            modes.push_back({.frequencyHz = hz, .decayPerSecond = alpha, .amplitudes = {1}});
-        }
-        const auto law = fittedDamping(modes);
-        CHECK(law.fluidPerSecond == Approx(gamma).epsilon(1e-6).margin(1e-6));
-        CHECK(law.viscoelasticSeconds == Approx(eta).epsilon(1e-6).margin(1e-15));
-    }
-}
-
 TEST_CASE(
     "A closed mesh of a known material has its volume's mass, and gains scale with the mass") {
     MeasuredObjectSettings settings;
