@@ -24,6 +24,7 @@ std::string HostSession::save() {
     // Pack without the lock: objects never saved before take a while to pack.
     state.parameters = sound.parameters;
     state.preset = std::move(sound.preset);
+    state.origin = {std::move(sound.presetId), sound.presetContent, sound.stored};
     if (sound.missing != nullptr) {
         state.preset.keyMap = sound.missing->keyMap;
         state.preset.mutedModes = sound.missing->mutedModes;
@@ -51,10 +52,14 @@ Result<void> HostSession::play(const State& state) {
     const auto keys = keyTuning(state.tuning);
     if (!keys)
         return failure("The saved state has a fault in its tuning: " + keys.error().message);
-    Sound sound{
-        .preset = state.preset, .parameters = state.parameters, .stored = state.preset.parameters};
+    Sound sound{.preset = state.preset,
+                .parameters = state.parameters,
+                .presetId = state.origin.presetId,
+                .presetContent = state.origin.presetContent,
+                .stored =
+                    state.origin.presetId.empty() ? state.preset.parameters : state.origin.stored};
     if (const auto* factory = findFactoryPreset(state.preset.name);
-        factory != nullptr && factory->keyMap == state.preset.keyMap)
+        factory != nullptr && factory->keyMap == state.preset.keyMap && sound.presetContent == 0)
         sound.presetId = factoryPresetId(factory->name);
     sound.missing = replaceMissing(sound.preset, state.objects);
     auto built = buildInstrument(sound.preset.keyMap, state.objects);

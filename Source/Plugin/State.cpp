@@ -49,15 +49,33 @@ unpacked(const std::string& packedText, const std::string& name, std::int64_t la
     return {first, first + plain.getDataSize()};
 }
 
-void parseParameters(const json& object, State& state) {
+ParameterValues parseParameters(const json& object) {
     if (!object.is_object())
         throw Fault{"has 'parameters' that are not a JSON object"};
+    ParameterValues parameters;
     for (const auto& [id, value] : object.items()) {
         if (!value.is_number())
             throw Fault{"has a parameter " + inQuotes(id) + " that is not a number"};
         if (const auto* info = findParameter(id))
-            state.parameters.set(info->parameter, value);
+            parameters.set(info->parameter, value);
     }
+    return parameters;
+}
+
+ordered_json encodeParameters(const ParameterValues& parameters) {
+    ordered_json object = ordered_json::object();
+    for (const auto& info : parameterTable())
+        object[info.id] = parameters[info.parameter];
+    return object;
+}
+
+SavedOrigin parseOrigin(const json& object) {
+    const auto& content = member(object, "content");
+    if (!content.is_number_unsigned())
+        throw Fault{"has an 'origin' with a 'content' that is not a whole number"};
+    return {.presetId = text(object, "preset"),
+            .presetContent = content,
+            .stored = parseParameters(member(object, "parameters"))};
 }
 
 std::vector<EmbeddedObject> parseObjects(const json& list) {
@@ -130,12 +148,14 @@ State parse(const json& root) {
     if (version.get<double>() > stateFormatVersion)
         throw Fault{"was made by a newer Idiophone (state version " + version.dump() + ")"};
     State state;
-    parseParameters(member(root, "parameters"), state);
+    state.parameters = parseParameters(member(root, "parameters"));
     auto preset = parseSavedPreset(member(root, "preset").dump(), "its preset");
     if (!preset)
         throw Fault{"has a fault in " + preset.error().message};
     state.preset = std::move(*preset);
     state.preset.unknownParameters.clear();
+    if (root.contains("origin"))
+        state.origin = parseOrigin(root["origin"]);
     state.objects = parseObjects(member(root, "objects"));
     if (root.contains("controllers"))
         state.controllers = parseControllers(root["controllers"]);
@@ -156,12 +176,10 @@ std::string packedModal(std::span<const std::byte> modal) {
 }
 
 std::string encodeState(const State& state) {
-    ordered_json parameters = ordered_json::object(), controllers = ordered_json::object();
-    for (const auto& info : parameterTable()) {
-        parameters[info.id] = state.parameters[info.parameter];
+    ordered_json controllers = ordered_json::object();
+    for (const auto& info : parameterTable())
         if (const int number = state.controllers[info.parameter]; number != noController)
             controllers[info.id] = number;
-    }
     ordered_json objects = ordered_json::array();
     for (const auto& object : state.objects)
         objects.push_back(
@@ -169,9 +187,13 @@ std::string encodeState(const State& state) {
              {"modal", object.packed != nullptr ? *object.packed : packedModal(object.modal)}});
     ordered_json root{{"format", formatName},
                       {"version", stateFormatVersion},
-                      {"parameters", parameters},
+                      {"parameters", encodeParameters(state.parameters)},
                       {"preset", ordered_json::parse(encodePreset(state.preset))},
                       {"objects", objects}};
+    if (!state.origin.presetId.empty())
+        root["origin"] = {{"preset", state.origin.presetId},
+                          {"content", state.origin.presetContent},
+                          {"parameters", encodeParameters(state.origin.stored)}};
     if (!controllers.empty())
         root["controllers"] = controllers;
     if (state.tuning.isGiven())

@@ -1,6 +1,6 @@
 // Encodes and parses the state that a host saves with its project: versioned JSON ("format",
-// "version", "parameters", "preset", "objects", "controllers", "tuning"). Plain data; the processor
-// applies it.
+// "version", "parameters", "preset", "origin", "objects", "controllers", "tuning"). Plain data; the
+// processor applies it.
 #pragma once
 
 #include "Instrument/Preset.h"
@@ -37,9 +37,19 @@ struct EmbeddedObject {
 /// Packs a .modal file as text for a state. Takes some tenths of a second for a large file.
 std::string packedModal(std::span<const std::byte> modal);
 
+/// The preset on the shelf that a sound came from, so that it can be saved there again (Sound.h).
+struct SavedOrigin {
+    std::string presetId; ///< empty: none
+    std::uint64_t presetContent = 0;
+    ParameterValues stored;
+
+    bool operator==(const SavedOrigin&) const = default;
+};
+
 struct State {
     ParameterValues parameters;
     Preset preset;
+    SavedOrigin origin = {};
     std::vector<EmbeddedObject> objects;
     ControllerAssignments controllers; ///< empty if the state has none
     ScalaTuning tuning;                ///< empty if the state has none; the files' text unchanged

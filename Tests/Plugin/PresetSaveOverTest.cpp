@@ -1,6 +1,7 @@
 // Tests when a preset file may be overwritten and when the user has to confirm it.
 #include "Plugin/FactoryPrograms.h"
 #include "Plugin/PresetsAtHand.h"
+#include "Support/TestSound.h"
 #include "Support/UserSettings.h"
 
 #include <catch2/catch_test_macros.hpp>
@@ -197,6 +198,31 @@ TEST_CASE("A save overwrites only the file version that the current sound came f
         CHECK(two.view().parameters.value(tau) == 3.0625);
         checkSaved(7);
     }
+}
+
+TEST_CASE("A project opened again saves over its preset, unless the file has changed meanwhile") {
+    const UserSettings user;
+    std::string project;
+    {
+        Processor processor; // a changed factory preset, which becomes a preset of its own
+        processor.view().parameters.change(ParameterId::tau, 5);
+        REQUIRE(processor.view().presets.savePreset(called("Mine"), false));
+        project = saved(processor);
+    }
+    Processor processor;
+    restoreBytes(processor, project);
+    auto& shelf = processor.view().presets;
+    shelf.readPresets();
+    CHECK(shelf.playingPreset().id == "Mine.json");
+    CHECK_FALSE(shelf.playingPreset().isChanged);
+    processor.view().parameters.change(ParameterId::tau, 7);
+    CHECK(shelf.playingPreset().isChanged);
+    REQUIRE(shelf.saveChosenPreset());
+    Processor late;
+    restoreBytes(late, project); // older than the file now
+    late.view().presets.readPresets();
+    CHECK(late.view().presets.playingPreset().id == "Mine.json");
+    CHECK_FALSE(late.view().presets.saveChosenPreset());
 }
 
 TEST_CASE("A preset that was read but did not play is not overwritten") {

@@ -36,6 +36,10 @@ State randomState(unsigned seed) {
             info.fromNormalised(std::uniform_real_distribution<double>(0, 1)(random)));
     state.preset.surface.roughness = std::uniform_real_distribution<double>(0, 100)(random);
     state.preset.seed = random();
+    if (seed % 4 == 0)
+        state.origin = {.presetId = "Mine/Bell.json",
+                        .presetContent = 0x8000'0000'0000'0000U + seed,
+                        .stored = state.parameters};
     if (seed % 2 == 0)
         state.tuning.scale = {.name = "a.scl", .text = "line\n\"quoted\"\t\xc3\xa9\n"};
     if (seed % 3 == 0)
@@ -156,13 +160,19 @@ TEST_CASE("Damaged states are refused with one sentence each") {
     checkRefused(replaced(good, "\"objects\":[", "\"objects\":[7,"));
     checkRefused(replaced(good, "\"modal\":\"", "\"modal\":\"!!"));
     checkRefused(replaced(good, "\"modal\":\"", "\"modal\":\"AAAA"));
-    for (const auto* controllers :
-         {"7", "[]", "null", R"({"tau":-1})", R"({"tau":0})", R"({"tau":120})", R"({"tau":1e9})",
-          R"({"tau":7.5})", R"({"tau":"7"})", R"({"tau":99999999999999999999})"}) {
+    const auto with = [&](const std::string& member) {
         auto bytes = good;
         bytes.back() = ',';
-        checkRefused(bytes + "\"controllers\":" + controllers + "}");
-    }
+        return bytes + member + "}";
+    };
+    for (const auto* origin : {"7", "{}", R"({"preset":"a","content":-1,"parameters":{}})",
+                               R"({"preset":7,"content":1,"parameters":{}})",
+                               R"({"preset":"a","content":1,"parameters":{"tau":"x"}})"})
+        checkRefused(with(std::string("\"origin\":") + origin));
+    for (const auto* controllers :
+         {"7", "[]", "null", R"({"tau":-1})", R"({"tau":0})", R"({"tau":120})", R"({"tau":1e9})",
+          R"({"tau":7.5})", R"({"tau":"7"})", R"({"tau":99999999999999999999})"})
+        checkRefused(with(std::string("\"controllers\":") + controllers));
 }
 
 TEST_CASE("Learned controllers are saved and restored") {
