@@ -74,10 +74,11 @@ public:
     void resized() override {
         auto area = getLocalBounds().withTrimmedRight(gap);
         const auto place = [&](juce::Component& part, int width) {
-            part.setBounds(area.removeFromLeft(width).withSizeKeepingCentre(width - 2, button - 2));
+            part.setBounds(
+                area.removeFromRight(width).withSizeKeepingCentre(width - 2, button - 2));
         };
+        place(record, button); // stays under the mouse when the time appears
         place(last, button);
-        place(record, button);
         if (take.isVisible())
             place(take, takeWidth);
     }

@@ -25,8 +25,10 @@ TEST_CASE("The record button shows the time while it records, and then the file"
     REQUIRE(take != nullptr);
     CHECK_FALSE(take->isVisible());
     const int width = strip->getWidth();
+    const auto place = record->getScreenBounds();
 
     record->onClick();
+    CHECK(record->getScreenBounds() == place); // a second click stops
     CHECK(record->getTitle() == "Stop recording");
     CHECK(record->getToggleState());
     CHECK(take->isVisible());
