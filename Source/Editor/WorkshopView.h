@@ -35,7 +35,8 @@ struct ImportStatus {
     };
 
     Stage stage = Stage::none;
-    std::string fileName; ///< without its folder
+    /// Without its folder. After a failure, the name of the object that still plays.
+    std::string fileName;
     /// True if the last mesh is in memory and nothing else was loaded since.
     bool followsSettings = false;
     /// The settings in effect: those that were set, or those of a single object that was not

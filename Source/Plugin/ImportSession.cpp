@@ -85,6 +85,8 @@ ImportStatus ImportSession::importStatus() const {
     if (const auto foreign = foreignObject()) {
         status.sidesMetres = sidesMetresOf(*foreign);
         status.massKg = foreign->mass.massKg;
+        if (status.stage == ImportStatus::Stage::failed) // the figures are not those of the file
+            status.fileName = foreign->name;
     }
     return status;
 }

@@ -178,6 +178,18 @@ TEST_CASE("A file that cannot be opened changes nothing and gives an error in th
     CHECK_FALSE(processor.view().workshop.canOpen("obj"));
 }
 
+TEST_CASE("After a file that cannot be opened, the window shows the object that plays") {
+    Processor processor;
+    REQUIRE(processor.view().presets.loadPreset(factoryPresetId("Steel Ring")));
+    processor.view().workshop.openFile(writtenFile("broken.stl", "solid nothing"));
+    finish(processor);
+    const auto status = processor.view().workshop.importStatus();
+    const auto& ring = *processor.soundSession().instrument()->slots().front().object;
+    CHECK(status.stage == ImportStage::failed);
+    CHECK(status.fileName == ring.name);
+    CHECK(status.massKg == ring.mass.massKg);
+}
+
 TEST_CASE("A state of a dropped object opens without its file, bit for bit") {
     Processor first, second;
     const auto file = smallPlateFile("plate.obj", 1);
