@@ -39,6 +39,12 @@ ParameterControl::ParameterControl(const ParameterInfo& row,
     refresh();
 }
 
+// JUCE ends a drag when it destroys the slider. The burst, a later member, no longer exists then.
+ParameterControl::~ParameterControl() {
+    if (slider != nullptr)
+        slider->onDragStart = slider->onDragEnd = nullptr;
+}
+
 void ParameterControl::makeSlider() {
     makeValueText();
     slider = std::make_unique<KeyedSlider>(info);

@@ -22,6 +22,7 @@ public:
     };
 
     ParameterControl(const ParameterInfo& info, ProcessorView& view, Shape shape = Shape::row);
+    ~ParameterControl() override;
 
     void refresh();
 

@@ -2,6 +2,7 @@
 #include "Editor/EditorWindow.h"
 #include "Editor/MaterialPad.h"
 #include "Editor/MaterialPage.h"
+#include "Editor/Mouse.h"
 #include "Editor/OpenWindow.h"
 #include "Editor/Preferences.h"
 #include "Editor/WindowParts.h"
@@ -416,4 +417,24 @@ TEST_CASE("A window that closes during a drag ends the gesture for the host") {
     processor.removeListener(&host);
     CHECK(host.text == "(=)");
     CHECK(processor.windowSession().history.undoName() == "Density");
+}
+
+TEST_CASE("A window that closes while the mouse holds a control makes one gesture and one step") {
+    Processor processor;
+    GestureLog host;
+    processor.addListener(&host);
+    for (const char* name : {"Size", "Mallet speed"}) { // a knob and a row
+        INFO(name);
+        auto window = open(processor);
+        window->setSize(3840, 2160);
+        auto& slider = *find<juce::Slider>(*window, name);
+        slider.mouseDown(mouseAt(slider, {30, 8}, {30, 8}));
+        slider.mouseDrag(mouseAt(slider, {60, 2}, {30, 8}));
+        CHECK(host.text.startsWith("(="));
+        window.reset();
+        CHECK(host.text.retainCharacters("()") == "()");
+        CHECK(processor.windowSession().history.undoName() == name);
+        host.text.clear();
+    }
+    processor.removeListener(&host);
 }
