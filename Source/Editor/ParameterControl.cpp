@@ -49,7 +49,6 @@ void ParameterControl::makeSlider() {
     makeValueText();
     slider = std::make_unique<KeyedSlider>(info);
     slider->onReturn = [this] { value.showEditor(); };
-    slider->resetValue = [this] { return view.parameters.presetValue(info.parameter); };
     if (shape == Shape::knob) {
         slider->setSliderStyle(juce::Slider::RotaryHorizontalVerticalDrag);
         name.setJustificationType(juce::Justification::centred);
@@ -136,6 +135,8 @@ void ParameterControl::typed() {
 void ParameterControl::refresh() {
     if (list != nullptr)
         list->refresh();
+    if (slider != nullptr)
+        slider->setResetValue(view.parameters.presetValue(info.parameter));
     refreshController();
     const double now = view.parameters.effectiveValue(info.parameter);
     const bool live = view.parameters.isLive(info.parameter);
