@@ -6,6 +6,7 @@
 #include "Editor/DeckPage.h"
 #include "Editor/Look.h"
 #include "Editor/MaterialPad.h"
+#include "Editor/NamedEdit.h"
 #include "Editor/ParameterColumns.h"
 #include "Editor/ParameterControl.h"
 
@@ -69,6 +70,7 @@ public:
         const auto wanted = before;
         before = now;
         now = wanted;
+        const NamedEdit step(view.history, parameterInfo(ParameterId::material).name);
         for (const auto parameter : parameters)
             view.parameters.beginChange(parameter);
         // The choice is last in `parameters`, after the figures that it shows.

@@ -1,6 +1,7 @@
 #include "Editor/ParameterControl.h"
 
 #include "Editor/ControlHost.h"
+#include "Editor/NamedEdit.h"
 #include "Editor/ParameterMenu.h"
 #include "Editor/Utf8.h"
 
@@ -120,9 +121,8 @@ juce::String ParameterControl::textOf(double number) const {
 
 void ParameterControl::changeTo(double number) {
     burst.finish();
-    view.history.beginEdit(info.name);
+    const NamedEdit step(view.history, info.name);
     view.parameters.changeOnce(info.parameter, number);
-    view.history.endEdit();
 }
 
 void ParameterControl::typed() {

@@ -305,6 +305,17 @@ TEST_CASE("Swapping materials twice restores the material after the last change"
     tick(20);
     processor.view().parameters.change(material, firstLibraryMaterial + 8);
     tick(20);
+    processor.view().parameters.changeOnce(density, 1234); // makes it custom
+    tick(20);
+    page.swapMaterials();
+    CHECK(processor.windowSession().history.undoName() == "Material");
+    CHECK(processor.view().parameters.value(material) == double{firstLibraryMaterial} + 8);
+    page.swapMaterials();
+    CHECK(processor.view().parameters.value(density) == 1234);
+    processor.view().parameters.change(material, firstLibraryMaterial + 4);
+    tick(20);
+    processor.view().parameters.change(material, firstLibraryMaterial + 8);
+    tick(20);
     page.swapMaterials();
     CHECK(processor.view().parameters.value(material) == double{firstLibraryMaterial} + 4);
     page.swapMaterials();

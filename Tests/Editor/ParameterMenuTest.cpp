@@ -63,6 +63,17 @@ TEST_CASE("The menu shows the value, and sets the preset's or the default in one
     checkStep("Default: 2.0 %", parameterInfo(strikeSpread).defaultValue);
 }
 
+TEST_CASE("A reset from the menu is a step with the parameter's name, also with a named material") {
+    Processor processor;
+    restore(processor, testState());
+    processor.view().parameters.changeOnce(material, firstLibraryMaterial + 8); // steel
+    REQUIRE(choose(menuOf(processor, youngsModulus), "Default: "));
+    CHECK(processor.view().parameters.value(material) == double{customMaterial});
+    CHECK(processor.windowSession().history.undoName() == "Stiffness");
+    processor.windowSession().history.undo();
+    CHECK(processor.view().parameters.value(material) == double{firstLibraryMaterial} + 8);
+}
+
 TEST_CASE("The menu and the tooltip of a figure name its units in both displays") {
     Processor processor;
     restore(processor, testState());
