@@ -94,6 +94,19 @@ TEST_CASE("A pending learn ends with the preset and with the window") {
     CHECK_FALSE(controllers.learningParameter());
 }
 
+TEST_CASE("A pending learn goes on when the preset's objects are built anew") {
+    Processor processor;
+    auto& controllers = processor.windowSession().controllers;
+    ControllerList list(processor.view());
+    controllers.learnController(density);
+    list.refresh();
+    const int before = processor.view().instrument.instrumentNumber();
+    processor.view().workshop.setStrikePath(0, {{0, 0, 0}, {0.05, 0, 0}});
+    CHECK(processor.view().instrument.instrumentNumber() != before);
+    list.refresh();
+    CHECK(controllers.learningParameter() == density);
+}
+
 TEST_CASE("The menu of a control opens the list, and the preset browser closes it") {
     Processor processor;
     const auto window = open(processor);
