@@ -44,16 +44,11 @@ inline juce::String measuresText(const std::array<double, 3>& sidesMetres, doubl
 /// number from `minimum` to `maximum` in metres.
 inline std::optional<double>
 parseLengthMetres(const juce::String& text, const char* plainUnit, double minimum, double maximum) {
-    const auto plain = text.trim().replaceCharacter(',', '.');
-    const auto number = plain.initialSectionContainingOnly("0123456789.");
-    auto unit = plain.substring(number.length()).trim();
-    if (unit.isEmpty())
-        unit = plainUnit;
-    const auto metres = inUnit(number.getDoubleValue(), unit.toStdString(), "m");
-    if (!number.containsAnyOf("0123456789") || !metres ||
-        !(*metres >= minimum && *metres <= maximum))
+    const auto typed = parseTypedNumber(text.toStdString());
+    if (!typed)
         return std::nullopt;
-    return metres;
+    const auto metres = inUnit(typed->number, typed->unit.empty() ? plainUnit : typed->unit, "m");
+    return metres && *metres >= minimum && *metres <= maximum ? metres : std::nullopt;
 }
 
 /// A thickness from 0.01 mm to 1 m, in mm if there is no unit.
