@@ -233,8 +233,11 @@ void Look::drawFileBrowserRow(juce::Graphics& g,
 }
 
 void recolourTexts(juce::Component& part) {
-    if (auto* editor = dynamic_cast<juce::TextEditor*>(&part))
+    if (auto* editor = dynamic_cast<juce::TextEditor*>(&part)) {
         editor->applyColourToAllText(editor->findColour(juce::TextEditor::textColourId), false);
+        editor->setTextToShowWhenEmpty(editor->getTextToShowWhenEmpty(),
+                                       colourOf(*editor, LookColour::dimText));
+    }
     for (auto* child : part.getChildren())
         recolourTexts(*child);
 }

@@ -20,7 +20,7 @@ void PresetBrowser::Search::paintOverChildren(juce::Graphics& g) {
     TextEditor::paintOverChildren(g);
     if (!isEmpty() || !hasKeyboardFocus(false))
         return;
-    g.setColour(juce::Colours::grey);
+    g.setColour(colourOf(*this, LookColour::dimText));
     g.setFont(getFont());
     g.drawText(getTextToShowWhenEmpty(),
                getLocalBounds().withTrimmedLeft(getLeftIndent() + besideCaret),
@@ -31,7 +31,7 @@ PresetBrowser::PresetBrowser(PresetShelf& presetShelf) : shelf(presetShelf) {
     setTitle("Preset browser");
     setFocusContainerType(FocusContainerType::keyboardFocusContainer);
     search.setTitle("Search presets");
-    search.setTextToShowWhenEmpty("Search names, tags, descriptions, authors", juce::Colours::grey);
+    search.setTextToShowWhenEmpty("Search names, tags, descriptions, authors", {});
     search.setFont(Look::textFont(14.5f));
     search.setIndents(8, 0);
     search.setSelectAllWhenFocused(true); // new words replace the previous search
