@@ -4,6 +4,7 @@
 #include "Editor/OpenWindow.h"
 #include "Editor/Utf8.h"
 #include "Editor/WindowParts.h"
+#include "Support/PresetNumber.h"
 #include "Support/SoundFile.h"
 #include "Support/TestFolder.h"
 #include "Support/TestSound.h"
@@ -21,9 +22,7 @@ namespace {
 /// A processor whose dice have struck something.
 struct Thrown {
     Thrown() {
-        for (int program = 0; program < processor.getNumPrograms(); ++program)
-            if (processor.getProgramName(program) == "Dice on Rosewood")
-                processor.setCurrentProgram(program);
+        processor.setCurrentProgram(presetNumber("Dice on Rosewood"));
         processor.setNonRealtime(true);
         processor.prepareToPlay(48000, 480);
         juce::MidiBuffer midi;
