@@ -135,8 +135,9 @@ void PresetBrowser::refill() {
         say("No preset has all of these words and tags.", false);
     else if (!found.contains(0))
         say("No preset has exactly these words; these are similar.", false);
-    else if (status.getText().startsWith("No preset"))
+    else if (saysSearch)
         say({}, false);
+    saysSearch = !found.contains(0);
     clear.setVisible(!search.isEmpty() || sources.isNarrowed());
     resized();
     arrangeHint();
@@ -161,10 +162,15 @@ void PresetBrowser::arrangeHint() {
 
 void PresetBrowser::say(const juce::String& sentence, bool isError) {
     saysError = isError;
-    status.setColour(juce::Label::textColourId,
-                     colourOf(*this, isError ? LookColour::error : LookColour::dimText));
+    saysSearch = false;
+    colourStatus();
     status.setText(sentence, juce::dontSendNotification);
     status.setTooltip(sentence);
+}
+
+void PresetBrowser::colourStatus() {
+    status.setColour(juce::Label::textColourId,
+                     colourOf(*this, saysError ? LookColour::error : LookColour::dimText));
 }
 
 void PresetBrowser::ask(Question next) {
