@@ -57,14 +57,17 @@ public:
     CaptureButton(StatusView& statusView, Capture exported, Parts&&... parts)
         : DragOutButton<Kind>(std::forward<Parts>(parts)...), status(statusView),
           capture(std::move(exported)) {
-        this->fileToDrag = [this] { return writeForDrag(); };
-        this->onClick = [this] { save(); };
+        this->fileToDrag = [this] { return take(); };
+        this->onClick = [this] { chooseFile(); };
     }
 
-    /// Writes the file to drag, in the DragFolder. Returns an empty File on failure.
-    juce::File writeForDrag() {
-        if (!capture.isThere())
+    /// Writes what is there now to a file in the DragFolder. Returns an empty File on failure, with
+    /// the reason in the status.
+    juce::File take() {
+        if (!capture.isThere()) {
+            status.reportError(capture.nothing);
             return {};
+        }
         const auto folder = DragFolder::get();
         if (!folder.isDirectory()) {
             status.reportError("There is no place to put the capture for dragging.");
@@ -73,30 +76,35 @@ public:
         const auto file = folder.getNonexistentChildFile(capture.name(), ending());
         return capture.write(pathOf(file)) ? file : juce::File();
     }
-    /// Saves to the chosen path, and adds the extension if it is missing. Then an existing file is
-    /// not replaced, because the chooser has not asked about it.
-    void save(const juce::File& chosen) {
+    /// Moves a taken file to the chosen path, and adds the extension if it is missing. Then an
+    /// existing file is not replaced, because the chooser has not asked about it.
+    void save(const juce::File& taken, const juce::File& chosen) {
         const auto file =
             chosen.getFileExtension().isEmpty() ? chosen.withFileExtension(ending()) : chosen;
         if (file != chosen && file.exists())
             return status.reportError("There is already a file " +
                                       file.getFileName().toStdString() + ".");
-        capture.write(pathOf(file));
+        if (!taken.replaceFileIn(file))
+            status.reportError("The file " + file.getFullPathName().toStdString() +
+                               " cannot be written. Choose another folder.");
     }
 
 private:
-    void save() {
-        if (!capture.isThere())
-            return status.reportError(capture.nothing);
+    /// Takes the file first, because the sound goes on while the chooser is open.
+    void chooseFile() {
+        const auto taken = take();
+        if (taken == juce::File())
+            return;
         const auto start = juce::File::getSpecialLocation(juce::File::userDocumentsDirectory)
-                               .getChildFile(capture.name() + ending());
+                               .getChildFile(taken.getFileName());
         chooser = std::make_unique<juce::FileChooser>(this->getTitle(), start, capture.pattern);
         chooser->launchAsync(juce::FileBrowserComponent::saveMode |
                                  juce::FileBrowserComponent::canSelectFiles |
                                  juce::FileBrowserComponent::warnAboutOverwriting,
-                             [this](const juce::FileChooser& done) {
+                             [this, taken](const juce::FileChooser& done) {
                                  if (const auto file = done.getResult(); file != juce::File())
-                                     save(file);
+                                     save(taken, file);
+                                 taken.deleteFile();
                              });
     }
     juce::String ending() const { return capture.pattern.fromFirstOccurrenceOf("*", false, false); }

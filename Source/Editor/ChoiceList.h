@@ -1,6 +1,7 @@
 // A list of a parameter's choices. The material's list also offers the user's materials.
 #pragma once
 
+#include "Editor/ParameterMenu.h"
 #include "Editor/ProcessorView.h"
 #include "Editor/Utf8.h"
 
@@ -13,7 +14,6 @@ class ChoiceList final : public juce::ComboBox {
 public:
     ChoiceList(const ParameterInfo& row, ProcessorView& processor) : info(row), view(processor) {
         setTitle(fromUtf8(info.name));
-        setTooltip(fromUtf8(info.description));
         if (info.parameter == ParameterId::material)
             view.materials.readUserMaterials();
         fill();
@@ -25,6 +25,7 @@ public:
         if (info.parameter == ParameterId::material &&
             ownMaterials != view.materials.userMaterialNames())
             fill(); // another list has read the user's materials again
+        showController();
         nameOwnMaterial();
         const int own =
             info.parameter == ParameterId::material ? view.materials.userMaterialIndex() : -1;
@@ -73,6 +74,12 @@ private:
         item = firstUserItem;
         for (const auto& name : ownMaterials)
             addItem(fromUtf8(name), item++);
+    }
+    void showController() {
+        const auto sentence = controllerSentence(info, view.controllers);
+        setTooltip(parameterTooltip(info, ValueDisplay::plain) +
+                   (sentence.isEmpty() ? juce::String() : "\n" + sentence));
+        setDescription(sentence);
     }
     void nameOwnMaterial() {
         if (info.parameter != ParameterId::material ||

@@ -88,9 +88,6 @@ private:
         auto operator<=>(const Assigned&) const = default;
     };
 
-    /// The playing sound: an instrument, and the id of the preset that it belongs to.
-    using Sound = std::pair<int, std::string>;
-
     class Row final : public juce::Component {
     public:
         explicit Row(MidiLearnView& midi) : controllers(midi) {
@@ -154,10 +151,10 @@ private:
     void endLearningWithPreset() {
         if (!view.controllers.learningParameter())
             return learnsFor.reset();
-        auto now = soundNow();
-        if (learnsFor && *learnsFor != now)
+        auto name = view.presets.playingPreset().details.name; // an own strike path has no id
+        if (learnsFor && *learnsFor != name)
             return view.controllers.stopLearning();
-        learnsFor = std::move(now);
+        learnsFor = std::move(name);
     }
     juce::String hintNow() const {
         if (const auto pending = view.controllers.learningParameter())
@@ -165,13 +162,10 @@ private:
                    fromUtf8(parameterInfo(*pending).name);
         return "To add one, right-click a control and choose Learn a MIDI controller";
     }
-    Sound soundNow() const {
-        return {view.instrument.instrumentNumber(), view.presets.playingPreset().id};
-    }
 
     ProcessorView& view;
-    std::optional<Sound> learnsFor; ///< while a learn is pending
-    std::vector<Assigned> assigned; ///< as shown
+    std::optional<std::string> learnsFor; ///< the preset's name, while a learn is pending
+    std::vector<Assigned> assigned;       ///< as shown
     juce::ListBox list;
     juce::TextButton close{"Close"};
     TextLabel hint;

@@ -49,7 +49,7 @@ EditorWindow::EditorWindow(juce::AudioProcessor& audioProcessor, ProcessorView& 
     addChildComponent(browser);
     deck.setShowsUnits(preferences.showsUnits());
     deck.onUnits = [this] { preferences.setShowsUnits(deck.showsUnits()); };
-    controllers.onClose = [this] { listControllers(false); };
+    controllers.onClose = [this] { show(Middle::pages); };
     presets.onBrowse = [this] { setBrowsing(!browser.isVisible()); };
     presets.onSaveAs = [this] {
         setBrowsing(true);
@@ -149,23 +149,18 @@ void EditorWindow::setScaleFactor(float ofHost) {
     AudioProcessorEditor::setScaleFactor(hostScale * own);
 }
 
-void EditorWindow::setBrowsing(bool browses) {
-    if (!browses)
+void EditorWindow::show(Middle shown) {
+    if (shown != Middle::browser)
         view.presets.keepAudition();
-    listControllers(false);
-    browser.setVisible(browses);
-    object.setVisible(!browses);
-    deck.setVisible(!browses);
-    if (browses)
+    browser.setVisible(shown == Middle::browser);
+    object.setVisible(shown != Middle::browser);
+    deck.setVisible(shown == Middle::pages);
+    controllers.setVisible(shown == Middle::controllers);
+    if (shown == Middle::browser)
         browser.open();
-    else if (isShowing() && juce::JUCEApplicationBase::isStandaloneApp())
+    else if (shown == Middle::pages && isShowing() && juce::JUCEApplicationBase::isStandaloneApp())
         keyboard.takeFocus();
     presets.refresh();
-}
-
-void EditorWindow::listControllers(bool lists) {
-    controllers.setVisible(lists);
-    deck.setVisible(!lists);
 }
 
 bool EditorWindow::keyPressed(const juce::KeyPress& key) {
@@ -256,10 +251,10 @@ void EditorWindow::filesDropped(const juce::StringArray& files, int, int) {
     case tuning: // a scale and its mapping arrive together
         for (const auto& file : dropped.toOpen())
             view.tuning.openTuning(pathOf(file));
-        return deck.show(tuningPage);
+        return showPage(tuningPage);
     case object:
         view.workshop.openFile(pathOf(dropped.toOpen()[0]));
-        return deck.show(importPage);
+        return showPage(importPage);
     }
 }
 

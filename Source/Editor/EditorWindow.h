@@ -48,7 +48,7 @@ public:
     void parentHierarchyChanged() override { colourSurroundings(); }
 
     /// Shows the preset browser instead of picture and pages, or hides it again.
-    void setBrowsing(bool browses);
+    void setBrowsing(bool browses) { show(browses ? Middle::browser : Middle::pages); }
 
     void setLook(LookScheme scheme);
 
@@ -61,7 +61,7 @@ public:
     ValueDisplay valueDisplay() const override {
         return deck.showsUnits() ? ValueDisplay::units : ValueDisplay::plain;
     }
-    void showControllers() override { listControllers(true); }
+    void showControllers() override { show(Middle::controllers); }
 
     /// Accepts files that the workshop reads, presets, scales and keyboard mappings anywhere on the
     /// window.
@@ -72,13 +72,20 @@ public:
     void filesDropped(const juce::StringArray& files, int x, int y) override;
 
 private:
+    /// What the middle of the window shows: the browser, or the picture with pages or controllers.
+    enum class Middle { pages, controllers, browser };
+
+    void show(Middle shown);
+    void showPage(int page) {
+        show(Middle::pages);
+        deck.show(page);
+    }
     void timerCallback() override;
     void makePages();
     void playPhrases();
     void placeParts();
     void setBusy(bool busy);
     void colourSurroundings();
-    void listControllers(bool lists);
 
     ProcessorView& view;
     Preferences preferences;

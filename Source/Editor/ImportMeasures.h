@@ -1,6 +1,7 @@
 // Texts of lengths and masses of imported objects, and what is typed for them.
 #pragma once
 
+#include "Editor/FigureText.h"
 #include "Parameters/Units.h"
 
 #include <algorithm>
@@ -15,18 +16,14 @@ inline juce::String thicknessText(double metres) {
     return juce::String(juce::String(1000 * metres, 3).getDoubleValue()) + " mm";
 }
 
-/// Three significant digits, or whole numbers from 100 up, without zeros at the end: "12.5",
-/// "0.04".
-inline juce::String figureText(double value) {
-    if (value >= 100)
-        return juce::String(juce::roundToInt(value));
-    const int decimals = value >= 10 ? 1 : value >= 1 ? 2 : 3;
-    return juce::String(juce::String(value, decimals).getDoubleValue());
-}
-
 /// "12.5 cm".
 inline juce::String sizeText(double metres) {
     return figureText(100 * metres) + " cm";
+}
+
+/// "340 g", "32.7 kg".
+inline juce::String massText(double massKg) {
+    return massKg < 1 ? figureText(1000 * massKg) + " g" : figureText(massKg) + " kg";
 }
 
 /// "30 x 12 x 0.4 cm, 340 g"; empty for an object without extent.
@@ -36,24 +33,18 @@ inline juce::String measuresText(const std::array<double, 3>& sidesMetres, doubl
     juce::StringArray sides;
     for (const double side : sidesMetres)
         sides.add(figureText(100 * side));
-    return sides.joinIntoString(" x ") + " cm, " +
-           (massKg < 1 ? figureText(1000 * massKg) + " g" : figureText(massKg) + " kg");
+    return sides.joinIntoString(" x ") + " cm, " + massText(massKg);
 }
 
 /// Parses a length in any unit, or in `plainUnit` if there is none. Returns nothing unless it is a
 /// number from `minimum` to `maximum` in metres.
 inline std::optional<double>
 parseLengthMetres(const juce::String& text, const char* plainUnit, double minimum, double maximum) {
-    const auto plain = text.trim().replaceCharacter(',', '.');
-    const auto number = plain.initialSectionContainingOnly("0123456789.");
-    auto unit = plain.substring(number.length()).trim();
-    if (unit.isEmpty())
-        unit = plainUnit;
-    const auto metres = inUnit(number.getDoubleValue(), unit.toStdString(), "m");
-    if (!number.containsAnyOf("0123456789") || !metres ||
-        !(*metres >= minimum && *metres <= maximum))
+    const auto typed = parseTypedNumber(text.toStdString());
+    if (!typed)
         return std::nullopt;
-    return metres;
+    const auto metres = inUnit(typed->number, typed->unit.empty() ? plainUnit : typed->unit, "m");
+    return metres && *metres >= minimum && *metres <= maximum ? metres : std::nullopt;
 }
 
 /// A thickness from 0.01 mm to 1 m, in mm if there is no unit.

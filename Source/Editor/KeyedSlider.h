@@ -25,10 +25,16 @@ public:
     }
 
     std::function<void()> onReturn;
-    std::function<double()> resetValue; ///< what a double click and an Alt-click give
+
+    /// Sets what a double click and an Alt-click give. The arc of a knob starts there.
+    void setResetValue(double value) {
+        if (isDoubleClickReturnEnabled() && value == getDoubleClickReturnValue())
+            return;
+        setDoubleClickReturnValue(true, value);
+        repaint();
+    }
 
     void mouseDown(const juce::MouseEvent& event) override {
-        setDoubleClickReturnValue(true, resetValue());
         isMoved = false;
         LeftClicked::mouseDown(event);
     }

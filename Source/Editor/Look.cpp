@@ -89,7 +89,7 @@ void Look::drawLinearSlider(juce::Graphics& g,
     g.fillEllipse(juce::Rectangle<float>(2 * knob, 2 * knob).withCentre({thumb, middle}));
 }
 
-/// The arc runs from the default to the value.
+/// The arc runs from the value that a reset gives to the current one.
 void Look::drawRotarySlider(juce::Graphics& g,
                             int x,
                             int y,
@@ -233,8 +233,11 @@ void Look::drawFileBrowserRow(juce::Graphics& g,
 }
 
 void recolourTexts(juce::Component& part) {
-    if (auto* editor = dynamic_cast<juce::TextEditor*>(&part))
+    if (auto* editor = dynamic_cast<juce::TextEditor*>(&part)) {
         editor->applyColourToAllText(editor->findColour(juce::TextEditor::textColourId), false);
+        editor->setTextToShowWhenEmpty(editor->getTextToShowWhenEmpty(),
+                                       colourOf(*editor, LookColour::dimText));
+    }
     for (auto* child : part.getChildren())
         recolourTexts(*child);
 }

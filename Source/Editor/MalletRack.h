@@ -1,6 +1,8 @@
 // The row of mallets; a click selects one.
 #pragma once
 
+#include "Editor/ControlMenu.h"
+#include "Editor/LeftClicked.h"
 #include "Editor/Look.h"
 #include "Editor/ProcessorView.h"
 #include "Editor/Utf8.h"
@@ -15,7 +17,8 @@ namespace idiophone {
 
 class MalletRack final : public juce::Component {
 public:
-    explicit MalletRack(ProcessorView& processor) : view(processor) {
+    explicit MalletRack(ProcessorView& processor)
+        : view(processor), controlMenu(*this, parameterInfo(ParameterId::mallet), processor) {
         setTitle("Mallet");
         setFocusContainerType(FocusContainerType::focusContainer);
         const auto names = choiceNames(ParameterId::mallet);
@@ -35,7 +38,11 @@ public:
         refresh();
     }
 
+    /// The menu for a right click or Shift+F10.
+    juce::PopupMenu menu() const { return controlMenu.popup(); }
+
     void refresh() {
+        showController();
         const int now = static_cast<int>(view.parameters.value(ParameterId::mallet));
         if (now == shown)
             return;
@@ -67,14 +74,31 @@ private:
                     std::min(mallet.headRadiusMetres / largestRadiusMetres, 1.0)),
                 .colour = juce::Colour(mallet.colour).withAlpha(1.0f)};
     }
-    class MalletButton final : public juce::Button {
+    void showController() {
+        const auto sentence =
+            controllerSentence(parameterInfo(ParameterId::mallet), view.controllers);
+        if (sentence == getDescription())
+            return;
+        setDescription(sentence);
+        for (auto& mallet : mallets)
+            mallet->setHint(sentence);
+    }
+
+    class MalletButton final : public LeftClicked<juce::Button> {
     public:
-        MalletButton(const juce::String& title, Head look) : Button(title), head(look) {
+        MalletButton(const juce::String& title, Head look) : LeftClicked(title), head(look) {
             setTitle(title + " mallet");
-            setTooltip(head.diameter > 0 ? "Take the " + title.toLowerCase() + " mallet"
-                                         : "Hardness, weight, size and winding as set below");
+            setHint({});
             setClickingTogglesState(true);
             setRadioGroupId(1, juce::dontSendNotification);
+        }
+
+        /// Says what a click does, and then a sentence about the mallet's controller.
+        void setHint(const juce::String& sentence) {
+            setTooltip((head.diameter > 0
+                            ? "Take the " + getButtonText().toLowerCase() + " mallet"
+                            : juce::String("Hardness, weight, size and winding as set below")) +
+                       (sentence.isEmpty() ? juce::String() : "\n" + sentence));
         }
 
         void paintButton(juce::Graphics& g, bool highlighted, bool) override {
@@ -124,7 +148,8 @@ private:
     };
 
     ProcessorView& view;
-    std::vector<std::unique_ptr<juce::Button>> mallets;
+    ControlMenu controlMenu;
+    std::vector<std::unique_ptr<MalletButton>> mallets;
     int shown = -1;
 };
 

@@ -3,9 +3,11 @@
 #pragma once
 
 #include "Editor/ChoiceList.h"
+#include "Editor/ControlMenu.h"
 #include "Editor/DeckPage.h"
 #include "Editor/Look.h"
 #include "Editor/MaterialPad.h"
+#include "Editor/NamedEdit.h"
 #include "Editor/ParameterColumns.h"
 #include "Editor/ParameterControl.h"
 
@@ -21,6 +23,7 @@ public:
     explicit MaterialPage(ProcessorView& processor)
         : DeckPage("Material"), view(processor), pad(processor),
           list(parameterInfo(ParameterId::material), processor),
+          listMenu(list, parameterInfo(ParameterId::material), processor),
           match(parameterInfo(ParameterId::matchLoudness), processor),
           keep(parameterInfo(ParameterId::keepPitch), processor) {
         for (const std::string_view group : {"Material figures", "Extent"})
@@ -63,12 +66,16 @@ public:
             figure->setBounds(area.removeFromTop(row));
     }
 
+    /// The menu of the list for a right click or Shift+F10.
+    juce::PopupMenu materialMenu() const { return listMenu.popup(); }
+
     /// Swaps the current material with the one before the last change.
     void swapMaterials() {
         watch();
         const auto wanted = before;
         before = now;
         now = wanted;
+        const NamedEdit step(view.history, parameterInfo(ParameterId::material).name);
         for (const auto parameter : parameters)
             view.parameters.beginChange(parameter);
         // The choice is last in `parameters`, after the figures that it shows.
@@ -113,6 +120,7 @@ private:
     ProcessorView& view;
     MaterialPad pad;
     ChoiceList list;
+    ControlMenu listMenu;
     ParameterControl match, keep;
     juce::TextButton former{"A/B"};
     std::vector<std::unique_ptr<ParameterControl>> figures;

@@ -1,35 +1,27 @@
 #include "Editor/ModeText.h"
 
+#include "Editor/FigureText.h"
+
 #include <algorithm>
 #include <cmath>
 #include <juce_audio_basics/juce_audio_basics.h>
 
 namespace idiophone {
-namespace {
-
-/// juce::String reads 0 decimals as "all decimals".
-juce::String fixed(double value, int decimals) {
-    return decimals > 0 ? juce::String(value, decimals) : juce::String(juce::roundToInt(value));
-}
-
-juce::String threeFigures(double value) {
-    return fixed(value, value < 9.995 ? 2 : value < 99.95 ? 1 : 0);
-}
-
-} // namespace
-
 double decibelsOf(double metresPerSecond) {
     return juce::Decibels::gainToDecibels(metresPerSecond, faintestDecibels);
 }
 
 juce::String frequencyText(double frequencyHz) {
-    return frequencyHz < 9999.5 ? fixed(frequencyHz, frequencyHz < 999.95 ? 1 : 0) + " Hz"
-                                : threeFigures(frequencyHz / 1000) + " kHz";
+    if (frequencyHz >= 9999.5)
+        return threeDigits(frequencyHz / 1000) + " kHz";
+    return (frequencyHz < 999.95 ? juce::String(frequencyHz, 1)
+                                 : juce::String(juce::roundToInt(frequencyHz))) +
+           " Hz";
 }
 
 juce::String secondsText(double seconds) {
     return seconds < 0.9995 ? juce::String(juce::roundToInt(seconds * 1000)) + " ms"
-                            : threeFigures(seconds) + " s";
+                            : threeDigits(seconds) + " s";
 }
 
 juce::String noteName(int midiNote) {

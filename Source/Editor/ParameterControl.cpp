@@ -1,11 +1,9 @@
 #include "Editor/ParameterControl.h"
 
-#include "Editor/ControlHost.h"
-#include "Editor/ParameterMenu.h"
+#include "Editor/NamedEdit.h"
 #include "Editor/Utf8.h"
 
 #include <limits>
-#include <utility>
 
 namespace idiophone {
 namespace {
@@ -24,6 +22,7 @@ ParameterControl::ParameterControl(const ParameterInfo& row,
                                    ProcessorView& processor,
                                    Shape inShape)
     : info(row), view(processor), shape(inShape), shown(std::numeric_limits<double>::quiet_NaN()),
+      controlMenu(*this, row, processor),
       burst([this] { beginGesture(); }, [this] { endGesture(); }) {
     const auto title = fromUtf8(info.name);
     setTitle(title);
@@ -34,16 +33,21 @@ ParameterControl::ParameterControl(const ParameterInfo& row,
         addAndMakeVisible(*(list = std::make_unique<ChoiceList>(info, view)));
     else
         makeSlider();
-    setInterceptsMouseClicks(false, true); // otherwise each click would arrive twice
+    setInterceptsMouseClicks(false, true); // only its parts take clicks
     addMouseListener(this, true);
     refresh();
+}
+
+// JUCE ends a drag when it destroys the slider. The burst, a later member, no longer exists then.
+ParameterControl::~ParameterControl() {
+    if (slider != nullptr)
+        slider->onDragStart = slider->onDragEnd = nullptr;
 }
 
 void ParameterControl::makeSlider() {
     makeValueText();
     slider = std::make_unique<KeyedSlider>(info);
-    slider->onReturn = [this] { value.showEditor(); };
-    slider->resetValue = [this] { return view.parameters.presetValue(info.parameter); };
+    slider->onReturn = controlMenu.typeValue = [this] { value.showEditor(); };
     if (shape == Shape::knob) {
         slider->setSliderStyle(juce::Slider::RotaryHorizontalVerticalDrag);
         name.setJustificationType(juce::Justification::centred);
@@ -115,9 +119,8 @@ juce::String ParameterControl::textOf(double number) const {
 
 void ParameterControl::changeTo(double number) {
     burst.finish();
-    view.history.beginEdit(info.name);
+    const NamedEdit step(view.history, info.name);
     view.parameters.changeOnce(info.parameter, number);
-    view.history.endEdit();
 }
 
 void ParameterControl::typed() {
@@ -130,6 +133,8 @@ void ParameterControl::typed() {
 void ParameterControl::refresh() {
     if (list != nullptr)
         list->refresh();
+    if (slider != nullptr)
+        slider->setResetValue(view.parameters.presetValue(info.parameter));
     refreshController();
     const double now = view.parameters.effectiveValue(info.parameter);
     const bool live = view.parameters.isLive(info.parameter);
@@ -180,34 +185,6 @@ void ParameterControl::refreshController() {
     repaint();
 }
 
-juce::PopupMenu ParameterControl::menu() {
-    const juce::Component::SafePointer<ParameterControl> self(this);
-    ParameterMenuActions actions;
-    if (slider != nullptr)
-        actions.typeValue = [self] {
-            if (self != nullptr)
-                self->value.showEditor();
-        };
-    if (findParentComponentOfClass<ControlHost>() != nullptr)
-        actions.listControllers = [self] {
-            if (self != nullptr)
-                self->findParentComponentOfClass<ControlHost>()->showControllers();
-        };
-    return parameterMenu(info, view, display, std::move(actions));
-}
-
-void ParameterControl::showMenu() {
-    auto popup = menu();
-    popup.setLookAndFeel(&getLookAndFeel());
-    popup.showMenuAsync(
-        juce::PopupMenu::Options().withTargetComponent(*this).withDeletionCheck(*this));
-}
-
-void ParameterControl::mouseDown(const juce::MouseEvent& event) {
-    if (event.mods.isPopupMenu())
-        showMenu();
-}
-
 // When the mouse leaves the slider, the wheel gesture ends.
 void ParameterControl::mouseExit(const juce::MouseEvent& event) {
     if (event.eventComponent == slider.get())
@@ -217,13 +194,6 @@ void ParameterControl::mouseExit(const juce::MouseEvent& event) {
 void ParameterControl::focusOfChildComponentChanged(FocusChangeType) {
     if (!hasKeyboardFocus(true))
         burst.finish();
-}
-
-bool ParameterControl::keyPressed(const juce::KeyPress& key) {
-    if (!asksForMenu(key))
-        return false;
-    showMenu();
-    return true;
 }
 
 void ParameterControl::paint(juce::Graphics& g) {

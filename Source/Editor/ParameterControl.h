@@ -3,6 +3,7 @@
 #pragma once
 
 #include "Editor/ChoiceList.h"
+#include "Editor/ControlMenu.h"
 #include "Editor/GestureBurst.h"
 #include "Editor/KeyedSlider.h"
 #include "Editor/Look.h"
@@ -22,18 +23,17 @@ public:
     };
 
     ParameterControl(const ParameterInfo& info, ProcessorView& view, Shape shape = Shape::row);
+    ~ParameterControl() override;
 
     void refresh();
 
     /// The menu for a right click or Shift+F10.
-    juce::PopupMenu menu();
+    juce::PopupMenu menu() const { return controlMenu.popup(); }
 
     void resized() override;
     void paint(juce::Graphics& g) override;
-    void mouseDown(const juce::MouseEvent& event) override;
     void mouseExit(const juce::MouseEvent& event) override;
     void focusOfChildComponentChanged(FocusChangeType cause) override;
-    bool keyPressed(const juce::KeyPress& key) override;
     void lookAndFeelChanged() override;
 
 private:
@@ -52,7 +52,6 @@ private:
     void placeKnob();
     void refreshController();
     void showTooltip();
-    void showMenu();
 
     const ParameterInfo& info;
     ProcessorView& view;
@@ -66,6 +65,7 @@ private:
     std::unique_ptr<KeyedSlider> slider;
     std::unique_ptr<juce::ToggleButton> toggle;
     std::unique_ptr<ChoiceList> list;
+    ControlMenu controlMenu;
     int drags = 0;      ///< drags under way: a double click makes one within its press
     GestureBurst burst; ///< joins steps of the mouse wheel or a key into one gesture
 };

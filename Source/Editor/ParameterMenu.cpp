@@ -1,5 +1,6 @@
 #include "Editor/ParameterMenu.h"
 
+#include "Editor/NamedEdit.h"
 #include "Editor/Utf8.h"
 
 namespace idiophone {
@@ -28,8 +29,10 @@ juce::PopupMenu parameterMenu(const ParameterInfo& info,
     if (actions.typeValue != nullptr)
         menu.addItem("Type a value...", live, false, std::move(actions.typeValue));
     const auto addValue = [&](const juce::String& name, double value) {
-        menu.addItem(name + valueText(info, value, display), live, false,
-                     [&info, &view, value] { view.parameters.changeOnce(info.parameter, value); });
+        menu.addItem(name + valueText(info, value, display), live, false, [&info, &view, value] {
+            const NamedEdit step(view.history, info.name);
+            view.parameters.changeOnce(info.parameter, value);
+        });
     };
     addValue("Reset to ", view.parameters.presetValue(parameter));
     addValue("Default: ", info.defaultValue);

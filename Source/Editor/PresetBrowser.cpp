@@ -20,7 +20,7 @@ void PresetBrowser::Search::paintOverChildren(juce::Graphics& g) {
     TextEditor::paintOverChildren(g);
     if (!isEmpty() || !hasKeyboardFocus(false))
         return;
-    g.setColour(juce::Colours::grey);
+    g.setColour(colourOf(*this, LookColour::dimText));
     g.setFont(getFont());
     g.drawText(getTextToShowWhenEmpty(),
                getLocalBounds().withTrimmedLeft(getLeftIndent() + besideCaret),
@@ -31,7 +31,7 @@ PresetBrowser::PresetBrowser(PresetShelf& presetShelf) : shelf(presetShelf) {
     setTitle("Preset browser");
     setFocusContainerType(FocusContainerType::keyboardFocusContainer);
     search.setTitle("Search presets");
-    search.setTextToShowWhenEmpty("Search names, tags, descriptions, authors", juce::Colours::grey);
+    search.setTextToShowWhenEmpty("Search names, tags, descriptions, authors", {});
     search.setFont(Look::textFont(14.5f));
     search.setIndents(8, 0);
     search.setSelectAllWhenFocused(true); // new words replace the previous search
@@ -135,8 +135,9 @@ void PresetBrowser::refill() {
         say("No preset has all of these words and tags.", false);
     else if (!found.contains(0))
         say("No preset has exactly these words; these are similar.", false);
-    else if (status.getText().startsWith("No preset"))
+    else if (saysSearch)
         say({}, false);
+    saysSearch = !found.contains(0);
     clear.setVisible(!search.isEmpty() || sources.isNarrowed());
     resized();
     arrangeHint();
@@ -161,10 +162,15 @@ void PresetBrowser::arrangeHint() {
 
 void PresetBrowser::say(const juce::String& sentence, bool isError) {
     saysError = isError;
-    status.setColour(juce::Label::textColourId,
-                     colourOf(*this, isError ? LookColour::error : LookColour::dimText));
+    saysSearch = false;
+    colourStatus();
     status.setText(sentence, juce::dontSendNotification);
     status.setTooltip(sentence);
+}
+
+void PresetBrowser::colourStatus() {
+    status.setColour(juce::Label::textColourId,
+                     colourOf(*this, saysError ? LookColour::error : LookColour::dimText));
 }
 
 void PresetBrowser::ask(Question next) {

@@ -36,7 +36,7 @@ public:
     void paint(juce::Graphics& g) override;
     void resized() override;
     bool keyPressed(const juce::KeyPress& key) override;
-    void lookAndFeelChanged() override { say(status.getText(), saysError); }
+    void lookAndFeelChanged() override { colourStatus(); }
 
 private:
     enum class Question { none, save, rename, remove };
@@ -48,7 +48,9 @@ private:
     void ask(Question question);
     void answer(const PresetDetails& details);
     void showActions();
+    /// Shows a sentence in the status.
     void say(const juce::String& sentence, bool isError);
+    void colourStatus();
     void arrangeHint();
 
     /// The search field. It leaves the list's keys to the browser. It shows its hint even while
@@ -71,6 +73,7 @@ private:
     std::string askedId; ///< id of the preset in question, or empty
     juce::Label status;
     bool saysError = false;
+    bool saysSearch = false; ///< whether the status is about the search
     juce::ToggleButton playSwitch{"Play on selection"};
     juce::TextButton clear{"Clear"}, saveAs{"Save as..."}, rename{"Rename"}, remove{"Delete"},
         reveal{"Folder"}, init{"Init"}, back{"Back"}, keep{"Keep"};

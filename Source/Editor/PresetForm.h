@@ -33,7 +33,7 @@ public:
             field->setJustification(juce::Justification::centredLeft);
             field->setSelectAllWhenFocused(true);
             field->setInputRestrictions(500);
-            field->setTextToShowWhenEmpty(hint, juce::Colours::grey);
+            field->setTextToShowWhenEmpty(hint, {});
             field->onReturnKey = [this] { followReturn(); };
             field->onEscapeKey = [this] { juce::NullCheckedInvocation::invoke(onCancel); };
             field->onTextChange = [this] { followText(); };

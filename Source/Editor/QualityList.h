@@ -1,6 +1,7 @@
 // The list of qualities: each one sets the four parameters of quality together.
 #pragma once
 
+#include "Editor/NamedEdit.h"
 #include "Editor/ProcessorView.h"
 
 #include <algorithm>
@@ -57,10 +58,9 @@ private:
         const auto index = static_cast<std::size_t>(getSelectedId() - 1);
         if (index >= qualities.size())
             return refresh();
-        view.history.beginEdit("Quality");
+        const NamedEdit step(view.history, "Quality");
         for (std::size_t i = 0; i < parameters.size(); ++i)
             view.parameters.changeOnce(parameters[i], qualities[index].values[i]);
-        view.history.endEdit();
     }
 
     ProcessorView& view;

@@ -64,11 +64,18 @@ public:
     /// The text of the line: the sentence or the hint.
     juce::String line() const { return showsHint() ? hint : seenOf(shown.sentence); }
 
+    /// Returns a text as the line shows it where no delay is shown: on up to three lines, and cut
+    /// if it is longer.
+    juce::GlyphArrangement fitted(const juce::String& text) const {
+        return fittedIn(text,
+                        getLocalBounds().withTrimmedRight(modesWidth + meterWidth + markWidth));
+    }
+
     void paint(juce::Graphics& g) override {
         auto area = getLocalBounds();
-        const auto mark = area.removeFromRight(10).toFloat().withSizeKeepingCentre(6, 6);
-        const auto meter = area.removeFromRight(116).toFloat().withSizeKeepingCentre(112, 6);
-        const auto modes = area.removeFromRight(110).withTrimmedRight(12);
+        const auto mark = area.removeFromRight(markWidth).toFloat().withSizeKeepingCentre(6, 6);
+        const auto meter = area.removeFromRight(meterWidth).toFloat().withSizeKeepingCentre(112, 6);
+        const auto modes = area.removeFromRight(modesWidth).withTrimmedRight(12);
         const float filled = static_cast<float>(shownDecibels - silentDecibels) / -silentDecibels;
         g.setColour(colourOf(*this, LookColour::outline));
         g.fillRoundedRectangle(meter, 3);
@@ -82,7 +89,7 @@ public:
         g.setFont(Look::textFont());
         g.setColour(colourOf(*this, LookColour::dimText));
         g.drawText(modesText(), modes, juce::Justification::centredRight);
-        if (const auto delay = delayText(); delay.isNotEmpty()) {
+        if (const auto delay = delayText(); delay.isNotEmpty() && !showsHint()) {
             const int width = juce::GlyphArrangement::getStringWidthInt(Look::textFont(), delay);
             g.drawText(delay, area.removeFromRight(width + 24).withTrimmedRight(12),
                        juce::Justification::centredRight);
@@ -90,7 +97,7 @@ public:
         g.setColour(colourOf(*this, showsHint()     ? LookColour::dimText
                                     : shown.isError ? LookColour::error
                                                     : LookColour::text));
-        g.drawFittedText(line(), area, juce::Justification::centredLeft, 2, 0.85f);
+        fittedIn(line(), area).draw(g);
     }
     juce::String description() const override {
         juce::StringArray parts{fromUtf8(shown.sentence), delayText(), modesText(),
@@ -111,6 +118,16 @@ private:
         return fromUtf8(std::string_view(sentence).substr(0, 2000)).substring(0, 400);
     }
 
+    static juce::GlyphArrangement fittedIn(const juce::String& text, juce::Rectangle<int> area) {
+        constexpr int maximumLines = 3;
+        constexpr float minimumScale = 0.8f; // of the width
+        juce::GlyphArrangement glyphs;
+        glyphs.addFittedText(Look::textFont(), text, float(area.getX()), float(area.getY()),
+                             float(area.getWidth()), float(area.getHeight()),
+                             juce::Justification::centredLeft, maximumLines, minimumScale);
+        return glyphs;
+    }
+
     bool showsHint() const { return hint.isNotEmpty() && updatesToKeep == 0; }
     juce::String modesText() const {
         return juce::String(shown.modesMixed) + (shown.modesMixed == 1 ? " mode" : " modes");
@@ -124,6 +141,7 @@ private:
                                      : delay + ", " + juce::String(shown.lateEvents) + " late";
     }
 
+    static constexpr int markWidth = 10, meterWidth = 116, modesWidth = 92;
     static constexpr int sentenceUpdates = 100, errorUpdates = 250; ///< 4 s and 10 s in use
 
     StatusView::Status shown;

@@ -32,9 +32,9 @@ struct WindowSize {
     /// size.
     static juce::Point<int>
     within(juce::Rectangle<int> screen, juce::Point<int> size, float scale) {
-        const auto fitting = [scale](int wanted, int first, int least, int most) {
-            const int room = juce::roundToInt(float(most) / scale);
-            return juce::jlimit(least, std::max(least, room), wanted > 0 ? wanted : first);
+        const auto fitting = [scale](int wanted, int first, int minimum, int onScreen) {
+            const int maximum = juce::roundToInt(float(onScreen) / scale);
+            return juce::jlimit(minimum, std::max(minimum, maximum), wanted > 0 ? wanted : first);
         };
         return {fitting(size.x, firstWidth, minimumWidth, screen.getWidth()),
                 fitting(size.y, firstHeight, minimumHeight, screen.getHeight())};

@@ -93,20 +93,15 @@ parseUnclamped(const ParameterInfo& info, std::string_view text, ValueDisplay di
         if (sameWord(text, names[i]))
             return static_cast<double>(i);
 
-    std::istringstream stream{std::string(text)};
-    stream.imbue(std::locale::classic()); // the host's locale may have decimal commas
-    double number = 0;
-    stream >> number;
-    if (!stream)
+    const auto typed = parseTypedNumber(text);
+    if (!typed)
         return std::nullopt;
-    std::string rest;
-    std::getline(stream, rest);
-    const auto unit = trimmed(rest);
-    if (unit.empty())
+    const double number = typed->number;
+    if (typed->unit.empty())
         return isPlain(info, display) ? info.fromNormalised(number / plainMaximum) : number;
     if (info.scale == onOff || info.scale == choice)
         return std::nullopt;
-    return inUnit(number, unit, info.unit);
+    return inUnit(number, typed->unit, info.unit);
 }
 
 } // namespace idiophone

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <locale>
+#include <sstream>
 #include <string>
 #include <utility>
 
@@ -113,6 +115,19 @@ const Unit* findUnit(const std::string& name) {
 }
 
 } // namespace
+
+std::optional<TypedNumber> parseTypedNumber(std::string_view text) {
+    std::string plain(text);
+    std::ranges::replace(plain, ',', '.');
+    std::istringstream stream(plain);
+    stream.imbue(std::locale::classic()); // the host's locale may differ
+    TypedNumber typed;
+    if (!(stream >> typed.number))
+        return std::nullopt;
+    std::getline(stream >> std::ws, typed.unit);
+    typed.unit.erase(typed.unit.find_last_not_of(" \t\r\n") + 1);
+    return typed;
+}
 
 std::optional<double> inUnit(double number, std::string_view typed, std::string_view wanted) {
     const auto from = plainUnit(typed), to = plainUnit(wanted);

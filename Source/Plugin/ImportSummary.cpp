@@ -1,5 +1,7 @@
 #include "Plugin/ImportSummary.h"
 
+#include "Editor/ImportMeasures.h"
+#include "Editor/ModeText.h"
 #include "Editor/Utf8.h"
 #include "Instrument/ObjectBox.h"
 #include "Object/ModalObjectFile.h"
@@ -10,38 +12,18 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <string_view>
 
 namespace idiophone {
-namespace {
-
-/// Formats a value to three significant digits.
-juce::String figure(double value) {
-    if (value >= 100)
-        return juce::String(juce::roundToInt(value));
-    if (value < 0.0005)
-        return "0";
-    return juce::String(value, value >= 10 ? 1 : value >= 1 ? 2 : 3);
-}
-
-juce::String frequency(double hz) {
-    return hz < 1000 ? figure(hz) + " Hz" : figure(hz / 1000) + " kHz";
-}
-
-} // namespace
-
 std::string summaryOf(const ModalObject& object) {
     const double lowestHz = std::sqrt(object.eigenvalues.front()) / (2 * std::numbers::pi);
     const auto sides = sidesMetresOf(object);
-    const auto millimetres = [&](std::size_t axis) { return figure(1000 * sides[axis]); };
-    const double kilograms = object.mass.massKg;
+    const auto millimetres = [&](std::size_t axis) { return figureText(1000 * sides[axis]); };
     const auto modes = static_cast<int>(object.modeCount());
     return (juce::String(modes) + (modes == 1 ? " mode at " : " modes from ") +
-            frequency(lowestHz) +
-            (modes == 1 ? juce::String() : " to " + frequency(object.bandHz)) + "; " +
-            (kilograms < 1 ? figure(1000 * kilograms) + " g" : figure(kilograms) + " kg") + " of " +
-            fromUtf8(object.material.name) + ", " + millimetres(0) + " x " + millimetres(1) +
-            " x " + millimetres(2) + " mm")
+            frequencyText(lowestHz) +
+            (modes == 1 ? juce::String() : " to " + frequencyText(object.bandHz)) + "; " +
+            massText(object.mass.massKg) + " of " + fromUtf8(object.material.name) + ", " +
+            millimetres(0) + " x " + millimetres(1) + " x " + millimetres(2) + " mm")
         .toStdString();
 }
 

@@ -8,8 +8,8 @@
 
 namespace idiophone {
 
-/// Returns a summary such as "171 modes from 412 Hz to 44.0 kHz; 32.7 kg of Steel, 200 x 200 x 200
-/// mm".
+/// Returns a summary such as "171 modes from 412.3 Hz to 44.0 kHz; 32.7 kg of Steel, 200 x 200 x
+/// 200 mm".
 std::string summaryOf(const ModalObject& object);
 
 /// Returns the sides of the bounding box.

@@ -4,6 +4,7 @@
 #include "Editor/OpenWindow.h"
 #include "Editor/Utf8.h"
 #include "Editor/WindowParts.h"
+#include "Support/PresetNumber.h"
 #include "Support/SoundFile.h"
 #include "Support/TestFolder.h"
 #include "Support/TestSound.h"
@@ -21,9 +22,7 @@ namespace {
 /// A processor whose dice have struck something.
 struct Thrown {
     Thrown() {
-        for (int program = 0; program < processor.getNumPrograms(); ++program)
-            if (processor.getProgramName(program) == "Dice on Rosewood")
-                processor.setCurrentProgram(program);
+        processor.setCurrentProgram(presetNumber("Dice on Rosewood"));
         processor.setNonRealtime(true);
         processor.prepareToPlay(48000, 480);
         juce::MidiBuffer midi;
@@ -44,12 +43,12 @@ struct Thrown {
 TEST_CASE("Each drag of a capture writes its own file, which later drags do not change") {
     Thrown thrown;
     auto midi = thrown.button();
-    const auto first = midi.writeForDrag();
+    const auto first = midi.take();
     REQUIRE(first.existsAsFile());
     const auto written = first.loadFileAsString();
     thrown.processor.prepareToPlay(48000, 480);
     auto other = thrown.button();
-    const auto second = other.writeForDrag();
+    const auto second = other.take();
     REQUIRE(second.existsAsFile());
     CHECK(second != first);
     CHECK(first.loadFileAsString() == written);
@@ -68,7 +67,7 @@ TEST_CASE("Each drag of a capture writes its own file, which later drags do not 
            (perms::group_all | perms::others_all)) == perms::none);
 #endif
     REQUIRE(folder.deleteRecursively());
-    const auto third = midi.writeForDrag();
+    const auto third = midi.take();
     CHECK(third.existsAsFile());
     CHECK(third.getParentDirectory() != folder);
     third.getParentDirectory().deleteRecursively();
@@ -78,17 +77,20 @@ TEST_CASE("A capture saved without an extension gets one, and does not overwrite
     Thrown thrown;
     auto midi = thrown.button();
     const auto bare = fileOf(testFolder() / "throw"), with = bare.withFileExtension("mid");
-    midi.save(bare);
+    midi.save(midi.take(), bare);
     CHECK_FALSE(bare.exists());
     REQUIRE(with.getSize() > 0);
 
     with.replaceWithText("another's");
-    midi.save(bare);
+    midi.save(midi.take(), bare);
     CHECK(with.loadFileAsString() == "another's");
     CHECK(thrown.processor.view().status.takeStatus().sentence ==
           "There is already a file throw.mid.");
-    midi.save(with); // the chooser has asked about this file
+    const auto taken = midi.take();
+    midi.save(taken, with); // the chooser has asked about this file
     CHECK(with.loadFileAsString() != "another's");
+    CHECK_FALSE(taken.exists());
+    taken.getParentDirectory().deleteRecursively();
 }
 
 TEST_CASE("A drag of the last 30 seconds writes them as a WAV file named after the preset") {
@@ -98,15 +100,48 @@ TEST_CASE("A drag of the last 30 seconds writes them as a WAV file named after t
     const auto window = open(processor);
     auto* last = find<CaptureButton<IconButton>>(*window, "Last 30 seconds");
     REQUIRE(last != nullptr);
-    CHECK(last->writeForDrag() == juce::File()); // nothing was heard yet
+    const auto checkNothing = [&](const auto& act) {
+        processor.view().status.reportError("Another error.");
+        act();
+        CHECK(processor.view().status.takeStatus().sentence.starts_with(
+            "There is nothing to save yet"));
+    };
+    checkNothing([&] { CHECK(last->fileToDrag() == juce::File()); });
+    checkNothing([&] { last->onClick(); });
     render(processor, 24000, 480, testMusic(24000));
-    const auto file = last->writeForDrag();
+    const auto file = last->take();
     REQUIRE(file.existsAsFile());
     CHECK(file.getFileName().startsWith("Test keyboard 20"));
     CHECK(file.hasFileExtension(".wav"));
     CHECK(DragFolder::contains(pathOf(file)));
     CHECK(loudest(readSoundFile(pathOf(file)).sound) > 0.001f);
     file.getParentDirectory().deleteRecursively();
+}
+
+TEST_CASE("The last 30 seconds are those before the click, however long the file is chosen") {
+    Processor processor;
+    restore(processor, testState());
+    processor.prepareToPlay(48000, 480);
+    const auto window = open(processor);
+    auto* last = find<CaptureButton<IconButton>>(*window, "Last 30 seconds");
+    REQUIRE(last != nullptr);
+    render(processor, 24000, 480, testMusic(24000));
+    const auto taken = last->take();
+    REQUIRE(taken.existsAsFile());
+    processor.view().instrument.silence();
+    render(processor, 31 * 48000, 480, {});
+    CHECK_FALSE(processor.view().recorder.hasLastSound());
+    const auto chosen = fileOf(testFolder() / "take.wav");
+    last->save(taken, chosen);
+    CHECK(loudest(readSoundFile(pathOf(chosen)).sound) > 0.001f);
+
+    const auto nowhere = fileOf(testFolder() / "none" / "take.wav");
+    chosen.copyFileTo(taken);
+    last->save(taken, nowhere);
+    CHECK(processor.view().status.takeStatus().sentence ==
+          "The file " + nowhere.getFullPathName().toStdString() +
+              " cannot be written. Choose another folder.");
+    taken.getParentDirectory().deleteRecursively();
 }
 
 TEST_CASE("Files for dragging are removed a week after the last one of their folder") {

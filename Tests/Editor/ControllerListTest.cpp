@@ -23,6 +23,12 @@ void assign(Processor& processor, std::initializer_list<std::pair<ParameterId, i
     processor.windowSession().controllers.assign(assignments);
 }
 
+void chooseListIn(const juce::PopupMenu& menu) {
+    for (juce::PopupMenu::MenuItemIterator item(menu); item.next();)
+        if (item.getItem().text == "MIDI controllers...")
+            item.getItem().action();
+}
+
 juce::StringArray rowsOf(ControllerList& list) {
     juce::StringArray rows;
     visit(list, [&](juce::Component& part) {
@@ -88,6 +94,19 @@ TEST_CASE("A pending learn ends with the preset and with the window") {
     CHECK_FALSE(controllers.learningParameter());
 }
 
+TEST_CASE("A pending learn goes on when the preset's objects are built anew") {
+    Processor processor;
+    auto& controllers = processor.windowSession().controllers;
+    ControllerList list(processor.view());
+    controllers.learnController(density);
+    list.refresh();
+    const int before = processor.view().instrument.instrumentNumber();
+    processor.view().workshop.setStrikePath(0, {{0, 0, 0}, {0.05, 0, 0}});
+    CHECK(processor.view().instrument.instrumentNumber() != before);
+    list.refresh();
+    CHECK(controllers.learningParameter() == density);
+}
+
 TEST_CASE("The menu of a control opens the list, and the preset browser closes it") {
     Processor processor;
     const auto window = open(processor);
@@ -98,10 +117,7 @@ TEST_CASE("The menu of a control opens the list, and the preset browser closes i
             control = found;
     });
     REQUIRE(control != nullptr);
-    const auto menu = control->menu();
-    for (juce::PopupMenu::MenuItemIterator item(menu); item.next();)
-        if (item.getItem().text == "MIDI controllers...")
-            item.getItem().action();
+    chooseListIn(control->menu());
     CHECK(list.isVisible());
     dynamic_cast<EditorWindow&>(*window).setBrowsing(true);
     CHECK_FALSE(list.isVisible());
@@ -109,4 +125,33 @@ TEST_CASE("The menu of a control opens the list, and the preset browser closes i
     const auto menuAlone = alone.menu();
     for (juce::PopupMenu::MenuItemIterator item(menuAlone); item.next();)
         CHECK(item.getItem().text != "MIDI controllers...");
+}
+
+TEST_CASE("The list opens in place of the preset browser, and a dropped file in place of both") {
+    Processor processor;
+    EditorWindow window(processor, processor.view());
+    auto& list = *find<ControllerList>(window, "MIDI controllers");
+    auto& browser = *find<PresetBrowser>(window, "Preset browser");
+    auto& deck = *find<PageDeck>(window, "Pages");
+    window.setBrowsing(true);
+    CHECK_FALSE(deck.isVisible());
+    chooseListIn(find<ParameterControl>(window, "Volume")->menu());
+    CHECK(list.isVisible());
+    CHECK_FALSE(browser.isVisible());
+    CHECK_FALSE(deck.isVisible());
+    CHECK(list.keyPressed(juce::KeyPress(juce::KeyPress::escapeKey)));
+    CHECK(deck.isVisible());
+    CHECK_FALSE(list.isVisible());
+    CHECK_FALSE(browser.isVisible());
+
+    for (const char* file : {"/nowhere/teapot.obj", "/nowhere/meantone.scl"})
+        for (const bool browses : {false, true}) {
+            INFO(file << ", " << browses);
+            browses ? window.setBrowsing(true) : window.showControllers();
+            CHECK_FALSE(deck.isVisible());
+            window.filesDropped({file}, 5, 5);
+            CHECK(deck.isVisible());
+            CHECK_FALSE(list.isVisible());
+            CHECK_FALSE(browser.isVisible());
+        }
 }

@@ -2,6 +2,7 @@
 #include "Editor/EditorWindow.h"
 #include "Editor/MaterialPad.h"
 #include "Editor/MaterialPage.h"
+#include "Editor/Mouse.h"
 #include "Editor/OpenWindow.h"
 #include "Editor/Preferences.h"
 #include "Editor/WindowParts.h"
@@ -43,6 +44,19 @@ juce::StringArray cutTexts(juce::Component& window) {
             cut.add(label->getText());
     });
     return cut;
+}
+
+/// The contrast of two colours, 1 to 21 (WCAG 2.1).
+float contrastOf(juce::Colour a, juce::Colour b) {
+    const auto luminance = [](juce::Colour colour) {
+        const auto linear = [](float part) {
+            return part <= 0.04045f ? part / 12.92f : std::pow((part + 0.055f) / 1.055f, 2.4f);
+        };
+        return 0.2126f * linear(colour.getFloatRed()) + 0.7152f * linear(colour.getFloatGreen()) +
+               0.0722f * linear(colour.getFloatBlue());
+    };
+    const float high = std::max(luminance(a), luminance(b));
+    return (high + 0.05f) / (std::min(luminance(a), luminance(b)) + 0.05f);
 }
 
 PageDeck& deckOf(juce::Component& window) {
@@ -191,25 +205,40 @@ TEST_CASE("Every enabled control has an accessible name") {
 }
 
 TEST_CASE("Text contrast meets WCAG AA in both looks") {
-    const auto luminance = [](juce::Colour colour) {
-        const auto linear = [](float part) {
-            return part <= 0.04045f ? part / 12.92f : std::pow((part + 0.055f) / 1.055f, 2.4f);
-        };
-        return 0.2126f * linear(colour.getFloatRed()) + 0.7152f * linear(colour.getFloatGreen()) +
-               0.0722f * linear(colour.getFloatBlue());
-    };
-    const auto contrast = [&](juce::Colour a, juce::Colour b) {
-        const float high = std::max(luminance(a), luminance(b));
-        return (high + 0.05f) / (std::min(luminance(a), luminance(b)) + 0.05f);
-    };
     using enum LookColour;
     for (const auto scheme : {LookScheme::dark, LookScheme::light}) {
         for (const auto back : {background, panel})
             for (const auto front : {text, dimText, accent, error})
-                CHECK(contrast(colourOf(scheme, front), colourOf(scheme, back)) >= 4.5f);
-        CHECK(contrast(colourOf(scheme, onAccent), colourOf(scheme, accent)) >= 4.5f);
-        CHECK(contrast(colourOf(scheme, text), colourOf(scheme, outline)) >= 4.5f);
+                CHECK(contrastOf(colourOf(scheme, front), colourOf(scheme, back)) >= 4.5f);
+        CHECK(contrastOf(colourOf(scheme, onAccent), colourOf(scheme, accent)) >= 4.5f);
+        CHECK(contrastOf(colourOf(scheme, text), colourOf(scheme, outline)) >= 4.5f);
     }
+}
+
+TEST_CASE("The hint in an empty field meets WCAG AA in both looks") {
+    Processor processor;
+    EditorWindow window(processor, processor.view());
+    int fields = 0;
+    for (const auto scheme : {LookScheme::dark, LookScheme::light}) {
+        window.setLook(scheme);
+        visit(window, [&](juce::Component& part) {
+            auto* field = dynamic_cast<juce::TextEditor*>(&part);
+            if (field == nullptr || field->getTextToShowWhenEmpty().isEmpty())
+                return;
+            ++fields;
+            field->setSize(400, 28);
+            field->clear();
+            const auto picture = field->createComponentSnapshot({2, 2, 396, 24}, true, 4);
+            const auto back = picture.getPixelAt(picture.getWidth() - 1, picture.getHeight() / 2);
+            float highest = 1;
+            for (int y = 0; y < picture.getHeight(); ++y)
+                for (int x = 0; x < picture.getWidth(); ++x)
+                    highest = std::max(highest, contrastOf(picture.getPixelAt(x, y), back));
+            INFO(field->getTitle());
+            CHECK(highest >= 4.5f);
+        });
+    }
+    CHECK(fields == 8); // the search, and three of the form, in each look
 }
 
 TEST_CASE("Text typed in one look is readable in the other") {
@@ -300,6 +329,17 @@ TEST_CASE("Swapping materials twice restores the material after the last change"
             page.refresh();
     };
     tick(20);
+    processor.view().parameters.change(material, firstLibraryMaterial + 4);
+    tick(20);
+    processor.view().parameters.change(material, firstLibraryMaterial + 8);
+    tick(20);
+    processor.view().parameters.changeOnce(density, 1234); // makes it custom
+    tick(20);
+    page.swapMaterials();
+    CHECK(processor.windowSession().history.undoName() == "Material");
+    CHECK(processor.view().parameters.value(material) == double{firstLibraryMaterial} + 8);
+    page.swapMaterials();
+    CHECK(processor.view().parameters.value(density) == 1234);
     processor.view().parameters.change(material, firstLibraryMaterial + 4);
     tick(20);
     processor.view().parameters.change(material, firstLibraryMaterial + 8);
@@ -416,4 +456,24 @@ TEST_CASE("A window that closes during a drag ends the gesture for the host") {
     processor.removeListener(&host);
     CHECK(host.text == "(=)");
     CHECK(processor.windowSession().history.undoName() == "Density");
+}
+
+TEST_CASE("A window that closes while the mouse holds a control makes one gesture and one step") {
+    Processor processor;
+    GestureLog host;
+    processor.addListener(&host);
+    for (const char* name : {"Size", "Mallet speed"}) { // a knob and a row
+        INFO(name);
+        auto window = open(processor);
+        window->setSize(3840, 2160);
+        auto& slider = *find<juce::Slider>(*window, name);
+        slider.mouseDown(mouseAt(slider, {30, 8}, {30, 8}));
+        slider.mouseDrag(mouseAt(slider, {60, 2}, {30, 8}));
+        CHECK(host.text.startsWith("(="));
+        window.reset();
+        CHECK(host.text.retainCharacters("()") == "()");
+        CHECK(processor.windowSession().history.undoName() == name);
+        host.text.clear();
+    }
+    processor.removeListener(&host);
 }

@@ -89,7 +89,9 @@ TEST_CASE("A window that is not on a screen shows no hints") {
     const UserSettings user;
     Processor processor;
     const auto window = open(processor);
-    juce::Timer::callPendingTimersSynchronously();
+    auto& name = *find<juce::Button>(*window, "Preset");
+    processor.setCurrentProgram(1);
+    runTimersUntil([&] { return name.getButtonText() == processor.getProgramName(1); });
     FirstHints* hints = nullptr;
     visit(*window, [&](juce::Component& part) {
         if (auto* found = dynamic_cast<FirstHints*>(&part))
@@ -97,4 +99,5 @@ TEST_CASE("A window that is not on a screen shows no hints") {
     });
     REQUIRE(hints != nullptr);
     CHECK_FALSE(hints->isVisible());
+    CHECK_FALSE(Preferences().areHintsSeen());
 }

@@ -79,6 +79,19 @@ TEST_CASE("A size is parsed in the typed unit, in centimetres by default") {
         CHECK(parseSizeMetres(sizeText(metres)).value() == Approx(metres));
 }
 
+TEST_CASE("A number has three significant digits, and all of those before the point") {
+    CHECK(threeDigits(2.3) == "2.30");
+    CHECK(threeDigits(0.04) == "0.040");
+    CHECK(threeDigits(9.996) == "10.0");
+    CHECK(threeDigits(99.96) == "100");
+    CHECK(threeDigits(1447.03) == "1447");
+    CHECK(figureText(2.3) == "2.3");
+    CHECK(figureText(0.04) == "0.04");
+    CHECK(figureText(0.0001) == "0");
+    CHECK(figureText(30) == "30");
+    CHECK(figureText(340.2) == "340");
+}
+
 TEST_CASE("Size and mass are texts in centimetres, and grams or kilograms") {
     CHECK(measuresText({0.3, 0.12, 0.004}, 0.34) == "30 x 12 x 0.4 cm, 340 g");
     CHECK(measuresText({1.234, 0.5, 0}, 12.345) == "123 x 50 x 0 cm, 12.3 kg");

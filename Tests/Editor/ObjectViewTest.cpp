@@ -2,6 +2,7 @@
 #include "Editor/ObjectView.h"
 
 #include "Editor/WindowParts.h"
+#include "Support/PresetNumber.h"
 #include "Support/TestSound.h"
 
 #include "Instrument/FactoryContent.h"
@@ -17,12 +18,6 @@ using namespace idiophone::test;
 using Catch::Approx;
 
 namespace {
-
-int presetNumber(const char* name) {
-    const auto presets = factoryPresets();
-    const auto found = std::ranges::find(presets, name, &Preset::name);
-    return static_cast<int>(found - presets.begin());
-}
 
 std::vector<InstrumentView::PlayedObject> objectsOf(Processor& processor, const char* preset) {
     processor.setCurrentProgram(presetNumber(preset));

@@ -88,16 +88,48 @@ TEST_CASE("A double click resets a control to the preset's value, in one step") 
         opened.processor.view().parameters.changeOnce(parameter, moved);
         runTimersUntil([&] { return slider.getValue() == moved; });
         doubleClickOn(slider, slider.getLocalBounds().toFloat().getRelativePoint(share.x, share.y));
-        CHECK(opened.value(parameter) == factoryPresets()[3].parameters[parameter]);
+        const double wanted = factoryPresets()[3].parameters[parameter];
+        CHECK(wanted != parameterInfo(parameter).defaultValue);
+        CHECK(opened.value(parameter) == wanted);
         opened.history.undo();
         CHECK(opened.value(parameter) == moved);
     };
+    // The preset has other values than the table's defaults.
     SECTION("a knob") {
-        checkReset(strikeSpread, 77, {0.5f, 0.5f});
+        checkReset(ParameterId::room, 77, {0.5f, 0.5f});
     }
     SECTION("a row's slider, which moves to the click first") {
-        checkReset(strikeAcross, -40, {0.9f, 0.5f});
+        checkReset(malletSpeed, 5, {0.9f, 0.5f});
     }
+}
+
+TEST_CASE("A knob's arc starts at the preset's value, before any click and after a new preset") {
+    Opened opened;
+    const auto hasArc = [&](const juce::String& name) {
+        auto& knob = opened.part<juce::Slider>(name);
+        const auto picture = knob.createComponentSnapshot(knob.getLocalBounds());
+        const auto accent = colourOf(knob, LookColour::accent);
+        for (int y = 0; y < picture.getHeight(); ++y)
+            for (int x = 0; x < picture.getWidth(); ++x)
+                if (picture.getPixelAt(x, y) == accent)
+                    return true;
+        return false;
+    };
+    const auto checkNoArcs = [&] {
+        for (const auto& info : parameterTable())
+            if (info.group == std::string_view("Play")) {
+                INFO(info.name);
+                CHECK_FALSE(hasArc(info.name));
+            }
+    };
+    checkNoArcs();
+    opened.load("Thrown Shells");
+    auto& room = opened.part<juce::Slider>("Room");
+    runTimersUntil([&] { return room.getValue() == 70; });
+    checkNoArcs();
+    opened.processor.view().parameters.changeOnce(ParameterId::room, 40);
+    runTimersUntil([&] { return room.getValue() == 40; });
+    CHECK(hasArc("Room"));
 }
 
 TEST_CASE(

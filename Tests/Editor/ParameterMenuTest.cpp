@@ -3,6 +3,9 @@
 #include "Editor/IconButton.h"
 #include "Editor/LeftClicked.h"
 #include "Editor/Look.h"
+#include "Editor/MalletRack.h"
+#include "Editor/MaterialPage.h"
+#include "Editor/Mouse.h"
 #include "Editor/ParameterControl.h"
 #include "Editor/WindowParts.h"
 #include "Plugin/Processor.h"
@@ -63,6 +66,17 @@ TEST_CASE("The menu shows the value, and sets the preset's or the default in one
     checkStep("Default: 2.0 %", parameterInfo(strikeSpread).defaultValue);
 }
 
+TEST_CASE("A reset from the menu is a step with the parameter's name, also with a named material") {
+    Processor processor;
+    restore(processor, testState());
+    processor.view().parameters.changeOnce(material, firstLibraryMaterial + 8); // steel
+    REQUIRE(choose(menuOf(processor, youngsModulus), "Default: "));
+    CHECK(processor.view().parameters.value(material) == double{customMaterial});
+    CHECK(processor.windowSession().history.undoName() == "Stiffness");
+    processor.windowSession().history.undo();
+    CHECK(processor.view().parameters.value(material) == double{firstLibraryMaterial} + 8);
+}
+
 TEST_CASE("The menu and the tooltip of a figure name its units in both displays") {
     Processor processor;
     restore(processor, testState());
@@ -77,6 +91,51 @@ TEST_CASE("The menu and the tooltip of a figure name its units in both displays"
     CHECK(parameterTooltip(info, ValueDisplay::plain)
               .endsWith("\n0 to 100 (0.01000 GPa to 1000 GPa)"));
     CHECK(parameterTooltip(info, ValueDisplay::units).endsWith("\n0.01000 GPa to 1000 GPa"));
+}
+
+TEST_CASE("The list of materials and the rack of mallets have the menu of their parameter") {
+    Processor processor;
+    restore(processor, testState());
+    auto& parameters = processor.view().parameters;
+    auto& midi = processor.windowSession().controllers;
+    MaterialPage page(processor.view());
+    parameters.changeOnce(material, firstLibraryMaterial + 8);
+    REQUIRE(choose(page.materialMenu(), "Reset to Own"));
+    CHECK(parameters.value(material) == double{ownMaterial});
+    CHECK(processor.windowSession().history.undoName() == "Material");
+    auto* list = find<ChoiceList>(page, "Material");
+    REQUIRE(list != nullptr);
+    REQUIRE(choose(page.materialMenu(), "Learn"));
+    CHECK(midi.learningParameter() == material);
+    page.refresh();
+    CHECK(list->getTooltip().contains("Move the MIDI controller"));
+
+    MalletRack rack(processor.view());
+    rack.setSize(600, 60);
+    const double before = parameters.value(mallet);
+    auto& yarn = *find<juce::Button>(rack, "Yarn mallet");
+    parameters.changeOnce(mallet, firstRackMallet + 1);
+    REQUIRE(choose(rack.menu(), "Reset to "));
+    CHECK(parameters.value(mallet) == before);
+    REQUIRE(choose(rack.menu(), "Learn"));
+    CHECK(midi.learningParameter() == mallet);
+    rack.refresh();
+    CHECK(yarn.getTooltip() == "Take the yarn mallet\nMove the MIDI controller to assign to this "
+                               "parameter");
+    midi.stopLearning();
+    rack.refresh();
+    CHECK(yarn.getTooltip() == "Take the yarn mallet");
+
+    const auto press = [](juce::Component& part, int button) {
+        part.mouseDown(mouseAt(part, {9, 9}, {9, 9}, button));
+        part.mouseUp(mouseAt(part, {9, 9}, {9, 9}, button));
+    };
+    parameters.changeOnce(mallet, firstRackMallet + 1);
+    rack.refresh();
+    press(yarn, juce::ModifierKeys::rightButtonModifier); // opens only the menu
+    CHECK(parameters.value(mallet) == double{firstRackMallet} + 1);
+    press(yarn, juce::ModifierKeys::leftButtonModifier);
+    CHECK(parameters.value(mallet) == double{firstRackMallet});
 }
 
 TEST_CASE("The menu learns, names and forgets a controller") {

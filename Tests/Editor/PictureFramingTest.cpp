@@ -2,10 +2,9 @@
 // hint.
 #include "Editor/ObjectPane.h"
 #include "Editor/WindowParts.h"
-#include "Instrument/FactoryContent.h"
 #include "Plugin/Processor.h"
+#include "Support/PresetNumber.h"
 
-#include <algorithm>
 #include <catch2/catch_test_macros.hpp>
 #include <memory>
 
@@ -13,12 +12,6 @@ using namespace idiophone;
 using namespace idiophone::test;
 
 namespace {
-
-int presetNumber(const char* name) {
-    const auto presets = factoryPresets();
-    const auto found = std::ranges::find(presets, name, &Preset::name);
-    return static_cast<int>(found - presets.begin());
-}
 
 /// A view of a preset, with a mouse that turns it.
 struct TurnedView {

@@ -4,9 +4,8 @@
 #include "Editor/PictureParts.h"
 #include "Editor/PlainPicture.h"
 #include "Editor/SceneLight.h"
+#include "Support/PresetNumber.h"
 #include "Support/TestSound.h"
-
-#include "Instrument/FactoryContent.h"
 
 #include <algorithm>
 #include <catch2/catch_approx.hpp>
@@ -23,9 +22,7 @@ namespace {
 
 struct Picture {
     explicit Picture(const char* preset) {
-        const auto presets = factoryPresets();
-        const auto found = std::ranges::find(presets, preset, &Preset::name);
-        processor.setCurrentProgram(static_cast<int>(found - presets.begin()));
+        processor.setCurrentProgram(presetNumber(preset));
         const auto view = processor.view();
         played = view.instrument.playedObjects();
         bodies = view.stage.stageBodies();

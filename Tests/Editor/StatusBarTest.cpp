@@ -2,6 +2,7 @@
 #include "Editor/StatusBar.h"
 
 #include "Editor/ControlHint.h"
+#include "Editor/EditorWindow.h"
 #include "Editor/Look.h"
 #include "Editor/QualityPage.h"
 #include "Editor/WindowParts.h"
@@ -152,4 +153,30 @@ TEST_CASE("The status line draws only the visible part of a very long sentence")
         text += "a wok and ";
     CHECK(same(drawn(text), drawn(text.substr(0, 10'000))));
     bar.setLookAndFeel(nullptr);
+}
+
+TEST_CASE("The status line shows the whole hint of every control in the smallest window") {
+    Processor processor;
+    ControllerAssignments assignments; // each hint also names a controller
+    for (const auto& info : parameterTable())
+        assignments[info.parameter] = 119;
+    processor.windowSession().controllers.assign(assignments);
+    EditorWindow window(processor, processor.view());
+    window.setSize(WindowSize::minimumWidth, WindowSize::minimumHeight);
+    auto& bar = *find<StatusBar>(window, "Status");
+    auto& deck = *find<PageDeck>(window, "Pages");
+    for (int page = 0; page < deck.pageCount(); ++page) {
+        deck.show(page);
+        deck.refresh();
+        visit(window, [&](juce::Component& part) {
+            const auto hint = ControlHint().find(window, &part, nullptr);
+            if (hint.isEmpty())
+                return;
+            auto shown = bar.fitted(hint);
+            INFO(hint);
+            REQUIRE(shown.getNumGlyphs() > 0);
+            CHECK(shown.getGlyph(shown.getNumGlyphs() - 1).getCharacter() ==
+                  hint.getLastCharacter());
+        });
+    }
 }

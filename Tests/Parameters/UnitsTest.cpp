@@ -93,6 +93,16 @@ TEST_CASE("A unit of another quantity is refused") {
     }
 }
 
+TEST_CASE("A comma stands for the decimal point, and groups of digits are refused") {
+    CHECK(typed(density, "7,85 kg/l") == Approx(7850));
+    CHECK(typed(density, "7,85kg/l") == Approx(7850));
+    CHECK(typed(youngsModulus, "0,2") == Approx(0.2));
+    CHECK(typed(tune, "-12,5 cents") == Approx(-12.5));
+    CHECK_FALSE(typed(density, "7,850.5"));
+    CHECK_FALSE(typed(density, "1,000,000 g/l"));
+    CHECK_FALSE(typed(density, ",kg/l"));
+}
+
 TEST_CASE("An unclamped value keeps a number beyond the range, in any unit") {
     const auto& young = parameterInfo(youngsModulus);
     CHECK(parseUnclamped(young, "5e6 MPa") == Approx(5000));

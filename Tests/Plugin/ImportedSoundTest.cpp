@@ -41,7 +41,8 @@ TEST_CASE("The first product of a file plays at the pitches of the keys, of its 
     CHECK(layoutOf(sound->instrument) == KeyLayout::scaled);
     CHECK(sound->preset.keyMap.object == "imported/Bowl-1");
     CHECK(sound->preset.name == "Bowl");
-    CHECK_THAT(sound->preset.description, Catch::Matchers::StartsWith("Bowl: 3 modes from 440 Hz"));
+    CHECK_THAT(sound->preset.description,
+               Catch::Matchers::StartsWith("Bowl: 3 modes from 440.0 Hz"));
     CHECK(sound->preset.tags == std::vector<std::string>{"imported"});
     CHECK(sound->preset.mutedModes == ModeSet());
     CHECK(sound->presetId.empty());
