@@ -88,6 +88,8 @@ void PictureRenderer::renderOpenGL() {
     glDepthFunc(GL_LESS);
     if (uploaded != shown.scene)
         upload(shown);
+    if (const auto* light = floorLight.takeUploaded())
+        uploadSky(shown, light->sky);
     if (shown.motion && shown.motion->offsets != uploadedOffsets) {
         buffers.uploadOffsets(*shown.motion->offsets);
         uploadedOffsets = shown.motion->offsets;
@@ -117,10 +119,15 @@ void PictureRenderer::upload(const SceneFrame& shown) {
     buffers.upload(vertices);
     uploaded = shown.scene;
     hasShadows = false;
-    auto sky = floorLight.compute(placedVertices(shown), shown.furniture->floorHeight());
+    buffers.uploadSky({});
+    floorLight.begin(shown);
+}
+
+/// Takes the share of the sky at the vertices of objects and furniture at rest.
+void PictureRenderer::uploadSky(const SceneFrame& shown, std::vector<std::uint8_t> sky) {
     if (shown.bodies)
-        sky.clear();
-    sky.resize(sky.empty() ? 0 : vertices.size(), 255); // the mallet is not part of the scene
+        return;
+    sky.resize(shown.scene->vertices().size() + shown.furniture->vertices().size(), 255);
     buffers.uploadSky(sky);
 }
 
@@ -174,7 +181,7 @@ void PictureRenderer::drawRoom(const SceneFrame& shown) {
     program.setUniform("reach", floorLight.reach());
     program.setUniform("floorLight", floorUnit);
     program.setUniform("floorArea", area.left, area.front, area.width, area.depth);
-    program.setUniform("moving", shown.bodies ? 1.0f : 0.0f);
+    program.setUniform("usesMap", shown.bodies || !floorLight.isComplete() ? 1.0f : 0.0f);
     setShadows(program);
     glActiveTexture(GL_TEXTURE0 + floorUnit);
     floorLight.bindTexture();

@@ -181,7 +181,7 @@ TEST_CASE("A square above the floor shades what is under it, and not what is far
     const auto vertices = square(0.5f, 0.2f);
     const FloorArea area{
         .left = -2, .front = -2, .width = 4, .depth = 4, .height = 0, .columns = 40, .rows = 40};
-    const auto light = sceneLight(vertices, area);
+    const auto light = sceneLight(vertices, area).value();
     REQUIRE(light.floor.size() == 2 * 40 * 40);
     const auto at = [&](int column, int row) {
         const auto texel = 2 * static_cast<std::size_t>(40 * row + column);
@@ -200,7 +200,7 @@ TEST_CASE("A surface under another sees less of the sky") {
     auto vertices = square(0.1f, 0);
     const auto roof = square(1, 0.1f);
     vertices.insert(vertices.end(), roof.begin(), roof.end());
-    const auto light = sceneLight(vertices, {.columns = 1, .rows = 1});
+    const auto light = sceneLight(vertices, {.columns = 1, .rows = 1}).value();
     REQUIRE(light.sky.size() == 12);
     for (std::size_t vertex = 0; vertex < 12; ++vertex)
         CHECK((vertex < 6 ? light.sky[vertex] < 40 : light.sky[vertex] == 255));
