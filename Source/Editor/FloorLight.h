@@ -1,32 +1,48 @@
-// The light on the floor as a texture, and the extent of the scene that it was computed for.
+// The light on the floor as a texture, the light of the vertices, and the extent of the scene that
+// they are of.
 #pragma once
 
-#include "Editor/SceneLight.h"
+#include "Editor/LightWorker.h"
+#include "Editor/SceneFrame.h"
 
 #include <Eigen/Core>
+#include <functional>
 #include <juce_opengl/juce_opengl.h>
-#include <vector>
+#include <memory>
 
 namespace idiophone {
 
-/// OpenGL thread.
+/// OpenGL thread. Construct and destroy it while there is no context.
 class FloorLight {
 public:
-    /// Computes the light around these triangles on a floor of that height, and uploads the
-    /// floor's. Returns the visible share of the sky at each vertex. Takes some tenths of a second.
-    std::vector<std::uint8_t> compute(std::span<const SceneVertex> vertices, float floorHeight);
+    /// `arrived` is called on a thread of its own whenever `takeUploaded` should be called.
+    explicit FloorLight(std::function<void()> arrived) : worker(std::move(arrived)) {}
+
+    /// Lights the floor fully. Measures the frame's scene and begins to compute its light, unless
+    /// it is the scene of the last call, in whatever context.
+    void begin(const SceneFrame& shown);
+    /// Uploads the floor's light once it is computed. Returns the light then, at other times
+    /// nullptr.
+    const SceneLight* takeUploaded();
     void bindTexture() const;
     void release();
 
+    bool isComplete() const { return isUploaded; } ///< whether the floor has the scene's light
     const FloorArea& area() const { return floor; }
-    const Eigen::Vector3f& middle() const { return centre; } ///< of the triangles
-    float reach() const { return radius; }                   ///< their radius in metres
+    const Eigen::Vector3f& middle() const { return centre; } ///< of the scene
+    float reach() const { return radius; }                   ///< its radius in metres
 
 private:
-    juce::uint32 texture = 0;
+    void measure(std::span<const SceneVertex> vertices, float floorHeight);
+    void upload(int columns, int rows, const std::uint8_t* shares);
+
+    LightWorker worker;
+    std::shared_ptr<const ObjectScene> scene; ///< of the worker's request
     FloorArea floor;
     Eigen::Vector3f centre = Eigen::Vector3f::Zero();
     float radius = 1;
+    juce::uint32 texture = 0;
+    bool isUploaded = false;
 };
 
 } // namespace idiophone

@@ -7,8 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <juce_audio_basics/juce_audio_basics.h>
-#include <new>
 #include <utility>
 
 namespace idiophone {
@@ -87,9 +85,9 @@ void ObjectView::showSound(const SoundFrame& frame) {
     const bool wasMoving = moves();
     if (frame.object >= 0)
         vibration.follow(static_cast<std::size_t>(frame.object), frame.modes);
-    const bool bodiesMoved = shown.onStage && frame.bodies != shown.bodies;
-    if (bodiesMoved)
-        shown.bodies = frame.bodies;
+    const bool bodiesMoved = shown.onStage && shown.follow(frame.bodies);
+    if (const auto& under = outline.hover(); under && under->body && !shown.rests(*under->body))
+        hover(std::nullopt);
     if (strikes.follow(frame, shown.played, *shown.scene) || wasMoving || moves() || bodiesMoved)
         wake();
 }
@@ -124,7 +122,7 @@ void ObjectView::timerCallback() {
 }
 
 void ObjectView::cameraMoved() {
-    if (layers.path || paths.isDrawing())
+    if (layers.path || paths.isDrawing() || outline.hover())
         repaint();
     redraw();
 }
@@ -208,14 +206,16 @@ void ObjectView::drawTo(juce::Point<float> position) {
     }
 }
 
-/// Outlines the object under the mouse. Bodies on a stage move away under it, so not there.
+/// Outlines the object under the mouse, on a stage only while it rests.
 void ObjectView::hover(std::optional<ScenePick> pick) {
     std::optional<HoverOutline::Hover> next;
-    if (pick && !shown.onStage && !layers.drawsPath) {
+    if (pick && (pick->body ? shown.rests(*pick->body) : !layers.drawsPath)) {
         const auto& own = shown.played[pick->object];
+        const bool playsNote = shown.onStage || own.lowestNote == own.highestNote;
         next = {.object = pick->object,
-                .note = own.lowestNote == own.highestNote ? own.lowestNote : -1,
-                .velocity = ObjectHand::velocityOf(*pick, 0)};
+                .note = playsNote ? noteFor(pick->object) : -1,
+                .velocity = ObjectHand::velocityOf(*pick, 0),
+                .body = pick->body};
     }
     if (outline.show(next))
         repaint();
@@ -242,6 +242,7 @@ void ObjectView::mouseDown(const juce::MouseEvent& event) {
             return;
     }
     turningFrom = event.position;
+    hover(std::nullopt);
 }
 
 void ObjectView::mouseDrag(const juce::MouseEvent& event) {
@@ -285,9 +286,12 @@ void ObjectView::mouseDoubleClick(const juce::MouseEvent& event) {
         frame();
 }
 
-void ObjectView::mouseWheelMove(const juce::MouseEvent&, const juce::MouseWheelDetails& wheel) {
+void ObjectView::mouseWheelMove(const juce::MouseEvent& event,
+                                const juce::MouseWheelDetails& wheel) {
     camera.zoomBy(std::exp(0.8f * wheel.deltaY));
     cameraMoved();
+    if (!turningFrom)
+        hover(pickAt(event.position));
 }
 
 } // namespace idiophone

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <iterator>
 #include <string>
+#include <utility>
 
 using namespace juce::gl;
 
@@ -63,9 +64,9 @@ void PictureRenderer::newOpenGLContextCreated() {
         if (!finishPrograms[finish])
             return;
     }
-    roomProgram = linkedProgram(context, "room.vert", "room.frag");
+    backdropProgram = linkedProgram(context, "backdrop.vert", "backdrop.frag");
     depthProgram = linkedProgram(context, "depth.vert", "depth.frag");
-    if (!roomProgram || !depthProgram)
+    if (!backdropProgram || !depthProgram)
         return;
     buffers.create();
     ready = true;
@@ -88,21 +89,28 @@ void PictureRenderer::renderOpenGL() {
     glDepthFunc(GL_LESS);
     if (uploaded != shown.scene)
         upload(shown);
+    if (const auto* light = floorLight.takeUploaded(); light != nullptr && !shown.bodies)
+        uploadSky(shown, light->sky);
     if (shown.motion && shown.motion->offsets != uploadedOffsets) {
         buffers.uploadOffsets(*shown.motion->offsets);
         uploadedOffsets = shown.motion->offsets;
     }
     const auto parts = partsOf(shown);
     buffers.bind();
-    if (!hasShadows || shown.bodies || !shown.mallets.empty())
-        drawShadows(shown, parts);
+    const bool movesCasters = shown.bodies || !shown.mallets.empty();
+    if (auto casters = shadowCasters(parts); movesCasters || casters != mappedCasters) {
+        drawShadows(parts, casters);
+        mappedCasters = movesCasters ? std::vector<bool>() : std::move(casters);
+    }
     glViewport(0, 0, view[2], view[3]);
     if (image.begin(view[2], view[3])) {
         glClear(GL_DEPTH_BUFFER_BIT);
         drawSolids(shown, parts);
-        drawRoom(shown); // after the solids, whose pixels it need not compute
+        drawBackdrop(shown); // after the solids, whose pixels it need not compute
         drawGlass(shown, parts);
         image.finish();
+    } else {
+        ready = false; // the view paints its plain picture
     }
     buffers.unbind();
     glDisable(GL_DEPTH_TEST);
@@ -116,38 +124,40 @@ void PictureRenderer::upload(const SceneFrame& shown) {
     vertices.insert(vertices.end(), furniture.begin(), furniture.end());
     buffers.upload(vertices);
     uploaded = shown.scene;
-    hasShadows = false;
-    auto sky = floorLight.compute(placedVertices(shown), shown.furniture->floorHeight());
-    if (shown.bodies)
-        sky.clear();
-    sky.resize(sky.empty() ? 0 : vertices.size(), 255); // the mallet is not part of the scene
+    mappedCasters.clear();
+    buffers.uploadSky({});
+    floorLight.begin(shown);
+}
+
+/// Takes the share of the sky at the vertices of objects and furniture at rest.
+void PictureRenderer::uploadSky(const SceneFrame& shown, std::vector<std::uint8_t> sky) {
+    sky.resize(shown.scene->vertices().size() + shown.furniture->vertices().size(), 255);
     buffers.uploadSky(sky);
 }
 
 /// Draws the depths seen from the lamp, in a cube around the scene.
-void PictureRenderer::drawShadows(const SceneFrame& shown, std::span<const PicturePart> parts) {
+void PictureRenderer::drawShadows(std::span<const PicturePart> parts,
+                                  const std::vector<bool>& casters) {
     const Vector3f lamp = vectorOf(SceneLight::lamp).normalized();
     const Vector3f right = lamp.unitOrthogonal(), up = lamp.cross(right);
     const float reach = floorLight.reach();
-    const auto& middle = floorLight.middle();
     fromLamp.setIdentity();
     for (int row = 0; const Vector3f& axis : {right, up, Vector3f(-lamp)})
-        fromLamp.row(row++) << axis.transpose() / reach, -axis.dot(middle) / reach;
+        fromLamp.row(row++) << axis.transpose() / reach, -axis.dot(floorLight.middle()) / reach;
     if (!shadows.begin())
         return;
     depthProgram->use();
     setMatrix(*depthProgram, "viewProjection", fromLamp);
     glEnable(GL_POLYGON_OFFSET_FILL);
     glPolygonOffset(2, 4);
-    for (const auto& part : parts) {
-        if (part.look.finish == Finish::glass)
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        if (!casters[i])
             continue;
-        setMatrix(*depthProgram, "pose", part.pose);
-        buffers.draw(part.shape.firstVertex, part.shape.vertexCount);
+        setMatrix(*depthProgram, "pose", parts[i].pose);
+        buffers.draw(parts[i].shape.firstVertex, parts[i].shape.vertexCount);
     }
     glDisable(GL_POLYGON_OFFSET_FILL);
     shadows.finish();
-    hasShadows = !shown.bodies && shown.mallets.empty();
 }
 
 void PictureRenderer::setLook(juce::OpenGLShaderProgram& program, const SceneFrame& shown) const {
@@ -157,8 +167,8 @@ void PictureRenderer::setLook(juce::OpenGLShaderProgram& program, const SceneFra
     set(program, "eye", vectorOf(shown.eye));
 }
 
-void PictureRenderer::drawRoom(const SceneFrame& shown) {
-    auto& program = *roomProgram;
+void PictureRenderer::drawBackdrop(const SceneFrame& shown) {
+    auto& program = *backdropProgram;
     setLook(program, shown);
     const Eigen::Matrix4f toScene = matrixOf(shown.viewProjection).inverse();
     const auto rayThrough = [&](float x, float y) -> Vector3f {
@@ -174,7 +184,7 @@ void PictureRenderer::drawRoom(const SceneFrame& shown) {
     program.setUniform("reach", floorLight.reach());
     program.setUniform("floorLight", floorUnit);
     program.setUniform("floorArea", area.left, area.front, area.width, area.depth);
-    program.setUniform("moving", shown.bodies ? 1.0f : 0.0f);
+    program.setUniform("usesMap", shown.bodies || !floorLight.isComplete() ? 1.0f : 0.0f);
     setShadows(program);
     glActiveTexture(GL_TEXTURE0 + floorUnit);
     floorLight.bindTexture();
@@ -275,7 +285,7 @@ void PictureRenderer::openGLContextClosing() {
     ready = false;
     for (auto& program : finishPrograms)
         program.reset();
-    roomProgram.reset();
+    backdropProgram.reset();
     depthProgram.reset();
     buffers.release();
     image.release();

@@ -19,8 +19,9 @@
 namespace idiophone {
 
 /// The message thread sets frames and the OpenGL thread draws the last one. A mutex is held only
-/// while a frame is copied; the copies share large data.
-class PictureRenderer final : public juce::OpenGLRenderer {
+/// while a frame is copied; the copies share large data. JUCE may hold the message lock during
+/// `renderOpenGL`, so the light is computed elsewhere: the first pictures of a scene lack it.
+class PictureRenderer final : public juce::OpenGLRenderer, private juce::AsyncUpdater {
 public:
     explicit PictureRenderer(juce::OpenGLContext& drawsInto) : context(drawsInto) {}
 
@@ -35,9 +36,11 @@ public:
     void openGLContextClosing() override;
 
 private:
+    void handleAsyncUpdate() override { context.triggerRepaint(); }
     void upload(const SceneFrame& shown);
-    void drawShadows(const SceneFrame& shown, std::span<const PicturePart> parts);
-    void drawRoom(const SceneFrame& shown);
+    void uploadSky(const SceneFrame& shown, std::vector<std::uint8_t> sky);
+    void drawShadows(std::span<const PicturePart> parts, const std::vector<bool>& casters);
+    void drawBackdrop(const SceneFrame& shown);
     void drawSolids(const SceneFrame& shown, std::span<const PicturePart> parts);
     void prepare(juce::OpenGLShaderProgram& program, const SceneFrame& shown) const;
     void drawGlass(const SceneFrame& shown, std::span<const PicturePart> parts);
@@ -53,13 +56,13 @@ private:
     // Used by the OpenGL thread only.
     /// One for each finish, because software renderers compute all branches of a shader.
     std::array<std::unique_ptr<juce::OpenGLShaderProgram>, finishCount> finishPrograms;
-    std::unique_ptr<juce::OpenGLShaderProgram> roomProgram, depthProgram;
+    std::unique_ptr<juce::OpenGLShaderProgram> backdropProgram, depthProgram;
     SceneBuffers buffers;
     MultisampledImage image;
     ShadowMap shadows;
-    FloorLight floorLight;
+    FloorLight floorLight{[this] { triggerAsyncUpdate(); }};
     Eigen::Matrix4f fromLamp = Eigen::Matrix4f::Identity(); ///< scene to shadow map
-    bool hasShadows = false; ///< whether the shadow map is of the uploaded scene
+    std::vector<bool> mappedCasters; ///< parts in the shadow map; empty: draw it anew
     std::shared_ptr<const ObjectScene> uploaded;
     std::shared_ptr<const std::vector<ScenePlace>> uploadedOffsets;
 };

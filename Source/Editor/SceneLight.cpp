@@ -126,23 +126,28 @@ std::vector<float> blurred(const std::vector<float>& texels, const FloorArea& ar
 
 } // namespace
 
-SceneLight sceneLight(std::span<const SceneVertex> vertices, const FloorArea& area) {
+std::optional<SceneLight> sceneLight(std::span<const SceneVertex> vertices,
+                                     const FloorArea& area,
+                                     const std::atomic<bool>* isAbandoned) {
     const auto texels =
         static_cast<std::size_t>(area.columns) * static_cast<std::size_t>(area.rows);
-    const auto most = std::max(maximumWork / (vertices.size() + texels + 1), fewestDirections);
+    const auto affordable =
+        std::max(maximumWork / (vertices.size() + texels + 1), fewestDirections);
     std::vector<float> seenSky(vertices.size()), allSky(vertices.size());
     std::vector<float> floorLamp(texels), floorSky(texels);
 
-    const auto lampCount = std::min(lampDirections, most), skyCount = std::min(skyDirections, most);
+    const auto lampCount = std::min(lampDirections, affordable),
+               skyCount = std::min(skyDirections, affordable);
+    const auto ends = [isAbandoned] { return isAbandoned != nullptr && *isAbandoned; };
     const auto lamp = vectorOf(SceneLight::lamp).normalized();
     const Vector3f lampRight = lamp.unitOrthogonal(), lampUp = lamp.cross(lampRight);
-    for (std::size_t i = 0; i < lampCount; ++i) {
+    for (std::size_t i = 0; i < lampCount && !ends(); ++i) {
         const Vector2f at = lampRadius * discPoint(i, lampCount);
         const DepthMap map(vertices, (lamp + at.x() * lampRight + at.y() * lampUp).normalized());
         for (std::size_t texel = 0; texel < texels; ++texel)
             floorLamp[texel] += map.sees(texelPlace(area, texel), map.texelMetres()) ? 1.0f : 0.0f;
     }
-    for (std::size_t i = 0; i < skyCount; ++i) {
+    for (std::size_t i = 0; i < skyCount && !ends(); ++i) {
         // Directions are denser towards the zenith, as light from an even sky on the floor is.
         const Vector2f at = discPoint(i, skyCount);
         const Vector3f direction(at.x(), at.y(), std::sqrt(1 - at.squaredNorm()));
@@ -160,6 +165,8 @@ SceneLight sceneLight(std::span<const SceneVertex> vertices, const FloorArea& ar
                 seenSky[v] += weight;
         }
     }
+    if (ends())
+        return std::nullopt;
     floorLamp = blurred(floorLamp, area);
     floorSky = blurred(blurred(floorSky, area), area);
     SceneLight light;

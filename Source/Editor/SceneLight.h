@@ -4,8 +4,10 @@
 
 #include "Editor/SceneVertex.h"
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -29,7 +31,10 @@ struct SceneLight {
 };
 
 /// Draws depth maps of the triangles from many directions, by the processor. `vertices` has three a
-/// triangle. The work is limited: with many vertices, fewer directions are used.
-SceneLight sceneLight(std::span<const SceneVertex> vertices, const FloorArea& area);
+/// triangle. The work is limited: with many vertices, fewer directions are used. Returns nothing if
+/// `isAbandoned` becomes true meanwhile.
+std::optional<SceneLight> sceneLight(std::span<const SceneVertex> vertices,
+                                     const FloorArea& area,
+                                     const std::atomic<bool>* isAbandoned = nullptr);
 
 } // namespace idiophone

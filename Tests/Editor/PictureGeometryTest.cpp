@@ -2,8 +2,10 @@
 #include "Editor/InstrumentFurniture.h"
 #include "Editor/OrbitCamera.h"
 #include "Editor/PictureParts.h"
+#include "Editor/PixelProjection.h"
 #include "Editor/PlainPicture.h"
 #include "Editor/SceneLight.h"
+#include "Editor/ShownInstrument.h"
 #include "Support/PresetNumber.h"
 #include "Support/TestSound.h"
 
@@ -12,6 +14,7 @@
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <vector>
 
 using namespace idiophone;
@@ -167,18 +170,37 @@ TEST_CASE("Dice have 21 pips that follow their bodies") {
 }
 
 TEST_CASE("Furniture cannot be struck") {
-    const Picture picture("Handbell");
-    // From the side, below the bell's mouth, where the posts stand.
-    const auto& bell = picture.scene->objects().front();
-    CHECK_FALSE(
-        picture.scene->pick({-1, 0, bell.middle[2] - 1.2f * bell.halfExtent[2]}, {1, 0, 0}));
+    Picture picture("Handbell");
+    const auto shown = ShownInstrument::of(picture.processor.view());
+    OrbitCamera camera;
+    camera.lookAt(shown.outline());
+    const auto pickAt = [&](const Eigen::Vector3f& place) {
+        const auto eye = camera.eye(1);
+        return shown.pick({.origin = eye, .direction = scenePlace(place - vectorOf(eye))});
+    };
+    CHECK(pickAt(vectorOf(shown.scene->objects().front().middle)));
+    // The faces of its stand that lie farthest to the sides, where the bell is not in sight.
+    std::vector<Eigen::Vector3f> faces;
+    for (const auto& part : shown.furniture->parts()) {
+        const auto first = part.shape.firstVertex - shown.scene->vertices().size();
+        const auto corners =
+            std::span(shown.furniture->vertices()).subspan(first, part.shape.vertexCount);
+        for (std::size_t i = 0; i + 2 < corners.size(); i += 3)
+            faces.emplace_back((vectorOf(corners[i].place) + vectorOf(corners[i + 1].place) +
+                                vectorOf(corners[i + 2].place)) /
+                               3);
+    }
+    const auto [left, right] =
+        std::ranges::minmax_element(faces, {}, [](const auto& face) { return face.x(); });
+    CHECK_FALSE(pickAt(*left));
+    CHECK_FALSE(pickAt(*right));
 }
 
 TEST_CASE("A square above the floor shades what is under it, and not what is far away") {
     const auto vertices = square(0.5f, 0.2f);
     const FloorArea area{
         .left = -2, .front = -2, .width = 4, .depth = 4, .height = 0, .columns = 40, .rows = 40};
-    const auto light = sceneLight(vertices, area);
+    const auto light = sceneLight(vertices, area).value();
     REQUIRE(light.floor.size() == 2 * 40 * 40);
     const auto at = [&](int column, int row) {
         const auto texel = 2 * static_cast<std::size_t>(40 * row + column);
@@ -197,7 +219,7 @@ TEST_CASE("A surface under another sees less of the sky") {
     auto vertices = square(0.1f, 0);
     const auto roof = square(1, 0.1f);
     vertices.insert(vertices.end(), roof.begin(), roof.end());
-    const auto light = sceneLight(vertices, {.columns = 1, .rows = 1});
+    const auto light = sceneLight(vertices, {.columns = 1, .rows = 1}).value();
     REQUIRE(light.sky.size() == 12);
     for (std::size_t vertex = 0; vertex < 12; ++vertex)
         CHECK((vertex < 6 ? light.sky[vertex] < 40 : light.sky[vertex] == 255));
@@ -243,11 +265,39 @@ TEST_CASE("The plain picture shows a bar in its colour, and the background besid
     }
     auto onTop = picture.scene->objects()[10].middle;
     onTop[2] += picture.scene->objects()[10].halfExtent[2];
-    const auto [x, y] = camera.seenAt(onTop, 2);
-    const auto bar =
-        image.getPixelAt(juce::roundToInt(200 * (x + 1)), juce::roundToInt(100 * (1 - y)));
+    const auto seen = PixelProjection(frame.viewProjection, {0, 0, 400, 200})
+                          .pixelOf(vectorOf(onTop))
+                          .value()
+                          .roundToInt();
+    const auto bar = image.getPixelAt(seen.x, seen.y);
     CHECK(bar.getAlpha() > 200);
     CHECK(bar.getFloatRed() > 0.6f);
     CHECK(bar.getFloatGreen() == Approx(bar.getFloatRed() / 2).margin(0.02));
     CHECK(image.getPixelAt(1, 1).getAlpha() == 0);
+}
+
+TEST_CASE("Only parts of glass cast no shadow, also after a change of the material") {
+    const Picture picture("Handbell");
+    SceneFrame frame;
+    frame.scene = picture.scene;
+    frame.furniture = picture.furniture;
+    frame.appearances = {{Finish::metal, {}}};
+    const auto castersNow = [&] { return shadowCasters(partsOf(frame)); };
+    const std::vector<bool> all(1 + picture.furniture->parts().size(), true);
+    CHECK(castersNow() == all);
+    frame.appearances = {{Finish::glass, {}}};
+    auto withoutBell = all;
+    withoutBell.front() = false;
+    CHECK(castersNow() == withoutBell);
+}
+
+TEST_CASE("A place behind the eye or just before it has no pixel") {
+    OrbitCamera camera;
+    camera.lookAt({{-1, -1, 0}, {1, 1, 0.5f}});
+    const PixelProjection projection(camera.viewProjection(1), {0, 0, 100, 100});
+    const auto eye = vectorOf(camera.eye(1));
+    const Eigen::Vector3f forward = Eigen::Vector3f(0, 0, 0.25f) - eye;
+    CHECK(projection.pixelOf(eye + forward));
+    CHECK_FALSE(projection.pixelOf(eye + 1e-4f * forward));
+    CHECK_FALSE(projection.pixelOf(eye - forward));
 }

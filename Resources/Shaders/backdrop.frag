@@ -5,15 +5,15 @@ uniform vec3 middle; // of the scene
 uniform float reach; // its radius
 uniform sampler2D floorLight; // red: share of the lamp, green: of the sky
 uniform vec4 floorArea; // left, front, width, depth
-uniform float moving; // 1 if bodies move, whose shadows are not in floorLight
+uniform float usesMap; // 1 if floorLight lacks shadows: of moving bodies, or all of a new scene
 uniform sampler2DShadow shadowMap;
 uniform mat4 shadowFrom;
 uniform float shadowTexel; // metres
 in vec3 ray;
 out vec4 shown;
 
-// The share of the lamp that moving bodies leave, softened over five texels.
-float movingShadow(vec3 at)
+// The share of the lamp by the shadow map, softened over five texels.
+float mappedShadow(vec3 at)
 {
     float sum = 0.0;
     for (int i = 0; i < 9; ++i) {
@@ -38,8 +38,8 @@ void main()
         vec2 seen = texture(floorLight, onMap).rg;
         vec2 inside = smoothstep(vec2(0.0), vec2(0.06), onMap) * (1.0 - smoothstep(vec2(0.94), vec2(1.0), onMap));
         seen = mix(vec2(1.0), seen, inside.x * inside.y);
-        if (moving > 0.5)
-            seen.x = min(seen.x, movingShadow(at));
+        if (usesMap > 0.5)
+            seen.x = min(seen.x, mappedShadow(at));
         float pool = exp(-0.35 * away * away);
         vec3 ground = mix(mix(backdrop * 0.86, backdrop * 1.02, pool),
                           mix(backdrop * 0.70, backdrop * 2.6 + vec3(0.006, 0.005, 0.003), pool), dark);
