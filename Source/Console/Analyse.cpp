@@ -1,3 +1,4 @@
+#include "Analysis/BodyModel.h"
 #include "Analysis/ModalAnalysis.h"
 #include "Console/Command.h"
 #include "Console/JsonText.h"
@@ -70,21 +71,21 @@ Result<ModalObject> analyseFile(const AnalyseOptions& options) {
     const auto settings = settingsFrom(options);
     if (!settings)
         return tl::unexpected(settings.error());
-    auto mesh = readMesh(options.mesh);
-    if (!mesh)
-        return tl::unexpected(mesh.error());
-    const auto unit = unitOf(*mesh, options);
+    auto file = readMeshFile(options.mesh);
+    if (!file)
+        return tl::unexpected(file.error());
+    const auto unit = unitOf(file->mesh, options);
     if (!unit)
         return tl::unexpected(unit.error());
-    mesh->vertices *= unit->unit.metresPerUnit;
+    file->mesh.vertices *= unit->unit.metresPerUnit;
     ProgressLine progress(options.mesh.filename().string());
-    auto object = analyse(*mesh, *settings, progress.control());
+    auto object = analyse(file->mesh, *settings, progress.control());
     if (!object && object.error().message != cancelledMessage)
-        return failure(options.mesh.string() + ": " + object.error().message);
-    if (object && !unit->sentence.empty()) {
-        auto& notes = object->provenance.notes;
-        notes = unit->sentence + (notes.empty() ? "" : " ") + notes;
-    }
+        return failure(options.mesh.string() + ": " +
+                       joinedSentences({object.error().message, file->notes}));
+    if (object)
+        object->provenance.notes =
+            joinedSentences({file->notes, unit->sentence, object->provenance.notes});
     return object;
 }
 

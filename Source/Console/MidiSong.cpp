@@ -2,6 +2,7 @@
 
 #include "Console/MidiTracks.h"
 #include "Console/TempoMap.h"
+#include "Instrument/MidiTuning.h"
 #include "Object/TextFile.h"
 
 #include <algorithm>
@@ -101,6 +102,21 @@ std::vector<SongEvent> channelMessages(const MidiTracks& midi) {
     return events;
 }
 
+std::vector<SongTuning> tuningMessages(const MidiTracks& midi) {
+    const TempoMap tempo(midi);
+    std::vector<SongTuning> tunings;
+    for (const auto& track : midi.tracks)
+        for (const auto& message : track) {
+            const std::span bytes(message.getRawData(),
+                                  static_cast<std::size_t>(message.getRawDataSize()));
+            if (message.isSysEx() && MidiTuning::isFor(bytes))
+                tunings.push_back({.seconds = tempo.secondsAt(message.getTimeStamp()),
+                                   .message = {bytes.begin(), bytes.end()}});
+        }
+    std::ranges::stable_sort(tunings, {}, &SongTuning::seconds);
+    return tunings;
+}
+
 /// Returns whether the data bytes have seven bits. JUCE accepts any.
 bool isWhole(const SongEvent& event) {
     return event.bytes[1] < 0x80 && event.bytes[2] < 0x80;
@@ -108,30 +124,33 @@ bool isWhole(const SongEvent& event) {
 
 } // namespace
 
-Result<std::vector<SongEvent>> readMidiSong(const std::filesystem::path& file) {
+Result<MidiSong> readMidiSong(const std::filesystem::path& file) {
     return readTextFile(file).and_then(
         [&](const std::string& bytes) { return parseMidiSong(bytes, file.string()); });
 }
 
-Result<std::vector<SongEvent>> parseMidiSong(std::string_view bytes, const std::string& name) {
-    const auto refuse = [&](const char* fault) { return failure(name + ": " + fault); };
-    if (!bytes.starts_with("MThd") && !bytes.starts_with("RIFF"))
-        return refuse("it is not a MIDI file");
+Result<MidiSong> parseMidiSong(std::string_view bytes, const std::string& name) {
+    const auto refuse = [&](const std::string& fault) { return failure(name + ": " + fault); };
     const auto midi = readMidiTracks(bytes);
-    if (!midi || !isUsableTimeFormat(midi->timeFormat))
-        return refuse("the MIDI file is damaged or cut off");
-    auto events = channelMessages(*midi);
-    if (!std::ranges::all_of(events, isWhole))
-        return refuse("the MIDI file is damaged or cut off");
-    if (std::ranges::none_of(events, &SongEvent::isNoteOn))
+    if (!midi)
+        return refuse(midi.error().message);
+    if (!isUsableTimeFormat(midi->timeFormat))
+        return refuse("the MIDI file is damaged: its beats have no ticks");
+    MidiSong song{
+        .events = channelMessages(*midi), .tunings = tuningMessages(*midi), .warnings = {}};
+    for (const auto& oddity : midi->oddities)
+        song.warnings.push_back(name + ": " + oddity);
+    if (!std::ranges::all_of(song.events, isWhole))
+        return refuse("the MIDI file is damaged: a message has a byte above 127");
+    if (std::ranges::none_of(song.events, &SongEvent::isNoteOn))
         return refuse("it holds no notes");
     // The negation also catches NaN, which sorting may have put anywhere.
     const auto isInTime = [](const SongEvent& event) {
         return event.seconds >= 0 && event.seconds <= longestSeconds;
     };
-    if (!std::ranges::all_of(events, isInTime))
+    if (!std::ranges::all_of(song.events, isInTime))
         return refuse("it goes on for more than 10 hours");
-    return events;
+    return song;
 }
 
 } // namespace idiophone

@@ -86,6 +86,19 @@ void warnOfTuning(const Preset& preset,
                       << inQuotes(preset.name) << " share objects" << std::endl;
 }
 
+/// Returns the song's tuning messages that act; warns if there are some that do not.
+std::span<const SongTuning>
+tuningsOf(const MidiSong& song, const Instrument& instrument, const RenderOptions& options) {
+    const bool hasFile = !options.scale.empty() || !options.mapping.empty();
+    if (!song.tunings.empty() && (hasFile || !instrument.keysHaveObjects()))
+        std::cerr << "warning: " << options.midi.string()
+                  << ": its tuning messages have no effect, because "
+                  << (hasFile ? "--scale and --mapping override them"
+                              : "the keys of the preset share objects")
+                  << std::endl;
+    return hasFile ? std::span<const SongTuning>() : song.tunings;
+}
+
 void warnOfNotes(const Preset& preset,
                  const Instrument& instrument,
                  const RenderTally& tally,
@@ -124,13 +137,16 @@ Result<RenderTally> playSong(const Preset& preset,
         assignedEffect(values, assigned,
                        {.by = (*instrument)->stage() ? PlayedBy::stage : PlayedBy::mallets,
                         .slots = (*instrument)->slots(),
-                        .isPressed = std::ranges::any_of(*song, &SongEvent::isPressure)});
+                        .isPressed = std::ranges::any_of(song->events, &SongEvent::isPressure)});
+    print(song->warnings);
     print(effect.warnings);
     Player player(std::move(*instrument), options.format.sampleRateHz, preset.surface, preset.seed,
                   preset.matched());
     player.setTuning(*tuning);
     player.setSilencedModes(silencedModes(player.instrument(), preset.mutedModes, {}));
-    auto tally = renderSong(player, *song, effect.values, to, options.midi.filename().string());
+    auto tally =
+        renderSong(player, song->events, effect.values, to, options.midi.filename().string(),
+                   tuningsOf(*song, player.instrument(), options));
     if (tally)
         warnOfNotes(preset, player.instrument(), *tally, options);
     return tally;

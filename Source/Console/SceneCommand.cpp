@@ -4,8 +4,8 @@
 #include "Console/ParameterAssignments.h"
 #include "Console/SceneRender.h"
 #include "Console/SofaHead.h"
-#include "Object/EmbeddedFiles.h"
 #include "Instrument/ImpulseLine.h"
+#include "Object/EmbeddedFiles.h"
 #include "Object/OneLine.h"
 #include "Object/TextFile.h"
 #include "Scene/FactoryScenes.h"
@@ -137,11 +137,11 @@ bool waitsForNotes(const Scene& scene) {
 
 /// Returns the song that drops bodies. Without a file it is the factory's, if nothing moves without
 /// a song.
-Result<std::vector<SongEvent>> songFor(const Scene& scene, const std::filesystem::path& file) {
+Result<MidiSong> songFor(const Scene& scene, const std::filesystem::path& file) {
     if (!file.empty())
         return readMidiSong(file);
     if (!waitsForNotes(scene))
-        return std::vector<SongEvent>();
+        return MidiSong();
     const auto& song = songFiles().front();
     return parseMidiSong(song.bytes, std::string(song.name));
 }
@@ -172,6 +172,7 @@ Result<void> perform(const SceneOptions& options) {
         return tl::unexpected(assets.error());
     const auto slots = heardSlots(**assets);
     const auto effect = assignedEffect(values, *assigned, {.by = PlayedBy::scene, .slots = slots});
+    print(song->warnings);
     print(effect.warnings);
     values = effect.values;
     std::shared_ptr<const HeadResponses> head;
@@ -184,7 +185,8 @@ Result<void> perform(const SceneOptions& options) {
     auto recording = Recording::start(options.format, values);
     if (!recording)
         return tl::unexpected(recording.error());
-    const auto tally = renderScene(*assets, head, *song, values, options.threads, **recording);
+    const auto tally =
+        renderScene(*assets, head, song->events, values, options.threads, **recording);
     if (!tally)
         return tl::unexpected(tally.error());
     if (!options.impulses.empty())

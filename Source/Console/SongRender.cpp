@@ -2,6 +2,7 @@
 
 #include "Console/RenderLoop.h"
 #include "Instrument/MidiControllers.h"
+#include "Instrument/MidiTuning.h"
 
 #include <algorithm>
 #include <chrono>
@@ -10,9 +11,34 @@
 namespace idiophone {
 namespace {
 
-std::int64_t sampleOf(const SongEvent& event, double sampleRateHz) {
+template <class Event>
+std::int64_t sampleOf(const Event& event, double sampleRateHz) {
     return std::llround(event.seconds * sampleRateHz);
 }
+
+/// Tunes a player by the messages of a song. They have to begin a block.
+class SongTuner {
+public:
+    SongTuner(Player& player, std::span<const SongTuning> tunings, double sampleRateHz)
+        : tuned(player), rest(tunings), rate(sampleRateHz) {}
+
+    /// Follows the messages up to a sample. Returns the samples from there to the next message, at
+    /// most `count`.
+    std::int64_t follow(std::int64_t position, std::int64_t count) {
+        bool isRetuned = false;
+        for (; !rest.empty() && sampleOf(rest.front(), rate) <= position; rest = rest.subspan(1))
+            isRetuned |= messages.read(rest.front().message);
+        if (isRetuned)
+            tuned.setTuning(messages.keys());
+        return rest.empty() ? count : std::min(count, sampleOf(rest.front(), rate) - position);
+    }
+
+private:
+    Player& tuned;
+    std::span<const SongTuning> rest;
+    double rate;
+    MidiTuning messages;
+};
 
 } // namespace
 
@@ -27,7 +53,8 @@ Result<RenderTally> renderSong(Player& player,
                                std::span<const SongEvent> events,
                                const ParameterValues& parameters,
                                Recording& recording,
-                               const std::string& task) {
+                               const std::string& task,
+                               std::span<const SongTuning> tunings) {
     const auto& format = recording.format;
     const double rate = format.sampleRateHz;
     const std::int64_t lastEvent = events.empty() ? -1 : sampleOf(events.back(), rate);
@@ -43,7 +70,9 @@ Result<RenderTally> renderSong(Player& player,
     std::vector<MidiEvent> due;
     std::size_t next = 0;
     std::int64_t position = 0, lastCell = -1;
-    const auto block = [&](std::int64_t count) {
+    SongTuner tuner(player, tunings, rate);
+    const auto block = [&](std::int64_t longest) {
+        auto count = tuner.follow(position, longest);
         due.clear();
         for (; next < events.size() && sampleOf(events[next], rate) < position + count; ++next) {
             if (const auto sample = sampleOf(events[next], rate);

@@ -22,11 +22,13 @@ struct RenderTally {
 };
 
 /// Renders up to the recording's length, or else to silence after the last event. Every event acts
-/// at round(seconds × rate). `task` names the progress line. Ctrl-C ends in an error.
+/// at round(seconds × rate). `tunings` replace the player's tuning, from the first of their
+/// messages on. `task` names the progress line. Ctrl-C ends in an error.
 Result<RenderTally> renderSong(Player& player,
                                std::span<const SongEvent> events,
                                const ParameterValues& parameters,
                                Recording& recording,
-                               const std::string& task);
+                               const std::string& task,
+                               std::span<const SongTuning> tunings = {});
 
 } // namespace idiophone

@@ -16,6 +16,12 @@ void addAll(const MidiTracks& midi, Wanted isWanted, Messages& messages) {
                 messages.push_back(&message);
 }
 
+/// Returns the rate of an SMPTE format. 29 stands for 30 frames with dropped numbers.
+double framesPerSecond(int timeFormat) {
+    const int rate = -(timeFormat >> 8);
+    return rate == 29 ? 30000.0 / 1001 : rate;
+}
+
 } // namespace
 
 // JUCE reads the three bytes of a tempo even if the event is shorter.
@@ -48,7 +54,7 @@ TempoMap::TempoMap(const MidiTracks& midi) : timeFormat(midi.timeFormat) {
 
 double TempoMap::secondsAt(double ticks) const {
     if (timeFormat < 0)
-        return ticks / (-(timeFormat >> 8) * (timeFormat & 0xff));
+        return ticks / (framesPerSecond(timeFormat) * (timeFormat & 0xff));
     const auto next = std::ranges::lower_bound(stretches.begin() + 1, stretches.end(), ticks, {},
                                                &Stretch::fromTicks);
     const auto& here = *(next - 1);

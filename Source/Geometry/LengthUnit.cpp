@@ -33,9 +33,9 @@ std::string millimetresText(double lengthMetres) {
 
 UnitGuess guessLengthUnit(const Mesh& mesh) {
     constexpr double largestMetres = 20, smallestMetres = 0.005;
-    Eigen::RowVector3d extent = Eigen::RowVector3d::Zero();
-    if (mesh.vertexCount() > 0)
-        extent = mesh.vertices.colwise().maxCoeff() - mesh.vertices.colwise().minCoeff();
+    Eigen::Vector3d extent = Eigen::Vector3d::Zero();
+    if (mesh.faceCount() > 0)
+        extent = boxOfFaces(mesh).sizes();
     const double largest = extent.maxCoeff();
     const bool isMetres = !(largest > largestMetres);
     UnitGuess guess{.unit = isMetres ? metres : millimetres, .isSure = false, .sentence = {}};

@@ -32,8 +32,8 @@ struct UnitGuess {
     std::string sentence;
 };
 
-/// Guesses from the largest extent of the bounding box, in units of the file. No instrument is
-/// larger than 20 m, and few meshes of instruments are smaller than 5 mm:
+/// Guesses from the largest extent of the faces' bounding box, in units of the file. No instrument
+/// is larger than 20 m, and few meshes of instruments are smaller than 5 mm:
 ///     above 20          millimetres (a spoon to a church bell), certain up to 20,000;
 ///     0.005 to 20       metres;
 ///     below, or empty   metres, uncertain.

@@ -87,6 +87,13 @@ std::vector<int> allVertices(const Mesh& mesh) {
     return all;
 }
 
+Eigen::AlignedBox3d boxOfFaces(const Mesh& mesh) {
+    Eigen::AlignedBox3d box;
+    for (const int vertex : mesh.faces.reshaped())
+        box.extend(mesh.vertices.row(vertex).transpose());
+    return box;
+}
+
 double boundingDiagonalMetres(const Mesh& mesh) {
     if (mesh.vertexCount() == 0)
         return 0;

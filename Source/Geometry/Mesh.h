@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <vector>
 
 namespace idiophone {
@@ -50,6 +51,9 @@ int nearestVertex(const Mesh& mesh, const Eigen::RowVector3d& pointMetres);
 
 /// Returns 0, 1, …, N − 1.
 std::vector<int> allVertices(const Mesh& mesh);
+
+/// Returns the bounding box of the vertices that faces use, in metres; empty without faces.
+Eigen::AlignedBox3d boxOfFaces(const Mesh& mesh);
 
 /// Returns the diagonal of the bounding box in metres; 0 for a mesh without vertices.
 double boundingDiagonalMetres(const Mesh& mesh);

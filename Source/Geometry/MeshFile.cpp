@@ -9,9 +9,19 @@ constexpr std::string_view blanks = " \t\r\n\v\f";
 
 } // namespace
 
-void RawMesh::addPolygon(const std::vector<std::int64_t>& corners) {
-    for (std::size_t i = 2; i < corners.size(); ++i)
-        triangles.insert(triangles.end(), {corners[0], corners[i - 1], corners[i]});
+std::string_view withoutBlankEnd(std::string_view text) {
+    return text.substr(0, text.find_last_not_of(blanks) + 1);
+}
+
+std::string numbered(const char* thing, std::int64_t number) {
+    return thing + std::string(" ") + std::to_string(number);
+}
+
+void RawMesh::addPolygon(std::span<const std::int64_t> cornersOfPolygon) {
+    if (cornersOfPolygon.size() < 3)
+        return;
+    corners.insert(corners.end(), cornersOfPolygon.begin(), cornersOfPolygon.end());
+    polygonEnds.push_back(corners.size());
 }
 
 bool RawMesh::addVertex(TextScanner& numbers) {
@@ -24,12 +34,19 @@ bool RawMesh::addVertex(TextScanner& numbers) {
     return true;
 }
 
+TextScanner TextScanner::ofFile(std::string_view text) {
+    const auto end = text.find_first_of("\r\n");
+    const bool isLone = end != std::string_view::npos && text[end] == '\r' &&
+                        !text.substr(end + 1).starts_with('\n');
+    return TextScanner(text, isLone ? '\r' : '\n');
+}
+
 std::string_view TextScanner::nextWord() {
     while (true) {
         rest_.remove_prefix(std::min(rest_.find_first_not_of(blanks), rest_.size()));
         if (!rest_.starts_with('#'))
             break;
-        rest_.remove_prefix(std::min(rest_.find('\n'), rest_.size()));
+        rest_.remove_prefix(std::min(rest_.find(lineEnd_), rest_.size()));
     }
     const auto word = rest_.substr(0, rest_.find_first_of(blanks));
     rest_.remove_prefix(word.size());
@@ -47,7 +64,7 @@ std::optional<std::int64_t> TextScanner::nextInteger() {
 std::optional<std::string_view> TextScanner::nextLine() {
     if (rest_.empty())
         return std::nullopt;
-    const auto end = rest_.find('\n');
+    const auto end = rest_.find(lineEnd_);
     auto line = rest_.substr(0, end);
     rest_.remove_prefix(end == std::string_view::npos ? rest_.size() : end + 1);
     return line.substr(0, line.find('#'));

@@ -9,6 +9,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -16,13 +18,16 @@ namespace idiophone {
 
 class TextScanner;
 
-/// Vertices and triangles from a file. Indices are not checked yet.
+/// Vertices and polygons from a file. Indices are not checked yet.
 struct RawMesh {
-    std::vector<double> coordinates;     ///< [N,3]
-    std::vector<std::int64_t> triangles; ///< [F,3]
+    std::vector<double> coordinates;      ///< [N,3]
+    std::vector<std::int64_t> corners;    ///< of all polygons
+    std::vector<std::size_t> polygonEnds; ///< [P] where the polygon ends in `corners`
+    std::string notes;                    ///< sentences for the user; may be empty
 
     std::int64_t vertexCount() const { return static_cast<std::int64_t>(coordinates.size() / 3); }
-    void addPolygon(const std::vector<std::int64_t>& corners);
+    /// Leaves out what has fewer than three corners.
+    void addPolygon(std::span<const std::int64_t> cornersOfPolygon);
     /// Adds the vertex of the next three numbers. Returns false if they are not numbers.
     bool addVertex(TextScanner& numbers);
 };
@@ -30,7 +35,10 @@ struct RawMesh {
 /// Reads a text word by word without copies. '#' starts a comment that ends with its line.
 class TextScanner {
 public:
-    explicit TextScanner(std::string_view text) : rest_(text) {}
+    explicit TextScanner(std::string_view text, char lineEnd = '\n')
+        : rest_(text), lineEnd_(lineEnd) {}
+    /// Finds the line end of a whole file: a line feed, or a lone carriage return.
+    static TextScanner ofFile(std::string_view text);
 
     /// Returns the next word on this or a later line; empty at the end of the text.
     std::string_view nextWord();
@@ -43,9 +51,17 @@ public:
 
 private:
     std::string_view rest_;
+    char lineEnd_;
 };
 
-/// One reader per format. Errors name the fault only; readMesh adds the file.
+/// Returns the text without the white space at its end.
+std::string_view withoutBlankEnd(std::string_view text);
+
+/// Returns "vertex 7".
+std::string numbered(const char* thing, std::int64_t number);
+
+/// One reader per format. Errors name the fault only; readMesh adds the file. The bytes have no
+/// byte order mark.
 Result<RawMesh> readObj(std::string_view bytes);
 Result<RawMesh> readOff(std::string_view bytes);
 Result<RawMesh> readPly(std::string_view bytes);

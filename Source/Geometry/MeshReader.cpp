@@ -1,15 +1,15 @@
 #include "Geometry/MeshReader.h"
 
 #include "Geometry/MeshFile.h"
+#include "Geometry/PolygonTriangles.h"
 #include "Object/FileBytes.h"
+#include "Object/NumberText.h"
 #include "Object/SameName.h"
 #include "Object/TextFile.h"
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <span>
 #include <string>
@@ -18,80 +18,7 @@ namespace idiophone {
 namespace {
 
 constexpr std::uintmax_t largestFileBytes = std::uintmax_t{2} << 30;
-
-std::string numbered(const char* thing, std::int64_t number) {
-    return thing + std::string(" ") + std::to_string(number);
-}
-
-/// Returns the 0-based vertex of a corner such as "7", "7/1/2" or "-1" (the latest vertex).
-std::optional<std::int64_t> objCorner(std::string_view word, std::int64_t verticesSoFar) {
-    const auto index = parseInteger(word.substr(0, word.find('/')));
-    if (!index || *index == 0)
-        return std::nullopt;
-    return *index > 0 ? *index - 1 : verticesSoFar + *index;
-}
-
-/// Returns true if there are at least three corners and all have the same parts ("7", "7/1", "7//2"
-/// or "7/1/2"), as the format requires.
-bool isWholeFace(std::span<const std::string_view> corners) {
-    const auto lacks = [&](std::string_view corner) {
-        return corner.ends_with('/') ||
-               std::ranges::count(corner, '/') != std::ranges::count(corners.front(), '/');
-    };
-    return corners.size() >= 3 && std::ranges::none_of(corners, lacks);
-}
-
-float littleEndianFloat(const char* bytes) {
-    std::array<char, 4> raw{bytes[0], bytes[1], bytes[2], bytes[3]};
-    if constexpr (std::endian::native == std::endian::big)
-        std::ranges::reverse(raw);
-    return std::bit_cast<float>(raw);
-}
-
-std::uint32_t littleEndianCount(const char* bytes) {
-    return std::bit_cast<std::uint32_t>(littleEndianFloat(bytes));
-}
-
-Result<RawMesh> readBinaryStl(std::string_view bytes, std::uint32_t count) {
-    RawMesh mesh;
-    mesh.coordinates.reserve(std::size_t{count} * 9);
-    mesh.triangles.reserve(std::size_t{count} * 3);
-    for (std::uint32_t face = 0; face < count; ++face) {
-        const char* corners = bytes.data() + 84 + std::size_t{face} * 50 + 12;
-        for (int i = 0; i < 9; ++i)
-            mesh.coordinates.push_back(littleEndianFloat(corners + 4 * i));
-        const std::int64_t first = std::int64_t{face} * 3;
-        mesh.triangles.insert(mesh.triangles.end(), {first, first + 1, first + 2});
-    }
-    return mesh;
-}
-
-Result<RawMesh> readTextStl(std::string_view bytes) {
-    RawMesh mesh;
-    TextScanner words(bytes);
-    std::vector<std::int64_t> corners;
-    bool ended = false;
-    words.nextLine(); // "solid" and a name of any number of words
-    for (auto word = words.nextWord(); !word.empty(); word = words.nextWord()) {
-        if (word == "vertex") {
-            corners.push_back(mesh.vertexCount());
-            if (!mesh.addVertex(words))
-                return failure(numbered("vertex", corners.back()) + " is not three numbers");
-        } else if (word == "endloop") {
-            mesh.addPolygon(corners);
-            corners.clear();
-        } else if (word == "endsolid") {
-            ended = true;
-            words.nextLine();
-        } else if (word == "solid") {
-            ended = false;
-            words.nextLine();
-        }
-    }
-    if (!ended)
-        return failure("it ends before \"endsolid\"");
-    return mesh;
-}
+constexpr double largestUnits = 1e6;
 
 Result<RawMesh> readRawMesh(const std::filesystem::path& file) {
     const auto extension = nameOf(file.extension());
@@ -104,134 +31,108 @@ Result<RawMesh> readRawMesh(const std::filesystem::path& file) {
                 return failure(bytes.error().message);
             if (bytes->empty())
                 return failure("it is empty");
-            return read(*bytes);
+            return read(withoutByteOrderMark(*bytes));
         }
     return failure("its extension is none of .obj, .off, .ply and .stl");
 }
 
 /// Returns the first fault of the whole mesh; empty if there is none.
-std::string faultOf(const RawMesh& raw, double metresPerUnit) {
-    if (raw.triangles.empty())
+std::string faultOf(const RawMesh& raw) {
+    if (raw.corners.empty())
         return "it has no faces";
-    // Face corners and coordinates are counted in int.
+    // Face corners and coordinates are counted in int. A polygon has fewer triangles than corners.
     if (raw.coordinates.size() > std::numeric_limits<int>::max())
         return "it has too many vertices";
-    if (raw.triangles.size() > std::numeric_limits<int>::max())
+    if (raw.corners.size() > std::numeric_limits<int>::max() / 3)
         return "it has too many faces";
-    for (std::size_t i = 0; i < raw.coordinates.size(); ++i)
-        if (!std::isfinite(raw.coordinates[i]) ||
-            std::abs(raw.coordinates[i]) * metresPerUnit > 1e6)
-            return numbered("vertex", static_cast<std::int64_t>(i / 3)) +
-                   (std::isfinite(raw.coordinates[i]) ? " lies beyond 1000 km"
-                                                      : " is not a finite number");
-    for (std::size_t i = 0; i < raw.triangles.size(); ++i)
-        if (raw.triangles[i] < 0 || raw.triangles[i] >= raw.vertexCount())
+    for (const auto vertex : raw.corners) {
+        if (vertex < 0 || vertex >= raw.vertexCount())
             return "a face names a vertex that does not exist (there are " +
                    std::to_string(raw.vertexCount()) + " vertices)";
+        const auto place =
+            std::span(raw.coordinates).subspan(static_cast<std::size_t>(vertex) * 3, 3);
+        if (!std::ranges::all_of(place, [](double x) { return std::isfinite(x); }))
+            return numbered("vertex", vertex) + " is not a finite number";
+    }
     return {};
+}
+
+std::span<const std::int64_t> polygonOf(const RawMesh& raw, std::size_t polygon) {
+    const auto begin = polygon == 0 ? 0 : raw.polygonEnds[polygon - 1];
+    return std::span(raw.corners).subspan(begin, raw.polygonEnds[polygon] - begin);
+}
+
+/// Cuts the polygons into triangles.
+MeshOfFile triangulated(const RawMesh& raw) {
+    MeshOfFile result{.mesh = {}, .notes = raw.notes};
+    using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
+    const auto& vertices = result.mesh.vertices =
+        Eigen::Map<const RowMajor>(raw.coordinates.data(), raw.vertexCount(), 3);
+    std::vector<int> corners;
+    corners.reserve(raw.corners.size());
+    Eigen::MatrixX3d polygon;
+    int guesses = 0;
+    for (std::size_t index = 0; index < raw.polygonEnds.size(); ++index) {
+        const auto ofPolygon = polygonOf(raw, index);
+        if (ofPolygon.size() == 3) {
+            corners.insert(corners.end(), ofPolygon.begin(), ofPolygon.end());
+            continue;
+        }
+        polygon.resize(static_cast<Eigen::Index>(ofPolygon.size()), 3);
+        for (Eigen::Index row = 0; row < polygon.rows(); ++row)
+            polygon.row(row) = vertices.row(ofPolygon[static_cast<std::size_t>(row)]);
+        const auto triangles = trianglesOf(polygon);
+        guesses += triangles.isGuess ? 1 : 0;
+        for (const auto& triangle : triangles.corners)
+            for (const int corner : triangle)
+                corners.push_back(static_cast<int>(ofPolygon[static_cast<std::size_t>(corner)]));
+    }
+    using RowMajorIndices = Eigen::Matrix<int, Eigen::Dynamic, 3, Eigen::RowMajor>;
+    result.mesh.faces = Eigen::Map<const RowMajorIndices>(
+        corners.data(), static_cast<Eigen::Index>(corners.size() / 3), 3);
+    if (guesses > 0)
+        result.notes += (result.notes.empty() ? "" : " ") +
+                        (guesses == 1 ? "One polygon crosses itself: its triangles are a guess."
+                                      : std::to_string(guesses) +
+                                            " polygons cross themselves: their triangles are a "
+                                            "guess.");
+    return result;
+}
+
+/// Moves a mesh far from the origin there, with a note.
+void moveNear(MeshOfFile& file, const Eigen::AlignedBox3d& box) {
+    constexpr double farDiagonals = 100, coarseShare = 1e-4;
+    auto& vertices = file.mesh.vertices;
+    const double diagonal = box.diagonal().norm();
+    const double distance =
+        std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
+    if ((distance <= farDiagonals * diagonal && distance <= largestUnits) || diagonal == 0)
+        return;
+    const Eigen::RowVector3d centre = box.center().transpose();
+    file.notes +=
+        (file.notes.empty() ? "" : " ") + std::string("Moved the mesh to the origin from ");
+    for (int axis = 0; axis < 3; ++axis)
+        file.notes += (axis == 0 ? "(" : ", ") + numberText(centre(axis));
+    file.notes += "), in units of the file.";
+    const double step = distance * std::numeric_limits<float>::epsilon();
+    if (vertices == vertices.cast<float>().cast<double>() && step > coarseShare * diagonal)
+        file.notes += " So far away, numbers in single precision are rounded to " +
+                      numberText(step, 1) + ": save the mesh near the origin.";
+    vertices.rowwise() -= centre;
+}
+
+/// Moves vertices that are no numbers or far away to a vertex with a face. Only vertices without a
+/// face can be.
+void gatherStrays(Mesh& mesh) {
+    const Eigen::RowVector3d place = mesh.vertices.row(mesh.faces(0, 0));
+    for (auto vertex : mesh.vertices.rowwise())
+        if (!(vertex.cwiseAbs().maxCoeff<Eigen::PropagateNaN>() <= largestUnits))
+            vertex = place;
 }
 
 } // namespace
 
-Result<RawMesh> readObj(std::string_view bytes) {
-    RawMesh mesh;
-    TextScanner lines(withoutByteOrderMark(bytes));
-    std::vector<std::string_view> cornerWords;
-    std::vector<std::int64_t> corners;
-    std::int64_t number = 0;
-    while (const auto line = lines.nextLine()) {
-        ++number;
-        TextScanner words(*line);
-        const auto keyword = words.nextWord();
-        if (keyword == "v") {
-            if (!mesh.addVertex(words))
-                return failure(numbered("line", number) + " is not a vertex of three numbers");
-        } else if (keyword == "f") {
-            cornerWords.clear();
-            for (auto word = words.nextWord(); !word.empty(); word = words.nextWord())
-                cornerWords.push_back(word);
-            // A file may end without a newline, and malformed faces inside it are skipped. Only an
-            // incomplete last line means that the file is truncated.
-            if (lines.bytesLeft() == 0 && !bytes.ends_with('\n') && !isWholeFace(cornerWords))
-                return failure("it is truncated: " + numbered("line", number) +
-                               ", its last, is half a face");
-            corners.clear();
-            for (const auto word : cornerWords) {
-                const auto corner = objCorner(word, mesh.vertexCount());
-                if (!corner)
-                    return failure(numbered("line", number) + " is not a face");
-                corners.push_back(*corner);
-            }
-            mesh.addPolygon(corners);
-        }
-    }
-    return mesh;
-}
-
-Result<RawMesh> readOff(std::string_view bytes) {
-    TextScanner words(bytes);
-    const auto magic = words.nextWord();
-    if (!magic.ends_with("OFF"))
-        return failure("it does not begin with \"OFF\"");
-    const auto vertices = words.nextInteger(), faces = words.nextInteger(),
-               edges = words.nextInteger();
-    if (!vertices || !faces || !edges || *vertices < 0 || *faces < 0)
-        return failure("its header is not three counts");
-    // Three numbers and their separators take at least six bytes.
-    const auto maximum = static_cast<std::int64_t>(words.bytesLeft() / 6 + 1);
-    if (*vertices > maximum || *faces > maximum)
-        return failure("its header promises " + std::to_string(*vertices) + " vertices and " +
-                       std::to_string(*faces) + " faces, more than the file can hold");
-    RawMesh mesh;
-    words.nextLine();
-    for (std::int64_t row = 0; row < *vertices + *faces; ++row) {
-        std::string_view content;
-        while (content.find_first_not_of(" \t\r\v\f") == std::string_view::npos) {
-            const auto line = words.nextLine();
-            if (!line)
-                return failure("it ends after " + std::to_string(row) + " of " +
-                               std::to_string(*vertices + *faces) + " vertices and faces");
-            content = *line;
-        }
-        // Ignore the rest of the line (normals, colours).
-        TextScanner numbers(content);
-        if (row < *vertices) {
-            if (!mesh.addVertex(numbers))
-                return failure(numbered("vertex", row) + " is not three numbers");
-            continue;
-        }
-        std::vector<std::int64_t> corners;
-        const auto valence = numbers.nextInteger().value_or(-1);
-        for (std::int64_t i = 0; i < valence; ++i) {
-            const auto corner = numbers.nextInteger();
-            if (!corner)
-                break;
-            corners.push_back(*corner);
-        }
-        if (static_cast<std::int64_t>(corners.size()) != valence)
-            return failure(numbered("face", row - *vertices) + " is malformed");
-        mesh.addPolygon(corners);
-    }
-    return mesh;
-}
-
-Result<RawMesh> readStl(std::string_view bytes) {
-    const std::uint64_t count = bytes.size() >= 84 ? littleEndianCount(bytes.data() + 80) : 0;
-    const std::uint64_t expected = 84 + count * 50;
-    // Binary files may begin with "solid" too: only the size is reliable.
-    if (bytes.size() >= 84 && bytes.size() == expected)
-        return readBinaryStl(bytes, static_cast<std::uint32_t>(count));
-    if (bytes.starts_with("solid"))
-        return readTextStl(bytes);
-    if (bytes.size() < 84)
-        return failure("it is too short for an STL file");
-    if (bytes.size() < expected)
-        return failure("it is truncated: its header promises " + std::to_string(count) +
-                       " triangles, there are " + std::to_string((bytes.size() - 84) / 50));
-    return readBinaryStl(bytes, static_cast<std::uint32_t>(count));
-}
-
-Result<Mesh> readMesh(const std::filesystem::path& file, double metresPerUnit) {
+Result<MeshOfFile> readMeshFile(const std::filesystem::path& file, double metresPerUnit) {
     const auto fail = [&](const std::string& fault) {
         return failure("The mesh file \"" + nameOf(file) + "\" cannot be used: " + fault + ".");
     };
@@ -241,20 +142,25 @@ Result<Mesh> readMesh(const std::filesystem::path& file, double metresPerUnit) {
         const auto raw = readRawMesh(file);
         if (!raw)
             return fail(raw.error().message);
-        if (const auto fault = faultOf(*raw, metresPerUnit); !fault.empty())
+        if (const auto fault = faultOf(*raw); !fault.empty())
             return fail(fault);
-        Mesh mesh;
-        using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
-        mesh.vertices = Eigen::Map<const RowMajor>(raw->coordinates.data(), raw->vertexCount(), 3) *
-                        metresPerUnit;
-        using RowMajorIndices = Eigen::Matrix<std::int64_t, Eigen::Dynamic, 3, Eigen::RowMajor>;
-        mesh.faces =
-            Eigen::Map<const RowMajorIndices>(raw->triangles.data(), raw->triangles.size() / 3, 3)
-                .cast<int>();
-        return mesh;
+        auto read = triangulated(*raw);
+        const auto box = boxOfFaces(read.mesh);
+        if (!(box.sizes().maxCoeff() <= largestUnits))
+            return fail("its faces reach over more than a million units of length");
+        moveNear(read, box);
+        gatherStrays(read.mesh);
+        read.mesh.vertices *= metresPerUnit;
+        return read;
     } catch (const std::bad_alloc&) {
         return fail("it is too large for this machine's memory");
     }
+}
+
+Result<Mesh> readMesh(const std::filesystem::path& file, double metresPerUnit) {
+    return readMeshFile(file, metresPerUnit).transform([](MeshOfFile&& read) {
+        return std::move(read.mesh);
+    });
 }
 
 } // namespace idiophone

@@ -13,13 +13,17 @@
 namespace idiophone {
 namespace {
 
-std::optional<std::string> faultOf(const Mesh& mesh) {
-    constexpr double largestMetres = 1e9, smallestMetres = 1e-9;
+std::optional<std::string> faultOfIndices(const Mesh& mesh) {
     if (mesh.faceCount() == 0)
         return "The mesh has no faces.";
     if (mesh.vertices.cols() != 3 || mesh.faces.cols() != 3 || mesh.faces.minCoeff() < 0 ||
         mesh.faces.maxCoeff() >= mesh.vertexCount())
         return "The mesh has a face that names a vertex that does not exist.";
+    return std::nullopt;
+}
+
+std::optional<std::string> faultOfPlaces(const Mesh& mesh) {
+    constexpr double largestMetres = 1e9, smallestMetres = 1e-9;
     if (!mesh.vertices.allFinite())
         return "The mesh has a vertex that is not a finite number.";
     if (mesh.vertices.cwiseAbs().maxCoeff() > largestMetres)
@@ -132,14 +136,18 @@ std::string RepairReport::text() const {
 }
 
 Result<RepairedMesh> repairMesh(const Mesh& input, const RepairSettings& settings) {
-    if (auto fault = faultOf(input))
+    if (auto fault = faultOfIndices(input))
         return failure(std::move(*fault));
     const WorkControl control{.progress = {}, .cancelled = settings.cancelled};
-    RepairedMesh result{.mesh = input, .report = {}, .vertexOfInput = {}};
+    RepairedMesh result{.mesh = input, .report = {}, .vertexOfInput = allVertices(input)};
     auto& [mesh, report, vertexOfInput] = result;
+    dropUnusedVertices(result); // they would count for the mesh's size
+    if (auto fault = faultOfPlaces(mesh))
+        return failure(std::move(*fault));
     const double weldTolerance = std::max(settings.weldTolerance, 1e-12);
-    vertexOfInput = weldVertices(mesh, weldTolerance * boundingDiagonalMetres(input));
-    report.weldedVertices = static_cast<int>(input.vertexCount() - mesh.vertexCount());
+    const auto unwelded = mesh.vertexCount();
+    renumber(vertexOfInput, weldVertices(mesh, weldTolerance * boundingDiagonalMetres(mesh)));
+    report.weldedVertices = static_cast<int>(unwelded - mesh.vertexCount());
     dropUnusable(result);
     joinTJunctions(result, weldTolerance, control);
     if (control.isCancelled())

@@ -14,7 +14,7 @@ namespace idiophone {
 
 struct RepairSettings {
     double weldTolerance =
-        1e-7; ///< vertices closer than this become one; fraction of the bounding diagonal
+        1e-7; ///< vertices closer than this become one; fraction of the faces' bounding diagonal
     bool largestComponentOnly = false; ///< keep only the component with the largest area
     /// Cut the mesh where more than two faces meet at an edge, where several fans meet at a vertex,
     /// and where a one-sided surface closes, because remeshing needs a manifold. Parts connected

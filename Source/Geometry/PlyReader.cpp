@@ -200,7 +200,7 @@ bool readRow(const Element& element, Values& values, RawMesh& mesh) {
 Result<RawMesh> readPly(std::string_view bytes) {
     if (!bytes.starts_with("ply"))
         return failure("it does not begin with \"ply\"");
-    TextScanner lines(bytes);
+    auto lines = TextScanner::ofFile(bytes);
     const auto header = readHeader(lines);
     if (!header)
         return failure(header.error().message);

@@ -6,6 +6,7 @@
 
 #include <Tunings.h>
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <optional>
 #include <string_view>
@@ -85,6 +86,20 @@ std::string_view firstWord(std::string_view line) {
     return line.substr(0, line.find_first_of(" \t!"));
 }
 
+/// Returns the first word, or a ratio without the blanks around its slash ("9 / 8").
+std::string pitchOf(std::string_view line) {
+    const std::string first(firstWord(line));
+    const auto slash = line.find('/');
+    if (slash == std::string_view::npos)
+        return first;
+    const auto above = firstWord(line.substr(0, slash)), below = firstWord(line.substr(slash + 1));
+    const auto between = line.substr(0, slash).substr(line.find(above) + above.size());
+    const bool isRatio = between.find_first_not_of(" \t") == std::string_view::npos &&
+                         above.find('.') == std::string_view::npos && !below.empty() &&
+                         std::isdigit(static_cast<unsigned char>(below.front())) != 0;
+    return isRatio ? std::string(above) + "/" + std::string(below) : first;
+}
+
 /// Parses "701.955" as cents, and "3/2" and "2" as ratios of numbers of any size.
 std::optional<double> cents(std::string_view word) {
     if (word.find('.') != std::string_view::npos)
@@ -126,7 +141,7 @@ Tunings::Scale readScale(const ScalaFile& file) {
         const auto what =
             "note " + std::to_string(degree) + " of its " + std::to_string(scale.count);
         const auto line = lines.expect(what.c_str());
-        const auto pitch = cents(firstWord(line.text));
+        const auto pitch = cents(pitchOf(line.text));
         if (!pitch)
             lines.refuse(line, what + " is neither cents nor a ratio");
         if (!(std::abs(*pitch) <= maximumCents))

@@ -19,10 +19,9 @@ UnitGuess givenUnit(const Mesh& mesh, bool isMetres, const ImportSettings& setti
 
 UnitGuess unitOf(const Mesh& mesh, bool isMetres, const ImportSettings& settings) {
     auto unit = givenUnit(mesh, isMetres, settings);
-    if (settings.longestMetres == 0 || mesh.vertexCount() == 0)
+    if (settings.longestMetres == 0 || mesh.faceCount() == 0)
         return unit;
-    const double longest =
-        (mesh.vertices.colwise().maxCoeff() - mesh.vertices.colwise().minCoeff()).maxCoeff();
+    const double longest = boxOfFaces(mesh).sizes().maxCoeff();
     if (longest > 0) {
         unit.unit.metresPerUnit = settings.longestMetres / longest;
         unit.sentence =

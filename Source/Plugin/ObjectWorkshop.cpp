@@ -1,5 +1,6 @@
 #include "Plugin/ObjectWorkshop.h"
 
+#include "Analysis/BodyModel.h"
 #include "Analysis/FewerShapes.h"
 #include "Analysis/ModalAnalysis.h"
 #include "Editor/Utf8.h"
@@ -166,11 +167,13 @@ Result<void> ObjectWorkshop::make(const Job& job) {
     if (matches(job.file, modalFiles))
         return makeFromModal(job);
     report(job, 0, "Reading");
-    auto read = readMesh(job.file);
+    auto read = readMeshFile(job.file);
     if (!read)
         return tl::unexpected(read.error());
-    const auto source = std::make_shared<const Source>(
-        Source{.name = fileNameOf(job.file), .mesh = std::move(*read), .isMetres = false});
+    const auto source = std::make_shared<const Source>(Source{.name = fileNameOf(job.file),
+                                                              .mesh = std::move(read->mesh),
+                                                              .isMetres = false,
+                                                              .notes = std::move(read->notes)});
     {
         const std::scoped_lock lock(mutex);
         if (!job.cancelled)
@@ -181,7 +184,7 @@ Result<void> ObjectWorkshop::make(const Job& job) {
 
 Result<void> ObjectWorkshop::makeFromMesh(const Job& job, const Source& source) {
     const auto refuse = [&](const Error& error) {
-        return failure(source.name + ": " + error.message);
+        return failure(source.name + ": " + joinedSentences({error.message, source.notes}));
     };
     const auto choices = choicesOf(job.settings);
     if (!choices)
@@ -204,6 +207,11 @@ Result<void> ObjectWorkshop::makeFromMesh(const Job& job, const Source& source) 
                            .cancelled = &job.cancelled};
     };
     auto preview = analysePreview(metres, settings, control(readShare, previewShare, "Preview: "));
+    const auto addNotes = [&](ModalObject& object) {
+        object.provenance.notes = joinedSentences({source.notes, object.provenance.notes});
+    };
+    if (preview)
+        addNotes(*preview);
     if (preview)
         deliver(job, withFewerShapes(std::move(*preview), minimumRows), unit, Finish::preview);
     if (job.cancelled)
@@ -215,6 +223,7 @@ Result<void> ObjectWorkshop::makeFromMesh(const Job& job, const Source& source) 
     auto object = idiophone::analyse(metres, settings, control(previewShare, 1, ""));
     if (!object)
         return refuse(object.error());
+    addNotes(*object);
     const auto rows = std::max(minimumRows, maximumShapes / object->modeCount());
     deliver(job, withFewerShapes(std::move(*object), rows), unit, Finish::whole);
     return {};

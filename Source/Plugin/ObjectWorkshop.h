@@ -62,7 +62,8 @@ private:
     struct Source {
         std::string name; ///< file name, or the name given
         Mesh mesh;
-        bool isMetres = false; ///< if not, the unit is the file's
+        bool isMetres = false;  ///< if not, the unit is the file's
+        std::string notes = {}; ///< on the file; may be empty
     };
     struct Job {
         std::filesystem::path file;

@@ -4,6 +4,7 @@
 
 #include "Instrument/KeyTuning.h"
 #include "Instrument/LatestValue.h"
+#include "Instrument/MidiTuning.h"
 
 #include <atomic>
 #include <juce_audio_basics/juce_audio_basics.h>
@@ -49,17 +50,17 @@ private:
         void operator()(MTSClient* client) const;
     };
 
-    void retuneKeys(std::span<const juce::uint8> keys, bool areNamed) noexcept;
     void followForgetting() noexcept;
     void readSession() noexcept;
 
     std::unique_ptr<MTSClient, Deregister> client;
     LatestValue<std::optional<KeyTuning>> handoff{std::nullopt}; ///< message side to audio thread
     std::atomic<bool> tunedByMessages{false};
-    std::atomic<bool> forgetsMessages{false}; ///< until the client has forgotten them
+    std::atomic<bool> forgetsMessages{false}; ///< until the next callback
 
     // Owned by the audio thread.
     std::optional<KeyTuning> own;
+    MidiTuning messages;
     KeyTuning session;
 };
 

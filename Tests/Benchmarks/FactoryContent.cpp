@@ -42,12 +42,12 @@ Result<void> addSong(const std::filesystem::path& file, BenchContent& content) {
     const auto instrument = Instrument::build(preset->keyMap, ObjectLibrary::shared());
     if (!instrument)
         return tl::unexpected(instrument.error());
-    const auto events = readMidiSong(file);
-    if (!events)
-        return tl::unexpected(events.error());
+    const auto song = readMidiSong(file);
+    if (!song)
+        return tl::unexpected(song.error());
 
     std::uint32_t number = 0;
-    for (const SongEvent& event : *events)
+    for (const SongEvent& event : song->events)
         if (event.isNoteOn())
             addImpact(event, **instrument, preset->parameters, number++, content.song);
     if (content.song.empty())

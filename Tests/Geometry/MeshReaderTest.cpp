@@ -156,6 +156,7 @@ TEST_CASE("Each fault of a mesh file gives one sentence with the file's name") {
         {"faceless.obj", triangleObj, "has no faces"},
         {"nan.obj", "v 0 0 nan\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "vertex 0 is not a finite number"},
         {"inf.obj", "v 0 0 0\nv inf 0 0\nv 0 1 0\nf 1 2 3\n", "vertex 1 is not a finite number"},
+        {"wide.obj", "v 0 0 0\nv 1e7 0 0\nv 0 1 0\nf 1 2 3\n", "more than a million units"},
         {"range.obj", triangleObj + "f 1 2 4\n", "names a vertex that does not exist"},
         {"zero.obj", triangleObj + "f 0 1 2\n", "line 4 is not a face"},
         {"minus.obj", triangleObj + "f -9 1 2\n", "names a vertex that does not exist"},
@@ -164,9 +165,9 @@ TEST_CASE("Each fault of a mesh file gives one sentence with the file's name") {
         {"mesh.step", "ISO-10303", "extension is none of"},
         {"noext", triangleObj, "extension is none of"},
         {"magic.off", "PFF\n", "does not begin with \"OFF\""},
-        {"comment.off", "OFF\n#", "not three counts"},
+        {"comment.off", "OFF\n#", "does not count vertices and faces"},
         {"counts.off", "OFF\n2000000000 2000000000 0\n0 0 0\n", "more than the file can hold"},
-        {"minus.off", "OFF\n-1 2 0\n", "not three counts"},
+        {"minus.off", "OFF\n-1 2 0\n", "does not count vertices and faces"},
         {"short.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n", "ends after 2 of 4"},
         {"valence.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n1000000000 0 1\n", "face 0 is malformed"},
         {"magic.ply", "plx\n", "does not begin with \"ply\""},
@@ -185,9 +186,9 @@ TEST_CASE("Each fault of a mesh file gives one sentence with the file's name") {
          "no faces"},
         {"short.stl", "sol", "too short"},
         {"text.stl", "solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\n",
-         "ends before \"endsolid\""},
+         "it ends inside triangle 0"},
         {"bad.stl", "solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0 a\n", "three numbers"},
-        {"long.stl", "solid " + std::string(100000, 'x'), "ends before \"endsolid\""},
+        {"long.stl", "solid " + std::string(100000, 'x'), "has no faces"},
     }));
     INFO(name);
     const auto error = errorOf(name, bytes);

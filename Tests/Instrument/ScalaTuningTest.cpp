@@ -63,6 +63,16 @@ TEST_CASE("Without files, or with twelve equal steps, every key keeps its pitch 
     CHECK(keyTuning(scaled(equalSteps(12))) == KeyTuning{});
 }
 
+TEST_CASE("A ratio may have blanks around its slash, and text behind it") {
+    for (const auto* second : {"9 / 8", " 9/ 8", "9 /8", "\t9\t/\t8 major tone", "9 / 8! tone",
+                               "9/8", "9/8 a / b", "203.910002 cents of 9 / 8"})
+        CHECK(hertz(scaled(std::string("Blanks\n2\n") + second + "\n2 / 1\n"), 61) ==
+              Approx(middleCHz * 9 / 8));
+    for (const auto* text : {"2 / an octave", "2 octaves 1 / 2", "2 ! 3 / 2"})
+        CHECK(hertz(scaled(std::string("Text\n1\n") + text + "\n"), 61) == Approx(middleCHz * 2));
+    checkRefused(scaled("Half\n1\n9/\n"), "neither cents nor a ratio");
+}
+
 TEST_CASE("A scale of ratios begins at middle C") {
     const auto tuning = scaled(just);
     CHECK(hertz(tuning, 60) == Approx(middleCHz));

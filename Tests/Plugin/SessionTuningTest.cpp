@@ -104,7 +104,6 @@ double MTS_RetuningInSemitones(MTSClient*, char note, char) {
 const char* MTS_GetScaleName(MTSClient*) {
     return "Of the session";
 }
-void MTS_ParseMIDIDataU(MTSClient*, const unsigned char*, int) {}
 }
 
 TEST_CASE("Every instance is a client of the session while it lives") {
