@@ -28,10 +28,12 @@ MODULES = {
     "Scene": ("Instrument Synth Geometry Object Parameters",
               "Eigen/ boost/lockfree/ BulletCollision/ LinearMath/ btBulletDynamicsCommon.h nlohmann/"),
     "Output": ("Object Parameters", "juce_core/ juce_dsp/"),
+    "Sampling": ("AudioFiles Output Instrument Synth Geometry Parameters Object",
+                 "juce_audio_basics/ nlohmann/"),
     "Editor": ("Parameters Object Geometry", "Eigen/ juce_ GL/ X11/"),
-    "Plugin": ("Editor Output Scene Instrument Analysis Synth Geometry Parameters AudioFiles Object",
+    "Plugin": ("Editor Sampling Output Scene Instrument Analysis Synth Geometry Parameters AudioFiles Object",
                "boost/lockfree/ juce_ nlohmann/ libMTSClient.h pluginterfaces/"),
-    "Console": ("Output Scene Instrument Analysis Synth Geometry Parameters AudioFiles Object",
+    "Console": ("Sampling Output Scene Instrument Analysis Synth Geometry Parameters AudioFiles Object",
                 "juce_ CLI/ nlohmann/ ebur128.h mysofa.h"),
 }
 
