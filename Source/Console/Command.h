@@ -38,6 +38,7 @@ void addMesh(CLI::App& program, Action& chosen);
 void addFactory(CLI::App& program, Action& chosen);
 void addTune(CLI::App& program, Action& chosen);
 void addFit(CLI::App& program, Action& chosen);
+void addSample(CLI::App& program, Action& chosen);
 void addToneMap(CLI::App& program, Action& chosen);
 void addSurface(CLI::App& program, Action& chosen);
 void addPresets(CLI::App& program, Action& chosen);

@@ -3,7 +3,7 @@
 #include "Console/JsonText.h"
 #include "Console/MaterialChoice.h"
 #include "Console/OptionChecks.h"
-#include "Console/WavReader.h"
+#include "AudioFiles/AudioFileReader.h"
 #include "Geometry/MeshReader.h"
 #include "Object/ModalObjectFile.h"
 #include "Object/NumberText.h"
@@ -92,7 +92,7 @@ Result<RecordingFit> fitFiles(const std::vector<RecordedStrike>& strikes,
                               const RecordingFitSettings& settings) {
     std::vector<MonoRecording> recordings;
     for (const auto& strike : strikes) {
-        auto recording = readWav(strike.file);
+        auto recording = readRecording(strike.file);
         if (!recording)
             return tl::unexpected(recording.error());
         recordings.push_back(std::move(*recording));

@@ -23,9 +23,9 @@ int run(int argc, char** argv) {
     CLI::App program("Idiophone: triangle meshes become playable modal objects", "idiophone");
     program.set_version_flag("--version", "Idiophone " IDIOPHONE_VERSION);
     Action chosen;
-    for (const auto add :
-         {addAnalyse, addInfo, addStrike, addRender, addScene, addMesh, addFactory, addTune, addFit,
-          addToneMap, addSurface, addPresets, addMaterials, addLists, addSofaTable})
+    for (const auto add : {addAnalyse, addInfo, addStrike, addRender, addScene, addMesh, addFactory,
+                           addSample, addTune, addFit, addToneMap, addSurface, addPresets,
+                           addMaterials, addLists, addSofaTable})
         add(program, chosen);
     try {
         program.parse(argc, argv);

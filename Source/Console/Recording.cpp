@@ -22,7 +22,7 @@ double decibelsFullScale(double amplitude) {
 } // namespace
 
 void addRecordingOptions(CLI::App& command, RecordingFormat& format) {
-    command.add_option("-o,--output", format.file, "The WAV file to write")
+    command.add_option("-o,--output", format.file, "The WAV or FLAC file to write")
         ->type_name(writtenFile)
         ->required();
     command.add_option("--sample-rate", format.sampleRateHz, "Sample rate in Hz")
@@ -31,7 +31,7 @@ void addRecordingOptions(CLI::App& command, RecordingFormat& format) {
     command.add_option("--block-size", format.blockSize, "Samples rendered at a time")
         ->check(numberBetween(1, 8192))
         ->capture_default_str();
-    command.add_option("--bit-depth", format.bitDepth, "16, 24, or 32 (floating point)")
+    command.add_option("--bit-depth", format.bitDepth, "16, 24, or 32 (floating point, WAV only)")
         ->check(CLI::IsMember({16, 24, 32}))
         ->capture_default_str();
     command.add_option("--seconds", format.seconds, "Length of the file (default: until silence)")
@@ -53,7 +53,7 @@ Result<std::unique_ptr<Recording>> Recording::start(const RecordingFormat& forma
                                                     const ParameterValues& parameters) {
     interruptRequested(); // installs the handler, so that an interrupt leaves no partial file
     std::unique_ptr<Recording> result(new Recording(format, parameters));
-    auto writer = WavWriter::create(format.file, format.sampleRateHz, 2, format.bitDepth);
+    auto writer = AudioFileWriter::create(format.file, format.sampleRateHz, 2, format.bitDepth);
     if (!writer)
         return tl::unexpected(writer.error());
     result->writer = std::move(*writer);

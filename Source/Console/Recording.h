@@ -1,9 +1,9 @@
-// Records the output stage to a stereo WAV file and reports on the sound.
+// Records the output stage to a stereo audio file and reports on the sound.
 #pragma once
 
 #include "Console/LoudnessMeter.h"
 #include "Output/OutputStage.h"
-#include "Output/WavWriter.h"
+#include "AudioFiles/AudioFileWriter.h"
 #include "Parameters/ParameterTable.h"
 
 #include <CLI/CLI.hpp>
@@ -65,7 +65,7 @@ private:
     Result<void> write(int samples);
 
     ParameterValues parameters;
-    std::unique_ptr<WavWriter> writer;
+    std::unique_ptr<AudioFileWriter> writer;
     OutputStage output;
     std::vector<float> writtenLeft, writtenRight, interleaved;
     LoudnessMeter meter;

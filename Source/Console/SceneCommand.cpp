@@ -31,6 +31,8 @@ struct SceneOptions {
     std::filesystem::path impulses;
     std::filesystem::path head;
     unsigned threads = 0;
+    std::string stemKind;
+    std::filesystem::path stemFolder;
     bool json = false;
 };
 
@@ -78,6 +80,8 @@ ordered_json describe(const SceneTally& tally, const Recording& recording) {
     report["cpu_share_sound"] = seconds > 0 ? ordered_json(tally.soundSeconds / seconds) : nullptr;
     report["cpu_share_motion"] =
         seconds > 0 ? ordered_json(tally.motionSeconds / seconds) : nullptr;
+    if (!tally.stems.empty())
+        report["stems"] = tally.stems;
     report["frame_seconds"] = sceneFrameSeconds;
     report["bodies"] = framesOf(tally, &FrameFigures::bodies);
     report["impacts_of_frame"] = framesOf(tally, &FrameFigures::impacts);
@@ -154,6 +158,12 @@ std::vector<SynthesiserSlot> heardSlots(const SceneAssets& assets) {
     return slots;
 }
 
+SceneStems stemsNamed(const std::string& kind) {
+    return kind == "bodies"     ? SceneStems::bodies
+           : kind == "contacts" ? SceneStems::contacts
+                                : SceneStems::none;
+}
+
 Result<void> perform(const SceneOptions& options) {
     auto scene = findOrReadScene(options.scene);
     if (!scene)
@@ -175,18 +185,24 @@ Result<void> perform(const SceneOptions& options) {
     print(song->warnings);
     print(effect.warnings);
     values = effect.values;
-    std::shared_ptr<const HeadResponses> head;
+    SceneRenderSettings settings{.head = nullptr,
+                                 .parameters = values,
+                                 .threads = options.threads,
+                                 .stems = stemsNamed(options.stemKind),
+                                 .stemFolder = options.stemFolder};
     if (!options.head.empty()) {
         auto read = readSofaHead(options.head, options.format.sampleRateHz);
         if (!read)
             return tl::unexpected(read.error());
-        head = std::move(*read);
+        settings.head = std::move(*read);
     }
+    if (settings.stems != SceneStems::none)
+        if (auto made = makeDirectory(options.stemFolder); !made)
+            return made;
     auto recording = Recording::start(options.format, values);
     if (!recording)
         return tl::unexpected(recording.error());
-    const auto tally =
-        renderScene(*assets, head, song->events, values, options.threads, **recording);
+    const auto tally = renderScene(*assets, song->events, settings, **recording);
     if (!tally)
         return tl::unexpected(tally.error());
     if (!options.impulses.empty())
@@ -210,6 +226,17 @@ void addScene(CLI::App& program, Action& chosen) {
         "nothing moves without notes)");
     command->add_option("--head", options->head,
                         "A SOFA file of a measured head (default: a sphere)");
+    auto* stems =
+        command
+            ->add_option("--stems", options->stemKind,
+                         "Also writes stems that sum to the mix: bodies, or contacts (impacts, and "
+                         "slides and rolls)")
+            ->check(CLI::IsMember({"bodies", "contacts"}));
+    auto* stemFolder =
+        command
+            ->add_option("--stem-folder", options->stemFolder, "The folder to write the stems to")
+            ->needs(stems);
+    stems->needs(stemFolder);
     addRecordingOptions(*command, options->format);
     addParameterAssignments(*command, options->assignments);
     command

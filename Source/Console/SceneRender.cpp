@@ -1,10 +1,10 @@
 #include "Console/SceneRender.h"
 
+#include "Console/FileName.h"
 #include "Console/RenderLoop.h"
 #include "Instrument/Instrument.h"
 #include "Object/OneLine.h"
 #include "Object/WorkTeam.h"
-#include "Scene/SceneRenderer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -37,23 +37,42 @@ void addCell(SceneTally& tally,
     tally.impacts.insert(tally.impacts.end(), renderer.impacts().begin(), renderer.impacts().end());
 }
 
+/// Returns the name of a body's file: its number, and its kind or its object.
+std::string nameOfBody(const SceneAssets& assets, const SceneSimulation& motion, std::size_t slot) {
+    const auto role = motion.roleOf(slot);
+    const auto& kinds = assets.scene().kinds;
+    return fileNameFrom(std::to_string(slot + 1) + "-" +
+                        (role < kinds.size() ? kinds[role].name : assets.roles()[role].object));
+}
+
+std::vector<std::string>
+namesOfStems(const SceneAssets& assets, const SceneSimulation& motion, SceneStems stems) {
+    if (stems == SceneStems::contacts)
+        return {"impacts", "slides-and-rolls"};
+    std::vector<std::string> names;
+    for (std::size_t slot = 0; stems == SceneStems::bodies && slot < motion.slots().size(); ++slot)
+        names.push_back(nameOfBody(assets, motion, slot));
+    return names;
+}
+
 } // namespace
 
 Result<SceneTally> renderScene(const std::shared_ptr<const SceneAssets>& assets,
-                               const std::shared_ptr<const HeadResponses>& head,
                                std::span<const SongEvent> song,
-                               const ParameterValues& parameters,
-                               unsigned threads,
+                               const SceneRenderSettings& settings,
                                Recording& recording) {
     const double rate = recording.format.sampleRateHz;
     const double lastSeconds =
         std::max(assets->scene().seconds, song.empty() ? 0 : song.back().seconds);
-    WorkTeam team(threads);
+    WorkTeam team(settings.threads);
     SceneSimulation motion(assets, {.notes = notesOf(song), .team = &team});
     if (auto bounded = boundedSlots(motion.slots(), inQuotes(assets->scene().name), "bodies");
         !bounded)
         return tl::unexpected(bounded.error());
-    SceneRenderer renderer(motion, *assets, head, parameters, rate, team);
+    SceneRenderer renderer(motion, *assets, settings.head, settings.parameters, rate, team,
+                           settings.stems);
+    StemFiles stems(settings.stemFolder, namesOfStems(*assets, motion, settings.stems),
+                    recording.format, settings.parameters);
     SceneTally tally;
     tally.notesLeftOut = motion.notesLeftOut();
     std::int64_t cells = 0;
@@ -64,6 +83,8 @@ Result<SceneTally> renderScene(const std::shared_ptr<const SceneAssets>& assets,
             return tl::unexpected(crowdedFault(assets->scene()));
         const double cellSeconds = cellSamples / rate;
         addCell(tally, renderer, static_cast<double>(cells++) * cellSeconds, impactsBefore);
+        if (auto added = stems.add(renderer.stems(), static_cast<std::size_t>(count)); !added)
+            return tl::unexpected(added.error());
         return cell.subspan(0, static_cast<std::size_t>(count));
     };
     return renderTo(recording, {.name = assets->scene().name,
@@ -71,7 +92,9 @@ Result<SceneTally> renderScene(const std::shared_ptr<const SceneAssets>& assets,
                                 .pieceSamples = cellSamples,
                                 .render = nextCell,
                                 .finished = [&] { return renderer.finished(); }})
+        .and_then([&] { return stems.finish(recording.statistics()["samples"]); })
         .map([&] {
+            tally.stems = stems.statistics();
             tally.impactsLeftOut = renderer.impactsLeftOut();
             tally.soundSeconds = renderer.soundSeconds();
             tally.motionSeconds = renderer.motionSeconds();

@@ -3,11 +3,14 @@
 
 #include "Console/MidiSong.h"
 #include "Console/Recording.h"
+#include "Console/StemFiles.h"
 #include "Scene/HeadResponses.h"
-#include "Scene/SceneSimulation.h"
+#include "Scene/SceneRenderer.h"
 
 #include <cstdint>
+#include <filesystem>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -29,18 +32,24 @@ struct SceneTally {
     std::int64_t impactsLeftOut = 0;  ///< impacts whose figures are not finite
     double soundSeconds = 0;          ///< measured, like motionSeconds
     double motionSeconds = 0;
+    nlohmann::ordered_json stems; ///< figures of each stem's file
+};
+
+/// How a scene is rendered.
+struct SceneRenderSettings {
+    std::shared_ptr<const HeadResponses> head; ///< at the recording's sample rate; null: a sphere
+    ParameterValues parameters;
+    unsigned threads = 0; ///< 0: one on each core; the result does not depend on them
+    SceneStems stems = SceneStems::none;
+    std::filesystem::path stemFolder; ///< exists if there are stems
 };
 
 inline constexpr double sceneFrameSeconds = 0.01;
 
-/// Renders up to the recording's length, or else to silence after everything has ended. `head`: the
-/// listener's measured head at the recording's sample rate; null selects a sphere. `threads`: 0 for
-/// one on each core; the result does not depend on them.
+/// Renders up to the recording's length, or else to silence after everything has ended.
 Result<SceneTally> renderScene(const std::shared_ptr<const SceneAssets>& assets,
-                               const std::shared_ptr<const HeadResponses>& head,
                                std::span<const SongEvent> song,
-                               const ParameterValues& parameters,
-                               unsigned threads,
+                               const SceneRenderSettings& settings,
                                Recording& recording);
 
 } // namespace idiophone

@@ -14,6 +14,7 @@
 #include "Instrument/StrikePointMetres.h"
 #include "Object/ModalObjectFile.h"
 #include "Object/OneLine.h"
+#include "Sampling/ObjectPlaces.h"
 #include "Synth/Listening.h"
 #include "Synth/LiveConditions.h"
 #include "Synth/PointShapes.h"
@@ -44,24 +45,8 @@ struct StrikeOptions {
 constexpr int struckKey = 60;
 constexpr std::size_t modesNamed = 5;
 
-std::array<double, 3> vertexOfRow(const ModalObject& object, std::size_t row) {
-    const auto* vertex = &object.vertices[static_cast<std::size_t>(object.shapeVertices[row]) * 3];
-    return {vertex[0], vertex[1], vertex[2]};
-}
-
 double distance(const std::array<double, 3>& a, const std::array<double, 3>& b) {
     return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
-}
-
-/// Returns the vertex with shapes that is farthest from the middle. No mode has a node there, so
-/// every mode sounds.
-std::size_t farthestRow(const ModalObject& object) {
-    std::size_t farthest = 0;
-    for (std::size_t row = 1; row < object.shapeVertexCount(); ++row)
-        if (distance(vertexOfRow(object, row), object.mass.centreMetres) >
-            distance(vertexOfRow(object, farthest), object.mass.centreMetres))
-            farthest = row;
-    return farthest;
 }
 
 Result<std::size_t> chooseRow(const ModalObject& object, const StrikeOptions& options) {
@@ -69,7 +54,7 @@ Result<std::size_t> chooseRow(const ModalObject& object, const StrikeOptions& op
         return nearestShapeRow(
             object, {options.pointMetres[0], options.pointMetres[1], options.pointMetres[2]});
     if (!options.vertex)
-        return farthestRow(object);
+        return spreadPlaces(object, 1).value().front(); // no node of a mode, so every mode sounds
     const auto found = std::ranges::lower_bound(object.shapeVertices, *options.vertex);
     if (found == object.shapeVertices.end() || *found != *options.vertex)
         return failure("--vertex " + std::to_string(*options.vertex) + ": " + options.object +

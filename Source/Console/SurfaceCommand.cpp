@@ -2,7 +2,7 @@
 #include "Console/Command.h"
 #include "Console/JsonText.h"
 #include "Console/OptionChecks.h"
-#include "Console/WavReader.h"
+#include "AudioFiles/AudioFileReader.h"
 #include "Instrument/SurfaceFile.h"
 #include "Object/TextFile.h"
 
@@ -48,7 +48,7 @@ void report(const Surface& surface, const SurfaceFit& fit, const SurfaceOptions&
 }
 
 Result<void> fitRecording(const SurfaceOptions& options) {
-    const auto recording = readWav(options.recording);
+    const auto recording = readRecording(options.recording);
     if (!recording)
         return tl::unexpected(recording.error());
     const auto refuse = [&](const Error& error) {

@@ -1,7 +1,7 @@
 #include "Plugin/RecorderSession.h"
 
 #include "Editor/Utf8.h"
-#include "Output/WavWriter.h"
+#include "AudioFiles/AudioFileWriter.h"
 
 #include <array>
 #include <cmath>
@@ -11,7 +11,7 @@ namespace {
 
 Result<void>
 writeWav(const std::filesystem::path& file, const RollingSound::Piece& piece, double rateHz) {
-    auto writer = WavWriter::create(file, static_cast<int>(std::lround(rateHz)), 2, 32);
+    auto writer = AudioFileWriter::create(file, static_cast<int>(std::lround(rateHz)), 2, 32);
     if (!writer)
         return tl::unexpected(writer.error());
     const std::array<const float*, 2> channels{piece.left.data(), piece.right.data()};

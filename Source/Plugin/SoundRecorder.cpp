@@ -11,7 +11,7 @@ namespace idiophone {
 Result<void> SoundRecorder::start(std::shared_ptr<const RollingSound> from,
                                   const std::filesystem::path& to) {
     stop();
-    auto made = WavWriter::create(to, static_cast<int>(std::lround(from->sampleRateHz())), 2, 32);
+    auto made = AudioFileWriter::create(to, static_cast<int>(std::lround(from->sampleRateHz())), 2, 32);
     if (!made)
         return tl::unexpected(made.error());
     writer = std::move(*made);

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "Editor/RecorderView.h"
-#include "Output/WavWriter.h"
+#include "AudioFiles/AudioFileWriter.h"
 #include "Plugin/RollingSound.h"
 
 #include <condition_variable>
@@ -58,7 +58,7 @@ private:
     // The recorder's thread's, while it runs.
     std::shared_ptr<const RollingSound> sound;
     std::filesystem::path file;
-    std::unique_ptr<WavWriter> writer;
+    std::unique_ptr<AudioFileWriter> writer;
     std::uint64_t first = 0, next = 0; ///< frames of the sound: the recording's first, and the next
     bool hasLost = false;              ///< frames were overwritten before they were read
     std::thread thread;

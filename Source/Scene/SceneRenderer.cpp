@@ -24,6 +24,15 @@ private:
     Clock::time_point start = Clock::now();
 };
 
+/// Returns the slots that sound: for stems of contacts each body twice, for impacts and for slides
+/// and rolls.
+std::vector<SynthesiserSlot> soundingSlots(const SceneSimulation& motion, SceneStems stems) {
+    auto slots = motion.slots();
+    if (stems == SceneStems::contacts)
+        slots.insert(slots.end(), motion.slots().begin(), motion.slots().end());
+    return slots;
+}
+
 } // namespace
 
 SceneRenderer::SceneRenderer(SceneSimulation& simulation,
@@ -31,12 +40,26 @@ SceneRenderer::SceneRenderer(SceneSimulation& simulation,
                              const std::shared_ptr<const HeadResponses>& head,
                              const ParameterValues& parameters,
                              double sampleRateHz,
-                             WorkTeam& sharingTeam)
-    : team(sharingTeam), motion(simulation), synth(motion.slots(), sampleRateHz, 1),
+                             WorkTeam& sharingTeam,
+                             SceneStems stems)
+    : team(sharingTeam), motion(simulation), stemKind(stems), slotsOfBodies(motion.slots().size()),
+      synth(soundingSlots(motion, stems), sampleRateHz, 1),
       sound(assets, synth.slotCount(), sampleRateHz, assets.scene().seed, head),
       samples(synth.slotCount() * cellSamples), outputs(cellsOfSlotsIn(samples)),
       cellSeconds(cellSamples / sampleRateHz) {
     synth.setSettings(synthesisSettings(parameters));
+    if (stems == SceneStems::none)
+        return;
+    const std::size_t stemCount = stems == SceneStems::bodies ? slotsOfBodies : 2;
+    stemSamples.resize(stemCount * 2 * cellSamples);
+    for (std::size_t stem = 0; stem < stemCount; ++stem) {
+        const auto both = std::span(stemSamples).subspan(stem * 2 * cellSamples, 2 * cellSamples);
+        stemSpans.push_back({both.first<cellSamples>(), both.last<cellSamples>()});
+    }
+    for (std::size_t slot = 0; slot < synth.slotCount(); ++slot) {
+        const auto& ears = stemSpans[stems == SceneStems::bodies ? slot : slot / slotsOfBodies];
+        earsOfSlots.emplace_back(ears.left.first<cellSamples>(), ears.right.first<cellSamples>());
+    }
 }
 
 StereoSpan SceneRenderer::next() {
@@ -69,10 +92,29 @@ void SceneRenderer::soundCell() {
         const double sample = (impact.seconds - startSeconds(begun.index)) * synth.sampleRateHz();
         return !sound.strike(impact, sample, begun);
     }));
+    if (stemKind == SceneStems::contacts)
+        for (auto& touch : cell.touches)
+            for (auto& slot : touch.slots)
+                if (slot < slotsOfBodies)
+                    slot += slotsOfBodies;
     for (std::size_t voice = 0; voice < cell.touches.size(); ++voice)
         sound.contacts.press(voice, cell.touches[voice], begun);
     sound.crowded.strikeBefore(cellSamples, begun);
-    sound.hear(outputs, cell.places, {left, right});
+    if (stemKind == SceneStems::none)
+        return sound.hear(outputs, cell.places, {left, right});
+    std::ranges::fill(stemSamples, 0.0f);
+    sound.hearApart(outputs, cell.places, earsOfSlots);
+    mixStems();
+}
+
+void SceneRenderer::mixStems() {
+    left.fill(0);
+    right.fill(0);
+    for (const auto& stem : stemSpans)
+        for (std::size_t i = 0; i < cellSamples; ++i) {
+            left[i] += stem.left[i];
+            right[i] += stem.right[i];
+        }
 }
 
 } // namespace idiophone

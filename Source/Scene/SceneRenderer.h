@@ -16,6 +16,13 @@ namespace idiophone {
 
 class WorkTeam;
 
+/// How the sound of a scene is cut into stems, which sum to it.
+enum class SceneStems {
+    none,
+    bodies,  ///< one for each slot of the simulation
+    contacts ///< two: impacts, then slides and rolls, each heard from all bodies
+};
+
 /// While a cell sounds, the bodies move on by the next one. The samples do not depend on the team.
 /// Not for the audio thread.
 class SceneRenderer {
@@ -27,10 +34,14 @@ public:
                   const std::shared_ptr<const HeadResponses>& head,
                   const ParameterValues& parameters,
                   double sampleRateHz,
-                  WorkTeam& team);
+                  WorkTeam& team,
+                  SceneStems stems = SceneStems::none);
 
     /// Renders the next cell. It and all that follows below are valid until the next call.
     StereoSpan next();
+
+    /// Returns the cell's stems. Quality scaling gives all of them one mode budget.
+    std::span<const StereoSpan> stems() const { return stemSpans; }
 
     /// Returns the impacts that struck in the cell, in order of time.
     std::span<const SceneImpact> impacts() const { return cell.impacts; }
@@ -61,13 +72,19 @@ private:
     }
     void move();
     void soundCell();
+    void mixStems();
 
     WorkTeam& team;
     SceneSimulation& motion; ///< of the owner's thread, like all fields about motion
-    Synthesiser synth;       ///< of the thread that runs soundCell, like all fields about sound
+    SceneStems stemKind;
+    std::size_t slotsOfBodies; ///< a second set follows for slides and rolls that are a stem
+    Synthesiser synth;         ///< of the thread that runs soundCell, like all fields about sound
     SceneSound sound;
-    AlignedVector<float> samples;    ///< [slots, 64]
-    std::vector<CellOutput> outputs; ///< views into `samples`
+    AlignedVector<float> samples;     ///< [slots, 64]
+    std::vector<CellOutput> outputs;  ///< views into `samples`
+    AlignedVector<float> stemSamples; ///< [stems, 2, 64]
+    std::vector<StereoSpan> stemSpans;
+    std::vector<CellOutput> earsOfSlots; ///< [slots] if there are stems
     double cellSeconds;
     MovedCell cell, nextCell;
     std::int64_t cellsMoved = 0, cellsSounded = 0;

@@ -30,12 +30,25 @@ void SceneSound::hear(std::span<const CellOutput> cellsOfSlots,
                       const CellOutput& ears) noexcept {
     for (std::size_t ear = 0; ear < 2; ++ear)
         std::fill_n(ears[ear].data(), cellSamples, 0.0f);
-    for (std::size_t slot = 0; slot < sources.size(); ++slot) {
-        const auto cell = cellsOfSlots[slot][0];
-        const bool sounds = std::ranges::any_of(cell, [](float x) { return x != 0; });
-        if (sounds || !sources[slot]->silent())
-            sources[slot]->add(cell, head.path(places[slot]), ears);
-    }
+    for (std::size_t slot = 0; slot < sources.size(); ++slot)
+        hearSlot(slot, cellsOfSlots[slot], places[slot], ears);
+}
+
+void SceneSound::hearApart(std::span<const CellOutput> cellsOfSlots,
+                           std::span<const Eigen::Vector3d> places,
+                           std::span<const CellOutput> earsOfSlots) noexcept {
+    for (std::size_t slot = 0; slot < sources.size(); ++slot)
+        hearSlot(slot, cellsOfSlots[slot], places[slot % places.size()], earsOfSlots[slot]);
+}
+
+void SceneSound::hearSlot(std::size_t slot,
+                          const CellOutput& cellOfSlot,
+                          const Eigen::Vector3d& place,
+                          const CellOutput& ears) noexcept {
+    const auto cell = cellOfSlot[0];
+    const bool sounds = std::ranges::any_of(cell, [](float x) { return x != 0; });
+    if (sounds || !sources[slot]->silent())
+        sources[slot]->add(cell, head.path(place), ears);
 }
 
 void SceneSound::reset() noexcept {

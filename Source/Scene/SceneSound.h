@@ -37,6 +37,11 @@ public:
     void hear(std::span<const CellOutput> cellsOfSlots,
               std::span<const Eigen::Vector3d> places,
               const CellOutput& ears) noexcept;
+    /// Does the same with ears of their own for each slot, which are not cleared first. If there
+    /// are more slots than places, the places repeat.
+    void hearApart(std::span<const CellOutput> cellsOfSlots,
+                   std::span<const Eigen::Vector3d> places,
+                   std::span<const CellOutput> earsOfSlots) noexcept;
 
     void reset() noexcept; ///< restores the constructed state
     /// Returns whether no impact is pending and no sound is on its way to the listener.
@@ -46,6 +51,11 @@ public:
     CellStrikes crowded{1024}; ///< impacts on slots with no free contact
 
 private:
+    void hearSlot(std::size_t slot,
+                  const CellOutput& cellOfSlot,
+                  const Eigen::Vector3d& place,
+                  const CellOutput& ears) noexcept;
+
     HeadModel head;
     std::vector<std::unique_ptr<PlacedSource>> sources; ///< one for each slot
 };

@@ -20,17 +20,20 @@ MODULES = {
     # module: (modules it may include, third-party headers it may include, by prefix)
     "Object": ("", "nlohmann/ tl/"),
     "Parameters": ("", ""),
+    "AudioFiles": ("Object", "sndfile.h"),
     "Geometry": ("Object", "Eigen/ igl/ CGAL/"),
     "Synth": ("Object", "hwy/"),
     "Analysis": ("Geometry Object", "Eigen/ unsupported/Eigen/ igl/ tetgen.h"),
     "Instrument": ("Synth Geometry Object Parameters", "Eigen/ nlohmann/ Tunings.h"),
     "Scene": ("Instrument Synth Geometry Object Parameters",
               "Eigen/ boost/lockfree/ BulletCollision/ LinearMath/ btBulletDynamicsCommon.h nlohmann/"),
-    "Output": ("Object Parameters", "juce_audio_formats/ juce_core/ juce_dsp/"),
+    "Output": ("Object Parameters", "juce_core/ juce_dsp/"),
+    "Sampling": ("AudioFiles Output Instrument Synth Geometry Parameters Object",
+                 "juce_audio_basics/ nlohmann/"),
     "Editor": ("Parameters Object Geometry", "Eigen/ juce_ GL/ X11/"),
-    "Plugin": ("Editor Output Scene Instrument Analysis Synth Geometry Parameters Object",
+    "Plugin": ("Editor Sampling Output Scene Instrument Analysis Synth Geometry Parameters AudioFiles Object",
                "boost/lockfree/ juce_ nlohmann/ libMTSClient.h pluginterfaces/"),
-    "Console": ("Output Scene Instrument Analysis Synth Geometry Parameters Object",
+    "Console": ("Sampling Output Scene Instrument Analysis Synth Geometry Parameters AudioFiles Object",
                 "juce_ CLI/ nlohmann/ ebur128.h mysofa.h"),
 }
 

@@ -168,7 +168,7 @@ class Fit(ConsoleTest):
         for name, content, saying in (
                 ("silence.wav", wav([[0.0] * 20000]), "silent"),
                 ("short.wav", wav([[0.5] * 100]), "shorter"),
-                ("text.wav", "RIFF, but not really", "not a WAV file")):
+                ("text.wav", "RIFF, but not really", "not a WAV, FLAC or AIFF file")):
             path = self.write(name, content)
             self.refuse("fit", f"{good}@0", f"{path}@0.1", "-o", output, naming=name,
                         saying=saying)

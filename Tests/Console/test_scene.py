@@ -132,6 +132,34 @@ class Scenes(ConsoleTest):
             self.refuse("scene", scene, "-o", self.folder / "none.wav", "--threads", threads,
                         naming="--threads")
 
+    def test_stems_begin_with_the_mix_and_sum_to_it(self):
+        for scene, seconds, kind, fewest, settings, error in (
+                ("Dice on a xylophone", 0.5, "bodies", 4, ("room=0", "budget=32"), 1e-6),
+                ("Ball on a washboard", 2, "contacts", 2, ("room=30",), 1e-4)):
+            stems = self.folder / kind
+            assignments = [text for each in (*settings, "limiter=0") for text in ("--set", each)]
+            report, mix = self.perform(scene, "--seconds", seconds, "--stems", kind,
+                                       "--stem-folder", stems, *assignments)
+            waves = [Wave(each["file"]) for each in report["stems"]]
+            self.assertGreaterEqual(len(waves), fewest)
+            self.assertEqual(len(waves), len(list(stems.iterdir())))
+            for wave in waves:
+                self.assertGreater(wave.peak(), 0)
+                self.assertEqual(len(wave), len(mix))
+            sums = map(sum, zip(*(wave.left for wave in waves)))
+            worst = max(abs(whole - parts) for whole, parts in zip(mix.left, sums))
+            self.assertLess(worst, error * mix.peak())
+
+    def test_stems_need_a_kind_and_a_folder(self):
+        mix = ("-o", self.folder / "mix.wav")
+        self.refuse("scene", self.scene(), *mix, "--stems", "bodies", naming="--stem-folder")
+        self.refuse("scene", self.scene(), *mix, "--stem-folder", self.folder / "stems",
+                    naming="--stems")
+        self.refuse("scene", self.scene(), *mix, "--stems", "all", "--stem-folder",
+                    self.folder / "stems", naming="--stems")
+        self.refuse("scene", self.scene(), *mix, "--stems", "bodies", "--stem-folder",
+                    self.write("file", "") / "stems", naming="file", saying="cannot be created")
+
     def test_modes_beyond_the_budget_are_counted(self):
         report, _ = self.perform(self.scene(), "--set", "budget=16")
         self.assertGreater(max(report["modes_dropped"]), 0)
