@@ -197,6 +197,8 @@ polesInBand(std::span<const DecayRecording> recordings, double centreHz, double 
         if (std::abs(z) > fastest && std::abs(z) < growth)
             exponentials.push_back(z);
     std::vector<BandPole> poles;
+    if (exponentials.empty())
+        return poles;
     for (const auto& [z, energy] : needed(signals, exponentials)) {
         const Complex pole = std::log(z) / step;
         const double offsetHz = pole.imag() / (2 * pi);

@@ -132,7 +132,7 @@ Result<void> writeResynthesis(const RecordingFit& fit,
 /// Returns the notes on the fit that the object does not contain.
 std::string notesOf(const RecordingFit& fit, const ModalObject& object, const FitOptions& options) {
     std::ostringstream notes;
-    notes << fit.modes.size() << " of the " << fit.modesFound << " modes common to the recordings.";
+    notes << fit.modes.size() << " of the " << fit.modesFound << " modes found.";
     if (options.material.empty())
         notes << std::setprecision(3) << " Its material is unknown. A damping of gamma "
               << object.material.damping.fluidPerSecond << " 1/s and eta "
@@ -178,7 +178,8 @@ void report(const ModalObject& object, const RecordingFit& fit, const FitOptions
     std::cout << std::fixed << std::setprecision(1) << options.output.string() << ": "
               << object.modeCount() << " modes from " << fit.modes.front().frequencyHz << " to "
               << fit.modes.back().frequencyHz << " Hz, from " << fit.noiseDecibels.size()
-              << " recordings, in " << object.provenance.analysisSeconds << " s\n"
+              << (fit.noiseDecibels.size() == 1 ? " recording, in " : " recordings, in ")
+              << object.provenance.analysisSeconds << " s\n"
               << "Level of the recordings without the modes:";
     for (const double level : fit.noiseDecibels)
         std::cout << ' ' << level;
@@ -260,6 +261,10 @@ void addFit(CLI::App& program, Action& chosen) {
         ->add_option("--contact-time", options->fit.contactSeconds,
                      "Contact time of the mallet in seconds; its spectrum is removed")
         ->check(numberBetween(1e-6, 0.1));
+    command
+        ->add_option("--resynthesis", options->resynthesis,
+                     "WAV file to write: what the modes alone say in the recording, at its level")
+        ->type_name(writtenFile);
     command->add_flag("--json", options->json, "Writes the report as JSON");
 }
 
