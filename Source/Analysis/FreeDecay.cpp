@@ -11,7 +11,8 @@ namespace {
 
 constexpr double faintestPeak = 1e-6; // of full scale
 constexpr double nearFullScale = 0.9;
-constexpr double riseSeconds = 0.01, attackSeconds = 0.05;
+// A sound of beating modes may reach its peak long after the strike.
+constexpr double riseSeconds = 0.01, attackSeconds = 0.25;
 constexpr double shortestContactSeconds = 0.0002, longestContactSeconds = 0.008;
 // Minimum rise of energy at a strike, and its minimum energy relative to the strongest strike. A
 // beat rarely reaches both.
@@ -61,12 +62,17 @@ public:
         return first;
     }
 
+    /// Returns twice the time in which the sound rises to half its height. Later peaks are beats of
+    /// many modes.
     std::size_t contactEnd(std::size_t onset) const {
-        std::size_t highest = onset;
-        for (std::size_t i = onset; i < std::min(onset + count(riseSeconds), samples.size()); ++i)
-            if (std::abs(at(i)) > std::abs(at(highest)))
-                highest = i;
-        return onset + std::clamp(2 * (highest - onset), count(shortestContactSeconds),
+        const std::size_t until = std::min(onset + count(riseSeconds), samples.size());
+        double highest = 0;
+        for (std::size_t i = onset; i < until; ++i)
+            highest = std::max(highest, std::abs(at(i)));
+        std::size_t risen = onset;
+        while (risen < until && std::abs(at(risen)) < highest / 2)
+            ++risen;
+        return onset + std::clamp(2 * (risen - onset), count(shortestContactSeconds),
                                   count(longestContactSeconds));
     }
 

@@ -22,7 +22,7 @@ struct FreeDecay {
 };
 
 /// Finds the strike with the highest peak. If the contact's length is unknown (`contactSeconds` 0),
-/// it is taken as twice the rise time of the sound, 0.2 to 8 ms.
+/// it is taken as twice the time in which the sound rises to half its height, 0.2 to 8 ms.
 ///
 /// An error continues a sentence that starts with the recording's name: "it is silent".
 Result<FreeDecay>

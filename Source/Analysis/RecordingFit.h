@@ -3,8 +3,11 @@
 // struck places.
 #pragma once
 
+#include "Analysis/RecordingRest.h"
 #include "Object/Result.h"
+#include "Object/WorkControl.h"
 
+#include <complex>
 #include <cstddef>
 #include <numbers>
 #include <span>
@@ -20,9 +23,9 @@ struct StrikeRecording {
 };
 
 struct RecordingFitSettings {
-    std::size_t modeCount = 50; ///< maximum; the modes of greatest energy are kept
-    double contactSeconds = 0;  ///< length of the mallet's contact; 0: unknown
-    double longestSeconds = 8;  ///< used length of each recording, from the strike
+    std::size_t modeCount = 200; ///< maximum; the modes that explain most are kept
+    double contactSeconds = 0;   ///< length of the mallet's contact; 0: unknown
+    double longestSeconds = 8;   ///< used length of each recording, from the strike
 };
 
 struct MeasuredMode {
@@ -31,6 +34,9 @@ struct MeasuredMode {
     /// [R] relative to full scale, at the middle of the contact, or at its onset if its length is
     /// unknown.
     std::vector<double> amplitudes;
+    /// [R] a of Re(a e^{(−α + 2πif)t}), relative to full scale, from the begin of the free decay
+    /// on.
+    std::vector<std::complex<double>> waves = {};
 
     /// Returns λ = ω² of the mode without damping, in rad²/s².
     double eigenvalue() const {
@@ -44,17 +50,26 @@ struct RecordingFit {
     std::size_t modesFound = 0;        ///< before the strongest were selected
     std::vector<std::string> remarks;  ///< sentences for the user: clipping, several strikes
     std::vector<double> noiseDecibels; ///< [R] energy of the residual, relative to the free decay
+    std::vector<RecordingRest> rests = {};     ///< [R] what the modes leave
+    std::vector<std::size_t> decayBegins = {}; ///< [R] first sample of the free decay
 };
 
-/// Fits one or more recordings of any sample rates. It searches frequency bands from narrow to wide
-/// for shared poles (BandPoles), so slow decays come first. After each width, all modes found so
-/// far are fitted together and subtracted (PoleRefinement).
+/// Fits one or more recordings of any sample rates. It searches narrow bands, then in
+/// what is left wide ones, for shared poles (polesInBand), and fits all together (JointFit). Poles
+/// that are not needed beside the others, below the noise floor, or far below their neighbours are
+/// dropped. Tones that do not decay, such as hum, are fitted but are no modes.
 ///
 /// A contact's pulse filters the modes. If its length is given, amplitudes are divided by the
 /// spectrum of a raised cosine of that length, limited to 20 dB of correction.
 ///
-/// An error names the recording and the fault.
+/// An error names the recording and the fault, or is a cancellation.
 Result<RecordingFit> fitRecordings(std::span<const StrikeRecording> recordings,
-                                   const RecordingFitSettings& settings = {});
+                                   const RecordingFitSettings& settings = {},
+                                   const WorkControl& control = {});
+
+/// Returns what the modes alone say in a recording, at its level: silence until the free decay
+/// begins, then all modes.
+std::vector<float>
+resynthesised(const RecordingFit& fit, std::size_t recording, const StrikeRecording& original);
 
 } // namespace idiophone

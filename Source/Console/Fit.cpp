@@ -1,9 +1,11 @@
 #include "Analysis/MeasuredObject.h"
+#include "AudioFiles/AudioFileReader.h"
+#include "AudioFiles/AudioFileWriter.h"
 #include "Console/Command.h"
 #include "Console/JsonText.h"
 #include "Console/MaterialChoice.h"
 #include "Console/OptionChecks.h"
-#include "AudioFiles/AudioFileReader.h"
+#include "Console/ProgressLine.h"
 #include "Geometry/MeshReader.h"
 #include "Object/ModalObjectFile.h"
 #include "Object/NumberText.h"
@@ -26,6 +28,7 @@ struct FitOptions {
     std::filesystem::path mesh;
     std::optional<double> massKg;
     RecordingFitSettings fit;
+    std::filesystem::path resynthesis;
     bool json = false;
 };
 
@@ -88,8 +91,7 @@ Result<MeasuredObjectSettings> settingsFrom(const FitOptions& options,
     return settings;
 }
 
-Result<RecordingFit> fitFiles(const std::vector<RecordedStrike>& strikes,
-                              const RecordingFitSettings& settings) {
+Result<std::vector<MonoRecording>> readAll(const std::vector<RecordedStrike>& strikes) {
     std::vector<MonoRecording> recordings;
     for (const auto& strike : strikes) {
         auto recording = readRecording(strike.file);
@@ -97,18 +99,40 @@ Result<RecordingFit> fitFiles(const std::vector<RecordedStrike>& strikes,
             return tl::unexpected(recording.error());
         recordings.push_back(std::move(*recording));
     }
+    return recordings;
+}
+
+/// The result refers to the arguments.
+std::vector<StrikeRecording> viewsOf(const std::vector<RecordedStrike>& strikes,
+                                     const std::vector<MonoRecording>& recordings) {
     std::vector<StrikeRecording> views;
     for (std::size_t i = 0; i < strikes.size(); ++i)
         views.push_back({.name = strikes[i].file.string(),
                          .samples = recordings[i].samples,
                          .sampleRateHz = recordings[i].sampleRateHz});
-    return fitRecordings(views, settings);
+    return views;
+}
+
+/// Writes what the modes alone say in the only recording.
+Result<void> writeResynthesis(const RecordingFit& fit,
+                              const StrikeRecording& recording,
+                              const std::filesystem::path& file) {
+    constexpr int channels = 1, floatBits = 32;
+    const auto samples = resynthesised(fit, 0, recording);
+    const auto rate = static_cast<int>(std::lround(recording.sampleRateHz));
+    auto writer = AudioFileWriter::create(file, rate, channels, floatBits);
+    if (!writer)
+        return tl::unexpected(writer.error());
+    const float* const channel = samples.data();
+    if (auto written = (*writer)->write(&channel, static_cast<int>(samples.size())); !written)
+        return written;
+    return (*writer)->finish();
 }
 
 /// Returns the notes on the fit that the object does not contain.
 std::string notesOf(const RecordingFit& fit, const ModalObject& object, const FitOptions& options) {
     std::ostringstream notes;
-    notes << fit.modes.size() << " of the " << fit.modesFound << " modes common to the recordings.";
+    notes << fit.modes.size() << " of the " << fit.modesFound << " modes found.";
     if (options.material.empty())
         notes << std::setprecision(3) << " Its material is unknown. A damping of gamma "
               << object.material.damping.fluidPerSecond << " 1/s and eta "
@@ -129,12 +153,21 @@ void report(const ModalObject& object, const RecordingFit& fit, const FitOptions
             modes.push_back({{"frequency_hz", mode.frequencyHz},
                              {"t60_s", std::log(1000) / mode.decayPerSecond},
                              {"amplitudes", mode.amplitudes}});
+        auto rests = nlohmann::ordered_json::array();
+        for (const auto& rest : fit.rests)
+            rests.push_back({{"modes", rest.modes},
+                             {"contact", rest.contact},
+                             {"steady_tones", rest.steadyTones},
+                             {"steady_hz", rest.steadyHz},
+                             {"noise", rest.noise},
+                             {"others", rest.others}});
         std::cout << jsonText({{"object", options.output.string()},
                                {"name", object.name},
                                {"vertices", object.vertexCount()},
                                {"mode_count", object.modeCount()},
                                {"modes_found", fit.modesFound},
                                {"unexplained_db", fit.noiseDecibels},
+                               {"rests", rests},
                                {"material", describe(object.material)},
                                {"mass_kg", object.mass.massKg},
                                {"notes", object.provenance.notes},
@@ -145,11 +178,15 @@ void report(const ModalObject& object, const RecordingFit& fit, const FitOptions
     std::cout << std::fixed << std::setprecision(1) << options.output.string() << ": "
               << object.modeCount() << " modes from " << fit.modes.front().frequencyHz << " to "
               << fit.modes.back().frequencyHz << " Hz, from " << fit.noiseDecibels.size()
-              << " recordings, in " << object.provenance.analysisSeconds << " s\n"
+              << (fit.noiseDecibels.size() == 1 ? " recording, in " : " recordings, in ")
+              << object.provenance.analysisSeconds << " s\n"
               << "Level of the recordings without the modes:";
     for (const double level : fit.noiseDecibels)
         std::cout << ' ' << level;
-    std::cout << " dB\n" << object.provenance.notes << std::endl;
+    std::cout << " dB\n";
+    for (const auto& rest : fit.rests)
+        std::cout << rest.sentence() << '\n';
+    std::cout << object.provenance.notes << std::endl;
 }
 
 Result<void> fitAndWrite(const FitOptions& options) {
@@ -163,8 +200,16 @@ Result<void> fitAndWrite(const FitOptions& options) {
     const auto settings = settingsFrom(options, strikes);
     if (!settings)
         return tl::unexpected(settings.error());
+    if (!options.resynthesis.empty() && strikes.size() != 1)
+        return failure("--resynthesis needs exactly one recording, and there are " +
+                       std::to_string(strikes.size()) + ".");
     const auto start = std::chrono::steady_clock::now();
-    const auto fit = fitFiles(strikes, options.fit);
+    const auto recordings = readAll(strikes);
+    if (!recordings)
+        return tl::unexpected(recordings.error());
+    const auto views = viewsOf(strikes, *recordings);
+    ProgressLine progress(strikes.front().file.filename().string());
+    const auto fit = fitRecordings(views, options.fit, progress.control());
     if (!fit)
         return tl::unexpected(fit.error());
     std::vector<StruckPlace> places;
@@ -178,6 +223,9 @@ Result<void> fitAndWrite(const FitOptions& options) {
     object->provenance.notes = notesOf(*fit, *object, options);
     if (auto written = writeModalObject(*object, options.output); !written)
         return written;
+    if (!options.resynthesis.empty())
+        if (auto written = writeResynthesis(*fit, views.front(), options.resynthesis); !written)
+            return written;
     report(*object, *fit, options);
     return {};
 }
@@ -213,6 +261,10 @@ void addFit(CLI::App& program, Action& chosen) {
         ->add_option("--contact-time", options->fit.contactSeconds,
                      "Contact time of the mallet in seconds; its spectrum is removed")
         ->check(numberBetween(1e-6, 0.1));
+    command
+        ->add_option("--resynthesis", options->resynthesis,
+                     "WAV file to write: what the modes alone say in the recording, at its level")
+        ->type_name(writtenFile);
     command->add_flag("--json", options->json, "Writes the report as JSON");
 }
 

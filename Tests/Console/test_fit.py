@@ -175,6 +175,25 @@ class Fit(ConsoleTest):
         self.refuse("fit", f"{self.folder / 'missing.wav'}@0", "-o", output,
                     naming="missing.wav", saying="cannot be opened")
 
+    def test_the_resynthesis_is_the_recording_without_its_noise(self):
+        random.seed(9)
+        clean = partials(((300, 9, 0.4), (811, 15, 0.3), (2200, 30, 0.2)))
+        path = self.write("r.wav", wav([[x + 0.005 * random.gauss(0, 1) for x in clean]]))
+        made = self.folder / "made.wav"
+        told = self.json("fit", f"{path}@0", "-o", self.folder / "r.modal",
+                         "--resynthesis", made)
+        self.assertGreater(told["rests"][0]["modes"], 0.95)
+        left = Wave(made).left
+        self.assertEqual(len(left), len(clean))
+        free = 48000 // 20 + 48  # from 1 ms after the strike
+        energy = sum(x * x for x in clean[free:])
+        difference = sum((a - b) ** 2 for a, b in zip(left[free:], clean[free:]))
+        self.assertLess(10 * math.log10(difference / energy), -25)
+        text = self.succeed("fit", f"{path}@0", "-o", self.folder / "r.modal").stdout
+        self.assertIn("The modes hold", text)
+        self.refuse("fit", f"{path}@0", f"{path}@0.1", "-o", self.folder / "r.modal",
+                    "--resynthesis", made, naming="--resynthesis", saying="exactly one recording")
+
     def test_clipping_is_reported(self):
         loud = [max(-0.5, min(0.5, x)) for x in partials(((300, 9, 2.0),))]
         path = self.write("loud.wav", wav([loud]))
