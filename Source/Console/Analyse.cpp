@@ -3,10 +3,9 @@
 #include "Console/Command.h"
 #include "Console/JsonText.h"
 #include "Console/MaterialChoice.h"
+#include "Console/MetricMesh.h"
 #include "Console/OptionChecks.h"
 #include "Console/ProgressLine.h"
-#include "Geometry/LengthUnit.h"
-#include "Geometry/MeshReader.h"
 #include "Object/ModalObjectFile.h"
 #include "Object/NumberText.h"
 
@@ -53,31 +52,13 @@ Result<AnalysisSettings> settingsFrom(const AnalyseOptions& options) {
             options.radiation == "exact" ? RadiationMethod::exact : RadiationMethod::quick};
 }
 
-/// Returns the requested unit or a guess, with a sentence if the guess is uncertain or not metres.
-Result<UnitGuess> unitOf(const Mesh& meshInFileUnits, const AnalyseOptions& options) {
-    if (!options.unit) {
-        UnitGuess guess = guessLengthUnit(meshInFileUnits);
-        if (guess.isSure && guess.unit.metresPerUnit == 1)
-            guess.sentence.clear();
-        return guess;
-    }
-    const auto unit = lengthUnitNamed(*options.unit);
-    if (!unit)
-        return failure("--unit " + *options.unit + ": use m, cm, mm, in or ft");
-    return UnitGuess{.unit = *unit, .isSure = true, .sentence = {}};
-}
-
 Result<ModalObject> analyseFile(const AnalyseOptions& options) {
     const auto settings = settingsFrom(options);
     if (!settings)
         return tl::unexpected(settings.error());
-    auto file = readMeshFile(options.mesh);
+    const auto file = readMetricMesh(options.mesh, options.unit);
     if (!file)
         return tl::unexpected(file.error());
-    const auto unit = unitOf(file->mesh, options);
-    if (!unit)
-        return tl::unexpected(unit.error());
-    file->mesh.vertices *= unit->unit.metresPerUnit;
     ProgressLine progress(options.mesh.filename().string());
     auto object = analyse(file->mesh, *settings, progress.control());
     if (!object && object.error().message != cancelledMessage)
@@ -85,7 +66,7 @@ Result<ModalObject> analyseFile(const AnalyseOptions& options) {
                        joinedSentences({object.error().message, file->notes}));
     if (object)
         object->provenance.notes =
-            joinedSentences({file->notes, unit->sentence, object->provenance.notes});
+            joinedSentences({file->notes, file->unitSentence, object->provenance.notes});
     return object;
 }
 

@@ -39,6 +39,7 @@ void addFactory(CLI::App& program, Action& chosen);
 void addTune(CLI::App& program, Action& chosen);
 void addFit(CLI::App& program, Action& chosen);
 void addSample(CLI::App& program, Action& chosen);
+void addMaterial(CLI::App& program, Action& chosen);
 void addToneMap(CLI::App& program, Action& chosen);
 void addSurface(CLI::App& program, Action& chosen);
 void addPresets(CLI::App& program, Action& chosen);

@@ -1,0 +1,62 @@
+from console import ConsoleTest
+
+# A hard, light mallet excites all modes.
+HARD = ("--set", "mallet_hardness=100000", "--set", "mallet_mass=1", "--set", "tau=0.001")
+MESHES = {
+    "bar": (("bar", "--length", 0.25, "--width", 0.04), ("--thickness", 0.008), "0.09,0.012,0"),
+    "plate": (("plate", "--length", 0.3, "--width", 0.2), ("--thickness", 0.004), "0.11,0.06,0"),
+}
+
+
+class Material(ConsoleTest):
+    def mesh(self, kind):
+        shape, thickness, place = MESHES[kind]
+        path = self.folder / f"{kind}.obj"
+        self.succeed("mesh", *shape, "-o", path)
+        return path, thickness, place
+
+    def fitted(self, kind, material):
+        """Analyses, strikes, and fits the material to the sound and the mesh."""
+        mesh, thickness, place = self.mesh(kind)
+        obj = self.folder / "true.modal"
+        self.succeed("analyse", mesh, "-o", obj, "--material", material, *thickness)
+        wave = self.folder / "strike.wav"
+        self.succeed("strike", obj, "-o", wave, "--at", place, "--seconds", 2, *HARD)
+        return self.json("material", wave, "--mesh", mesh, *thickness,
+                         "-o", self.folder / "fitted.json")
+
+    def decays(self, kind, material):
+        mesh, thickness, _ = self.mesh(kind)
+        obj = self.folder / "other.modal"
+        self.succeed("analyse", mesh, "-o", obj, "--material", material, *thickness)
+        return [(mode["frequency_hz"], mode["t60_s"]) for mode in self.json("info", obj)["modes"]
+                if mode["frequency_hz"] < 8000]
+
+    def test_a_material_is_found_and_can_be_put_on_another_object(self):
+        for kind, other, material in (("bar", "plate", "Glass"), ("plate", "bar", "Brass")):
+            told = self.fitted(kind, material)
+            true = self.json("materials", material)
+            with self.subTest(kind=kind, material=material, told=told):
+                ratio = lambda m: m["youngs_modulus_pa"] / m["density_kg_per_m3"]
+                self.assertAlmostEqual(ratio(told) / ratio(true), 1, delta=0.05)
+                copy = self.decays(other, self.folder / "fitted.json")
+                for (hz, seconds), (true_hz, true_seconds) in zip(copy, self.decays(other, material)):
+                    self.assertAlmostEqual(hz / true_hz, 1, delta=0.03)
+                    self.assertAlmostEqual(seconds / true_seconds, 1, delta=0.2)
+
+    def test_without_a_mesh_only_the_damping_is_fitted(self):
+        self.fitted("bar", "Marble")
+        told = self.json("material", self.folder / "strike.wav", "-o", self.folder / "m.json")
+        true = self.json("materials", "Marble")
+        self.assertIn("only the damping is fitted", told["notes"])
+        for hz in ("1000", "4000"):
+            known = self.json("materials", self.folder / "m.json")["t60_s"][hz]
+            self.assertAlmostEqual(known / true["t60_s"][hz], 1, delta=0.2)
+
+    def test_a_recording_of_another_object_is_refused(self):
+        self.fitted("bar", "Glass")
+        mesh = self.folder / "ball.obj"
+        self.succeed("mesh", "icosphere", "-o", mesh, "--radius", 0.02)
+        self.refuse("material", self.folder / "strike.wav", "--mesh", mesh,
+                    "-o", self.folder / "x.json", naming="strike.wav",
+                    saying="not those of this mesh")
