@@ -134,12 +134,15 @@ void EditorWindow::colourSurroundings() {
 void EditorWindow::setScale(int percent) {
     scaleButton.show(percent);
     userScale = float(percent) / 100;
-    const auto size =
-        WindowSize::within(WindowSize::screen(), {getWidth(), getHeight()}, userScale * hostScale);
-    if (juce::JUCEApplicationBase::isStandaloneApp()) // its frame, menus and dialogs grow too
+    const bool isStandalone = juce::JUCEApplicationBase::isStandaloneApp();
+    const auto screen = isStandalone ? WindowSize::framedScreen(userScale) : WindowSize::screen();
+    const auto size = WindowSize::within(screen, {getWidth(), getHeight()}, userScale * hostScale);
+    if (isStandalone) // its frame, menus and dialogs grow too
         juce::Desktop::getInstance().setGlobalScaleFactor(userScale);
     setSize(size.x, size.y);
     setScaleFactor(hostScale);
+    if (isStandalone && getTopLevelComponent() != this)
+        WindowSize::keepOnScreen(*getTopLevelComponent());
 }
 
 void EditorWindow::setScaleFactor(float ofHost) {

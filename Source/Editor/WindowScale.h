@@ -23,6 +23,18 @@ struct WindowSize {
         return primary != nullptr ? primary->userArea * desktop.getGlobalScaleFactor()
                                   : juce::Rectangle<int>(maximumWidth, maximumHeight);
     }
+    /// The same without the frame that JUCE's standalone draws around the window.
+    static juce::Rectangle<int> framedScreen(float scale) {
+        constexpr float frameWidth = 8, frameHeight = 34;
+        return screen()
+            .withTrimmedRight(juce::roundToInt(frameWidth * scale))
+            .withTrimmedBottom(juce::roundToInt(frameHeight * scale));
+    }
+    /// Moves a window, which is no larger, to where all of it is on the screen.
+    static void keepOnScreen(juce::Component& window) {
+        const auto area = screen() / juce::Desktop::getInstance().getGlobalScaleFactor();
+        window.setBounds(window.getBounds().constrainedWithin(area));
+    }
     /// Whether the smallest window fits the screen at this scale.
     static bool fits(int percent, juce::Rectangle<int> screen) {
         return minimumWidth * percent <= 100 * screen.getWidth() &&
