@@ -7,8 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <juce_audio_basics/juce_audio_basics.h>
-#include <new>
 #include <utility>
 
 namespace idiophone {
@@ -124,7 +122,7 @@ void ObjectView::timerCallback() {
 }
 
 void ObjectView::cameraMoved() {
-    if (layers.path || paths.isDrawing())
+    if (layers.path || paths.isDrawing() || outline.isShown())
         repaint();
     redraw();
 }
@@ -242,6 +240,7 @@ void ObjectView::mouseDown(const juce::MouseEvent& event) {
             return;
     }
     turningFrom = event.position;
+    hover(std::nullopt);
 }
 
 void ObjectView::mouseDrag(const juce::MouseEvent& event) {
@@ -285,9 +284,12 @@ void ObjectView::mouseDoubleClick(const juce::MouseEvent& event) {
         frame();
 }
 
-void ObjectView::mouseWheelMove(const juce::MouseEvent&, const juce::MouseWheelDetails& wheel) {
+void ObjectView::mouseWheelMove(const juce::MouseEvent& event,
+                                const juce::MouseWheelDetails& wheel) {
     camera.zoomBy(std::exp(0.8f * wheel.deltaY));
     cameraMoved();
+    if (!turningFrom)
+        hover(pickAt(event.position));
 }
 
 } // namespace idiophone

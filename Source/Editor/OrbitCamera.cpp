@@ -113,11 +113,4 @@ ViewRay OrbitCamera::rayThrough(float x, float y, float aspect) const {
             .direction = scenePlace(forward + sideways * right + upwards * up)};
 }
 
-std::array<float, 2> OrbitCamera::seenAt(const ScenePlace& place, float aspect) const {
-    const auto matrix = viewProjection(aspect);
-    const Eigen::Vector4f clip =
-        Eigen::Map<const Eigen::Matrix4f>(matrix.data()) * vectorOf(place).homogeneous();
-    return {clip.x() / clip.w(), clip.y() / clip.w()};
-}
-
 } // namespace idiophone

@@ -34,8 +34,6 @@ public:
     std::array<float, 16> viewProjection(float aspect) const;
     /// The ray through a position in the window; x (right) and y (up) are from −1 to 1.
     ViewRay rayThrough(float x, float y, float aspect) const;
-    /// The position in the window of a point of the scene; x and y as above.
-    std::array<float, 2> seenAt(const ScenePlace& place, float aspect) const;
 
 private:
     struct Axes {

@@ -2,6 +2,7 @@
 
 #include "Editor/Look.h"
 #include "Editor/ModeText.h"
+#include "Editor/PixelProjection.h"
 
 #include <cmath>
 #include <utility>
@@ -85,20 +86,21 @@ void PathOverlay::paint(juce::Graphics& g,
     const auto area = component.getLocalBounds().toFloat();
     const float aspect = area.getWidth() / std::max(area.getHeight(), 1.0f);
     const auto eye = camera.eye(aspect);
+    const PixelProjection projection(camera.viewProjection(aspect), area);
     const auto allSeen = [&](const std::vector<ScenePlace>& places) {
         std::vector<Seen> seen;
-        for (const auto& place : places) {
-            const auto [x, y] = camera.seenAt(place, aspect);
-            seen.push_back({.at = {(x + 1) / 2 * area.getWidth(), (1 - y) / 2 * area.getHeight()},
-                            .hidden = isHidden(scene, eye, place)});
-        }
+        for (const auto& place : places)
+            if (const auto pixel = projection.pixelOf(vectorOf(place)))
+                seen.push_back({.at = *pixel, .hidden = isHidden(scene, eye, place)});
         return seen;
     };
     g.setFont(Look::headingFont());
     for (const auto& [places, lowestKey, highestKey] : paths) {
-        if (!showsStruckPlaces || places.empty())
+        if (!showsStruckPlaces)
             continue;
         const auto seen = allSeen(places);
+        if (seen.empty())
+            continue;
         paintLine(g, seen, colour, 2);
         paintEnd(g, seen.front(), colour);
         paintEnd(g, seen.back(), colour);

@@ -1,6 +1,7 @@
 #include "Editor/PlainPicture.h"
 
 #include "Editor/PictureParts.h"
+#include "Editor/PixelProjection.h"
 #include "Editor/SceneLight.h"
 
 #include <Eigen/Geometry>
@@ -69,16 +70,14 @@ void paintPlainPicture(juce::Graphics& g, juce::Rectangle<float> area, const Sce
         }
     }
     std::ranges::sort(faces, std::greater(), &Face::distance);
-    const Eigen::Matrix4f toClip = Eigen::Map<const Eigen::Matrix4f>(frame.viewProjection.data());
+    const PixelProjection projection(frame.viewProjection, area);
     for (const auto& face : faces) {
-        std::array<juce::Point<float>, 3> seen;
-        for (std::size_t i = 0; i < seen.size(); ++i) {
-            const Vector3f at = (toClip * face.corners[i].homogeneous()).hnormalized();
-            seen[i] = {area.getX() + (at.x() + 1) / 2 * area.getWidth(),
-                       area.getY() + (1 - at.y()) / 2 * area.getHeight()};
-        }
+        const auto a = projection.pixelOf(face.corners[0]), b = projection.pixelOf(face.corners[1]),
+                   c = projection.pixelOf(face.corners[2]);
+        if (!a || !b || !c)
+            continue;
         juce::Path path;
-        path.addTriangle(seen[0], seen[1], seen[2]);
+        path.addTriangle(*a, *b, *c);
         g.setColour(face.colour);
         g.fillPath(path);
         g.strokePath(path, juce::PathStrokeType(0.6f)); // closes the seams between faces

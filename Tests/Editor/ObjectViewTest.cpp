@@ -1,5 +1,6 @@
 // Tests of the 3D view that need no screen: layout, camera, picking.
 #include "Editor/ObjectView.h"
+#include "Editor/PixelProjection.h"
 
 #include "Editor/WindowParts.h"
 #include "Support/TestSound.h"
@@ -132,13 +133,14 @@ TEST_CASE("The camera shows the whole scene at any aspect ratio, and its rays ma
     for (const auto& [around, up] : {std::pair(0.0f, 0.0f), {1.3f, 0.5f}, {-2.5f, -2.0f}}) {
         camera.turnBy(around, up);
         for (const float aspect : {0.4f, 1.0f, 3.0f}) {
+            const PixelProjection projection(camera.viewProjection(aspect), {-1, -1, 2, 2});
             float widest = 0;
             for (const auto& place : box) {
-                const auto seen = camera.seenAt(place, aspect);
-                CHECK(std::abs(seen[0]) <= 1);
-                CHECK(std::abs(seen[1]) <= 1);
-                widest = std::max({widest, std::abs(seen[0]), std::abs(seen[1])});
-                const auto [origin, direction] = camera.rayThrough(seen[0], seen[1], aspect);
+                const auto seen = projection.pixelOf(vectorOf(place)).value();
+                CHECK(std::abs(seen.x) <= 1);
+                CHECK(std::abs(seen.y) <= 1);
+                widest = std::max({widest, std::abs(seen.x), std::abs(seen.y)});
+                const auto [origin, direction] = camera.rayThrough(seen.x, -seen.y, aspect);
                 const float along = direction[0] * (place[0] - origin[0]) +
                                     direction[1] * (place[1] - origin[1]) +
                                     direction[2] * (place[2] - origin[2]);

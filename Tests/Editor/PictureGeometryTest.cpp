@@ -2,6 +2,7 @@
 #include "Editor/InstrumentFurniture.h"
 #include "Editor/OrbitCamera.h"
 #include "Editor/PictureParts.h"
+#include "Editor/PixelProjection.h"
 #include "Editor/PlainPicture.h"
 #include "Editor/SceneLight.h"
 #include "Support/TestSound.h"
@@ -246,11 +247,24 @@ TEST_CASE("The plain picture shows a bar in its colour, and the background besid
     }
     auto onTop = picture.scene->objects()[10].middle;
     onTop[2] += picture.scene->objects()[10].halfExtent[2];
-    const auto [x, y] = camera.seenAt(onTop, 2);
-    const auto bar =
-        image.getPixelAt(juce::roundToInt(200 * (x + 1)), juce::roundToInt(100 * (1 - y)));
+    const auto seen = PixelProjection(frame.viewProjection, {0, 0, 400, 200})
+                          .pixelOf(vectorOf(onTop))
+                          .value()
+                          .roundToInt();
+    const auto bar = image.getPixelAt(seen.x, seen.y);
     CHECK(bar.getAlpha() > 200);
     CHECK(bar.getFloatRed() > 0.6f);
     CHECK(bar.getFloatGreen() == Approx(bar.getFloatRed() / 2).margin(0.02));
     CHECK(image.getPixelAt(1, 1).getAlpha() == 0);
+}
+
+TEST_CASE("A place behind the eye or just before it has no pixel") {
+    OrbitCamera camera;
+    camera.lookAt({{-1, -1, 0}, {1, 1, 0.5f}});
+    const PixelProjection projection(camera.viewProjection(1), {0, 0, 100, 100});
+    const auto eye = vectorOf(camera.eye(1));
+    const Eigen::Vector3f forward = Eigen::Vector3f(0, 0, 0.25f) - eye;
+    CHECK(projection.pixelOf(eye + forward));
+    CHECK_FALSE(projection.pixelOf(eye + 1e-4f * forward));
+    CHECK_FALSE(projection.pixelOf(eye - forward));
 }

@@ -132,12 +132,3 @@ TEST_CASE("The text under the mouse has the note of an object with one key") {
     CHECK_FALSE(outline.show(HoverOutline::Hover{.object = 1}));
     CHECK(outline.show(std::nullopt));
 }
-
-TEST_CASE("A convex outline has the outer points only") {
-    const auto outline =
-        convexOutline({{0, 0}, {2, 0}, {1, 1}, {2, 2}, {0, 2}, {1, 0}, {0.5f, 1.5f}});
-    REQUIRE(outline.size() == 4);
-    for (const auto& point : outline)
-        CHECK(((point.x == 0 || point.x == 2) && (point.y == 0 || point.y == 2)));
-    CHECK(convexOutline({}).empty());
-}

@@ -13,6 +13,7 @@ int main(int argumentCount, char* arguments[]) {
     setenv("HOME", idiophone::test::testFolder().c_str(), 1);
 #else
     setenv("XDG_CONFIG_HOME", idiophone::test::testFolder().c_str(), 1);
+    unsetenv("DISPLAY"); // a view without OpenGL paints its picture itself
 #endif
     const juce::ScopedJuceInitialiser_GUI juce;
     return Catch::Session().run(argumentCount, arguments);
