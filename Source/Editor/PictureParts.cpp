@@ -71,6 +71,13 @@ std::vector<PicturePart> partsOf(const SceneFrame& frame) {
     return parts;
 }
 
+std::vector<bool> shadowCasters(std::span<const PicturePart> parts) {
+    std::vector<bool> casters;
+    for (const auto& part : parts)
+        casters.push_back(part.look.finish != Finish::glass);
+    return casters;
+}
+
 std::vector<SceneVertex> placedVertices(const SceneFrame& frame) {
     std::vector<PicturePart> parts;
     addObjects(frame, parts);

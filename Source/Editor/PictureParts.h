@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace idiophone {
@@ -20,6 +21,9 @@ struct PicturePart {
 
 /// The objects or bodies of a frame, their furniture and the mallets.
 std::vector<PicturePart> partsOf(const SceneFrame& frame);
+
+/// Which of the parts cast shadows in the lamp's depth map: all but glass.
+std::vector<bool> shadowCasters(std::span<const PicturePart> parts);
 
 /// The vertices of objects and furniture of a frame where they are, three a triangle. In the order
 /// of the buffers if no bodies move.

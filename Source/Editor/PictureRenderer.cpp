@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <iterator>
 #include <string>
+#include <utility>
 
 using namespace juce::gl;
 
@@ -88,7 +89,7 @@ void PictureRenderer::renderOpenGL() {
     glDepthFunc(GL_LESS);
     if (uploaded != shown.scene)
         upload(shown);
-    if (const auto* light = floorLight.takeUploaded())
+    if (const auto* light = floorLight.takeUploaded(); light != nullptr && !shown.bodies)
         uploadSky(shown, light->sky);
     if (shown.motion && shown.motion->offsets != uploadedOffsets) {
         buffers.uploadOffsets(*shown.motion->offsets);
@@ -96,8 +97,11 @@ void PictureRenderer::renderOpenGL() {
     }
     const auto parts = partsOf(shown);
     buffers.bind();
-    if (!hasShadows || shown.bodies || !shown.mallets.empty())
-        drawShadows(shown, parts);
+    const bool movesCasters = shown.bodies || !shown.mallets.empty();
+    if (auto casters = shadowCasters(parts); movesCasters || casters != mappedCasters) {
+        drawShadows(parts, casters);
+        mappedCasters = movesCasters ? std::vector<bool>() : std::move(casters);
+    }
     glViewport(0, 0, view[2], view[3]);
     if (image.begin(view[2], view[3])) {
         glClear(GL_DEPTH_BUFFER_BIT);
@@ -118,43 +122,40 @@ void PictureRenderer::upload(const SceneFrame& shown) {
     vertices.insert(vertices.end(), furniture.begin(), furniture.end());
     buffers.upload(vertices);
     uploaded = shown.scene;
-    hasShadows = false;
+    mappedCasters.clear();
     buffers.uploadSky({});
     floorLight.begin(shown);
 }
 
 /// Takes the share of the sky at the vertices of objects and furniture at rest.
 void PictureRenderer::uploadSky(const SceneFrame& shown, std::vector<std::uint8_t> sky) {
-    if (shown.bodies)
-        return;
     sky.resize(shown.scene->vertices().size() + shown.furniture->vertices().size(), 255);
     buffers.uploadSky(sky);
 }
 
 /// Draws the depths seen from the lamp, in a cube around the scene.
-void PictureRenderer::drawShadows(const SceneFrame& shown, std::span<const PicturePart> parts) {
+void PictureRenderer::drawShadows(std::span<const PicturePart> parts,
+                                  const std::vector<bool>& casters) {
     const Vector3f lamp = vectorOf(SceneLight::lamp).normalized();
     const Vector3f right = lamp.unitOrthogonal(), up = lamp.cross(right);
     const float reach = floorLight.reach();
-    const auto& middle = floorLight.middle();
     fromLamp.setIdentity();
     for (int row = 0; const Vector3f& axis : {right, up, Vector3f(-lamp)})
-        fromLamp.row(row++) << axis.transpose() / reach, -axis.dot(middle) / reach;
+        fromLamp.row(row++) << axis.transpose() / reach, -axis.dot(floorLight.middle()) / reach;
     if (!shadows.begin())
         return;
     depthProgram->use();
     setMatrix(*depthProgram, "viewProjection", fromLamp);
     glEnable(GL_POLYGON_OFFSET_FILL);
     glPolygonOffset(2, 4);
-    for (const auto& part : parts) {
-        if (part.look.finish == Finish::glass)
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        if (!casters[i])
             continue;
-        setMatrix(*depthProgram, "pose", part.pose);
-        buffers.draw(part.shape.firstVertex, part.shape.vertexCount);
+        setMatrix(*depthProgram, "pose", parts[i].pose);
+        buffers.draw(parts[i].shape.firstVertex, parts[i].shape.vertexCount);
     }
     glDisable(GL_POLYGON_OFFSET_FILL);
     shadows.finish();
-    hasShadows = !shown.bodies && shown.mallets.empty();
 }
 
 void PictureRenderer::setLook(juce::OpenGLShaderProgram& program, const SceneFrame& shown) const {

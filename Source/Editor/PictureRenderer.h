@@ -39,7 +39,7 @@ private:
     void handleAsyncUpdate() override { context.triggerRepaint(); }
     void upload(const SceneFrame& shown);
     void uploadSky(const SceneFrame& shown, std::vector<std::uint8_t> sky);
-    void drawShadows(const SceneFrame& shown, std::span<const PicturePart> parts);
+    void drawShadows(std::span<const PicturePart> parts, const std::vector<bool>& casters);
     void drawRoom(const SceneFrame& shown);
     void drawSolids(const SceneFrame& shown, std::span<const PicturePart> parts);
     void prepare(juce::OpenGLShaderProgram& program, const SceneFrame& shown) const;
@@ -62,7 +62,7 @@ private:
     ShadowMap shadows;
     FloorLight floorLight{[this] { triggerAsyncUpdate(); }};
     Eigen::Matrix4f fromLamp = Eigen::Matrix4f::Identity(); ///< scene to shadow map
-    bool hasShadows = false; ///< whether the shadow map is of the uploaded scene
+    std::vector<bool> mappedCasters; ///< parts in the shadow map; empty: draw it anew
     std::shared_ptr<const ObjectScene> uploaded;
     std::shared_ptr<const std::vector<ScenePlace>> uploadedOffsets;
 };

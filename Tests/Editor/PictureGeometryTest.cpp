@@ -258,6 +258,21 @@ TEST_CASE("The plain picture shows a bar in its colour, and the background besid
     CHECK(image.getPixelAt(1, 1).getAlpha() == 0);
 }
 
+TEST_CASE("Only parts of glass cast no shadow, also after a change of the material") {
+    const Picture picture("Handbell");
+    SceneFrame frame;
+    frame.scene = picture.scene;
+    frame.furniture = picture.furniture;
+    frame.appearances = {{Finish::metal, {}}};
+    const auto castersNow = [&] { return shadowCasters(partsOf(frame)); };
+    const std::vector<bool> all(1 + picture.furniture->parts().size(), true);
+    CHECK(castersNow() == all);
+    frame.appearances = {{Finish::glass, {}}};
+    auto withoutBell = all;
+    withoutBell.front() = false;
+    CHECK(castersNow() == withoutBell);
+}
+
 TEST_CASE("A place behind the eye or just before it has no pixel") {
     OrbitCamera camera;
     camera.lookAt({{-1, -1, 0}, {1, 1, 0.5f}});
