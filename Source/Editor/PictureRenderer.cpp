@@ -109,6 +109,8 @@ void PictureRenderer::renderOpenGL() {
         drawRoom(shown); // after the solids, whose pixels it need not compute
         drawGlass(shown, parts);
         image.finish();
+    } else {
+        ready = false; // the view paints its plain picture
     }
     buffers.unbind();
     glDisable(GL_DEPTH_TEST);

@@ -5,8 +5,6 @@ using namespace juce::gl;
 namespace idiophone {
 namespace {
 
-constexpr int samples = 4; // per pixel
-
 int boundTarget() {
     GLint bound = 0;
     glGetIntegerv(GL_FRAMEBUFFER_BINDING, &bound);
@@ -26,19 +24,11 @@ void bindTarget(int target) {
 bool MultisampledImage::begin(int newWidth, int newHeight) {
     former = boundTarget();
     if (frame == 0 || width != newWidth || height != newHeight) {
-        release();
         width = newWidth;
         height = newHeight;
-        glGenFramebuffers(1, &frame);
-        glBindFramebuffer(GL_FRAMEBUFFER, frame);
-        const auto add = [&](GLuint& buffer, GLenum format, GLenum attachment) {
-            glGenRenderbuffers(1, &buffer);
-            glBindRenderbuffer(GL_RENDERBUFFER, buffer);
-            glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, format, width, height);
-            glFramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, buffer);
-        };
-        add(colour, GL_RGBA8, GL_COLOR_ATTACHMENT0);
-        add(depth, GL_DEPTH_COMPONENT24, GL_DEPTH_ATTACHMENT);
+        create(4);
+        if (!isComplete())
+            create(0);
     }
     glBindFramebuffer(GL_FRAMEBUFFER, frame);
     if (isComplete()) {
@@ -47,6 +37,21 @@ bool MultisampledImage::begin(int newWidth, int newHeight) {
     }
     bindTarget(former);
     return false;
+}
+
+/// With 0 samples the image has no multisampling.
+void MultisampledImage::create(int samples) {
+    release();
+    glGenFramebuffers(1, &frame);
+    glBindFramebuffer(GL_FRAMEBUFFER, frame);
+    const auto add = [&](GLuint& buffer, GLenum format, GLenum attachment) {
+        glGenRenderbuffers(1, &buffer);
+        glBindRenderbuffer(GL_RENDERBUFFER, buffer);
+        glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, format, width, height);
+        glFramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, buffer);
+    };
+    add(colour, GL_RGBA8, GL_COLOR_ATTACHMENT0);
+    add(depth, GL_DEPTH_COMPONENT24, GL_DEPTH_ATTACHMENT);
 }
 
 void MultisampledImage::finish() {
