@@ -30,7 +30,8 @@ void HoverOutline::paint(juce::Graphics& g,
     const auto area = component.getLocalBounds().toFloat();
     const float aspect = area.getWidth() / std::max(area.getHeight(), 1.0f);
     // A large object takes some milliseconds, and only its text changes while the mouse moves.
-    if (const View now{shown->object, camera.viewProjection(aspect), area}; outlined != now) {
+    if (const View now{shown->object, shown->body, camera.viewProjection(aspect), area};
+        outlined != now) {
         outline = outlineOf(scene, now);
         outlined = now;
     }
@@ -44,9 +45,10 @@ void HoverOutline::paint(juce::Graphics& g,
 juce::Path HoverOutline::outlineOf(const ObjectScene& scene, const View& view) {
     const PixelProjection projection(view.viewProjection, view.area);
     const auto& object = scene.objects()[view.object];
+    const auto pose = view.body ? poseOf(*view.body) : Eigen::Isometry3f::Identity();
     std::vector<Eigen::Vector2f> points;
     for (const auto& vertex : scene.vertices().subspan(object.firstVertex, object.vertexCount))
-        if (const auto pixel = projection.pixelOf(vectorOf(vertex.place)))
+        if (const auto pixel = projection.pixelOf(pose * vectorOf(vertex.place)))
             points.emplace_back(pixel->x, pixel->y);
     const auto hull = convexHull(points);
     juce::Path path;

@@ -16,15 +16,16 @@ class HoverOutline {
 public:
     struct Hover {
         std::size_t object = 0;
-        int note = -1; ///< MIDI note of the object's only key; −1: it has several
+        int note = -1; ///< MIDI note that a click plays; −1: the object has several keys
         int velocity = 0;
+        std::optional<BodyNow> body{}; ///< on a stage
 
         bool operator==(const Hover&) const = default;
     };
 
     /// Returns whether the outline has changed. Show none before the scene changes.
     bool show(std::optional<Hover> next);
-    bool isShown() const { return shown.has_value(); }
+    const std::optional<Hover>& hover() const { return shown; }
 
     /// "C5, velocity 96".
     static juce::String textOf(const Hover& hover);
@@ -39,6 +40,7 @@ private:
     /// What an outline depends on.
     struct View {
         std::size_t object = 0;
+        std::optional<BodyNow> body;
         std::array<float, 16> viewProjection{};
         juce::Rectangle<float> area;
 

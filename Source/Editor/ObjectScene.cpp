@@ -240,6 +240,7 @@ std::optional<ScenePick> ObjectScene::pick(const ScenePlace& origin,
         nearest = pickOf(object, *hit);
         nearest->place = scenePlace(pose * vectorOf(nearest->place));
         nearest->towardsPlayer = stageStrength;
+        nearest->body = body;
     }
     return nearest;
 }

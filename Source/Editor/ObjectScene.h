@@ -28,8 +28,9 @@ struct ScenePick {
     std::size_t object = 0;              ///< index into the played objects
     std::array<double, 3> pointMetres{}; ///< on the object's own mesh
     ScenePlace place{};
-    ScenePlace normal{};      ///< unit normal of the surface in the scene
-    double towardsPlayer = 0; ///< 0 at the object's far end, 1 at its near end
+    ScenePlace normal{};           ///< unit normal of the surface in the scene
+    double towardsPlayer = 0;      ///< 0 at the object's far end, 1 at its near end
+    std::optional<BodyNow> body{}; ///< on a stage
 };
 
 /// Immutable. Construction takes a while for large meshes.

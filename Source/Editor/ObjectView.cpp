@@ -85,9 +85,9 @@ void ObjectView::showSound(const SoundFrame& frame) {
     const bool wasMoving = moves();
     if (frame.object >= 0)
         vibration.follow(static_cast<std::size_t>(frame.object), frame.modes);
-    const bool bodiesMoved = shown.onStage && frame.bodies != shown.bodies;
-    if (bodiesMoved)
-        shown.bodies = frame.bodies;
+    const bool bodiesMoved = shown.onStage && shown.follow(frame.bodies);
+    if (const auto& under = outline.hover(); under && under->body && !shown.rests(*under->body))
+        hover(std::nullopt);
     if (strikes.follow(frame, shown.played, *shown.scene) || wasMoving || moves() || bodiesMoved)
         wake();
 }
@@ -122,7 +122,7 @@ void ObjectView::timerCallback() {
 }
 
 void ObjectView::cameraMoved() {
-    if (layers.path || paths.isDrawing() || outline.isShown())
+    if (layers.path || paths.isDrawing() || outline.hover())
         repaint();
     redraw();
 }
@@ -206,14 +206,16 @@ void ObjectView::drawTo(juce::Point<float> position) {
     }
 }
 
-/// Outlines the object under the mouse. Bodies on a stage move away under it, so not there.
+/// Outlines the object under the mouse, on a stage only while it rests.
 void ObjectView::hover(std::optional<ScenePick> pick) {
     std::optional<HoverOutline::Hover> next;
-    if (pick && !shown.onStage && !layers.drawsPath) {
+    if (pick && (pick->body ? shown.rests(*pick->body) : !layers.drawsPath)) {
         const auto& own = shown.played[pick->object];
+        const bool playsNote = shown.onStage || own.lowestNote == own.highestNote;
         next = {.object = pick->object,
-                .note = own.lowestNote == own.highestNote ? own.lowestNote : -1,
-                .velocity = ObjectHand::velocityOf(*pick, 0)};
+                .note = playsNote ? noteFor(pick->object) : -1,
+                .velocity = ObjectHand::velocityOf(*pick, 0),
+                .body = pick->body};
     }
     if (outline.show(next))
         repaint();

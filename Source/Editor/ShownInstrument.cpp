@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <new>
+#include <utility>
 
 namespace idiophone {
 
@@ -10,7 +11,9 @@ ShownInstrument ShownInstrument::of(const ProcessorView& view) {
                           .scene = nullptr,
                           .furniture = nullptr,
                           .onStage = view.stage.hasStage(),
-                          .bodies = view.stage.stageBodies()};
+                          .bodies = view.stage.stageBodies(),
+                          .formerBodies = {}};
+    shown.formerBodies = shown.bodies;
     const auto build = [&] {
         using enum ObjectScene::Layout;
         shown.scene =
@@ -54,6 +57,18 @@ std::vector<ScenePlace> ShownInstrument::outline() const {
 std::optional<ScenePick> ShownInstrument::pick(const ViewRay& ray) const {
     return onStage ? scene->pick(ray.origin, ray.direction, bodies)
                    : scene->pick(ray.origin, ray.direction);
+}
+
+bool ShownInstrument::follow(const std::vector<BodyNow>& next) {
+    formerBodies = std::exchange(bodies, next);
+    return formerBodies != bodies;
+}
+
+bool ShownInstrument::rests(const BodyNow& body) const {
+    const auto isIn = [&](const std::vector<BodyNow>& poses) {
+        return std::ranges::find(poses, body) != poses.end();
+    };
+    return isIn(bodies) && isIn(formerBodies);
 }
 
 std::optional<std::vector<SceneBody>> ShownInstrument::drawnBodies() const {

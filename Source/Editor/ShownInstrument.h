@@ -19,7 +19,8 @@ struct ShownInstrument {
     std::shared_ptr<const ObjectScene> scene;
     std::shared_ptr<const InstrumentFurniture> furniture;
     bool onStage = false;
-    std::vector<BodyNow> bodies; ///< on a stage: bodies as drawn
+    std::vector<BodyNow> bodies;       ///< on a stage: bodies as drawn
+    std::vector<BodyNow> formerBodies; ///< one frame of the sound before
 
     /// The current instrument. If there is too little memory for its picture, there are no objects.
     static ShownInstrument of(const ProcessorView& view);
@@ -28,6 +29,10 @@ struct ShownInstrument {
     /// and of a keyboard's frame from its bars upwards.
     std::vector<ScenePlace> outline() const;
     std::optional<ScenePick> pick(const ViewRay& ray) const;
+    /// Takes the bodies of the next frame. Returns whether one has moved, come or gone.
+    bool follow(const std::vector<BodyNow>& next);
+    /// Whether a body has not moved since the former frame.
+    bool rests(const BodyNow& body) const;
     /// The bodies to draw; nothing if objects stand as laid out.
     std::optional<std::vector<SceneBody>> drawnBodies() const;
 };

@@ -98,3 +98,33 @@ TEST_CASE("The outline in a new scene is of its own object, also under the same 
     CHECK_FALSE(isEqual(ofWok, ofPlate));
     CHECK(isEqual(ofWok, painted(fresh, second)));
 }
+
+TEST_CASE("A body on a stage is outlined while it rests") {
+    Hovering mouse("Dice on Rosewood");
+    juce::Point<float> onBar{300, 0};
+    for (bool found = false; !found;) {
+        onBar.y += 10;
+        REQUIRE(onBar.y < 300);
+        mouse.moveTo(onBar);
+        found = mouse.isOutlined();
+    }
+    const auto view = mouse.processor.view();
+    SoundFrame frame;
+    frame.instrumentNumber = view.instrument.instrumentNumber();
+    frame.bodies = view.stage.stageBodies();
+    const auto showFrame = [&] { mouse.view.showSound(frame); };
+
+    mouse.moveTo(onBar);
+    showFrame();
+    CHECK(mouse.isOutlined());
+    mouse.moveTo(onBar);
+    for (auto& body : frame.bodies)
+        body.originMetres[2] += 0.001f;
+    showFrame();
+    CHECK_FALSE(mouse.isOutlined());
+    mouse.moveTo(onBar); // it still moves
+    CHECK_FALSE(mouse.isOutlined());
+    showFrame();
+    mouse.moveTo(onBar);
+    CHECK(mouse.isOutlined());
+}
