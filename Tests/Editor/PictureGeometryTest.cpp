@@ -5,6 +5,7 @@
 #include "Editor/PixelProjection.h"
 #include "Editor/PlainPicture.h"
 #include "Editor/SceneLight.h"
+#include "Editor/ShownInstrument.h"
 #include "Support/TestSound.h"
 
 #include "Instrument/FactoryContent.h"
@@ -14,6 +15,7 @@
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <vector>
 
 using namespace idiophone;
@@ -171,11 +173,30 @@ TEST_CASE("Dice have 21 pips that follow their bodies") {
 }
 
 TEST_CASE("Furniture cannot be struck") {
-    const Picture picture("Handbell");
-    // From the side, below the bell's mouth, where the posts stand.
-    const auto& bell = picture.scene->objects().front();
-    CHECK_FALSE(
-        picture.scene->pick({-1, 0, bell.middle[2] - 1.2f * bell.halfExtent[2]}, {1, 0, 0}));
+    Picture picture("Handbell");
+    const auto shown = ShownInstrument::of(picture.processor.view());
+    OrbitCamera camera;
+    camera.lookAt(shown.outline());
+    const auto pickAt = [&](const Eigen::Vector3f& place) {
+        const auto eye = camera.eye(1);
+        return shown.pick({.origin = eye, .direction = scenePlace(place - vectorOf(eye))});
+    };
+    CHECK(pickAt(vectorOf(shown.scene->objects().front().middle)));
+    // The faces of its stand that lie farthest to the sides, where the bell is not in sight.
+    std::vector<Eigen::Vector3f> faces;
+    for (const auto& part : shown.furniture->parts()) {
+        const auto first = part.shape.firstVertex - shown.scene->vertices().size();
+        const auto corners =
+            std::span(shown.furniture->vertices()).subspan(first, part.shape.vertexCount);
+        for (std::size_t i = 0; i + 2 < corners.size(); i += 3)
+            faces.emplace_back((vectorOf(corners[i].place) + vectorOf(corners[i + 1].place) +
+                                vectorOf(corners[i + 2].place)) /
+                               3);
+    }
+    const auto [left, right] =
+        std::ranges::minmax_element(faces, {}, [](const auto& face) { return face.x(); });
+    CHECK_FALSE(pickAt(*left));
+    CHECK_FALSE(pickAt(*right));
 }
 
 TEST_CASE("A square above the floor shades what is under it, and not what is far away") {
