@@ -30,7 +30,7 @@ float tubeMetresOf(const InstrumentView::PlayedObject& played, float radius) {
 std::vector<KeyboardBar> barsOf(const std::vector<InstrumentView::PlayedObject>& played,
                                 const ObjectScene& scene,
                                 std::span<const BodyNow> bodies) {
-    constexpr float leastLength = 2; // over the width, and the width over the height at least 1
+    constexpr float minimumRatio = 2; // of length to width; the width exceeds the height
     std::vector<KeyboardBar> bars;
     for (const auto& body : bodies) {
         const auto index = static_cast<std::size_t>(body.object);
@@ -40,7 +40,7 @@ std::vector<KeyboardBar> barsOf(const std::vector<InstrumentView::PlayedObject>&
         if (box.isEmpty())
             continue;
         const Eigen::Vector3f half = box.sizes() / 2;
-        if (half.y() > leastLength * half.x() && half.x() > half.z())
+        if (half.y() > minimumRatio * half.x() && half.x() > half.z())
             bars.push_back({.middle = box.center(),
                             .half = half,
                             .finish = appearanceOf(played[index].object->material).finish});

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
+#include <limits>
 #include <vector>
 
 namespace idiophone {
@@ -98,7 +100,6 @@ float addTubes(FurnitureParts& parts, std::span<const KeyboardBar> bars, float u
     constexpr int sides = 24;
     const auto& look = bars.front().finish == Finish::wood ? brass : silver;
     float lowest = std::numeric_limits<float>::max();
-    std::vector<FurniturePart> turning;
     for (const auto& bar : bars) {
         if (bar.tubeMetres <= 0)
             continue;

@@ -64,9 +64,9 @@ void PictureRenderer::newOpenGLContextCreated() {
         if (!finishPrograms[finish])
             return;
     }
-    roomProgram = linkedProgram(context, "room.vert", "room.frag");
+    backdropProgram = linkedProgram(context, "backdrop.vert", "backdrop.frag");
     depthProgram = linkedProgram(context, "depth.vert", "depth.frag");
-    if (!roomProgram || !depthProgram)
+    if (!backdropProgram || !depthProgram)
         return;
     buffers.create();
     ready = true;
@@ -106,7 +106,7 @@ void PictureRenderer::renderOpenGL() {
     if (image.begin(view[2], view[3])) {
         glClear(GL_DEPTH_BUFFER_BIT);
         drawSolids(shown, parts);
-        drawRoom(shown); // after the solids, whose pixels it need not compute
+        drawBackdrop(shown); // after the solids, whose pixels it need not compute
         drawGlass(shown, parts);
         image.finish();
     } else {
@@ -167,8 +167,8 @@ void PictureRenderer::setLook(juce::OpenGLShaderProgram& program, const SceneFra
     set(program, "eye", vectorOf(shown.eye));
 }
 
-void PictureRenderer::drawRoom(const SceneFrame& shown) {
-    auto& program = *roomProgram;
+void PictureRenderer::drawBackdrop(const SceneFrame& shown) {
+    auto& program = *backdropProgram;
     setLook(program, shown);
     const Eigen::Matrix4f toScene = matrixOf(shown.viewProjection).inverse();
     const auto rayThrough = [&](float x, float y) -> Vector3f {
@@ -285,7 +285,7 @@ void PictureRenderer::openGLContextClosing() {
     ready = false;
     for (auto& program : finishPrograms)
         program.reset();
-    roomProgram.reset();
+    backdropProgram.reset();
     depthProgram.reset();
     buffers.release();
     image.release();

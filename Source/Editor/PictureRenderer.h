@@ -40,7 +40,7 @@ private:
     void upload(const SceneFrame& shown);
     void uploadSky(const SceneFrame& shown, std::vector<std::uint8_t> sky);
     void drawShadows(std::span<const PicturePart> parts, const std::vector<bool>& casters);
-    void drawRoom(const SceneFrame& shown);
+    void drawBackdrop(const SceneFrame& shown);
     void drawSolids(const SceneFrame& shown, std::span<const PicturePart> parts);
     void prepare(juce::OpenGLShaderProgram& program, const SceneFrame& shown) const;
     void drawGlass(const SceneFrame& shown, std::span<const PicturePart> parts);
@@ -56,7 +56,7 @@ private:
     // Used by the OpenGL thread only.
     /// One for each finish, because software renderers compute all branches of a shader.
     std::array<std::unique_ptr<juce::OpenGLShaderProgram>, finishCount> finishPrograms;
-    std::unique_ptr<juce::OpenGLShaderProgram> roomProgram, depthProgram;
+    std::unique_ptr<juce::OpenGLShaderProgram> backdropProgram, depthProgram;
     SceneBuffers buffers;
     MultisampledImage image;
     ShadowMap shadows;

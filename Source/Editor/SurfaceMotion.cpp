@@ -42,15 +42,15 @@ float SurfaceMotion::largest(std::size_t mode) const {
 }
 
 void SurfaceMotion::add(std::size_t mode, float weight, std::span<float> displacements) const {
-    const float most = largest(mode);
-    if (most <= 0)
+    const float maximum = largest(mode);
+    if (maximum <= 0)
         return;
     for (std::size_t vertex = 0; vertex < places.size(); ++vertex)
         for (std::size_t corner = 0; corner < 3; ++corner) {
             const auto& [rows, weights] = places[vertex];
             const auto shape =
                 object->shapesAt(static_cast<std::size_t>(rows[corner])).subspan(3 * mode, 3);
-            const float scale = weight / most * weights[corner];
+            const float scale = weight / maximum * weights[corner];
             for (std::size_t axis = 0; axis < 3; ++axis)
                 displacements[3 * vertex + axis] += scale * shape[axis];
         }
