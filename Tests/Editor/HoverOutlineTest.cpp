@@ -77,17 +77,26 @@ TEST_CASE("The outline follows a zoom") {
     CHECK(isEqual(after, comesLater.picture()));
 }
 
-TEST_CASE("The outline of the next instrument's object is its own") {
-    Hovering changed("Steel Plate"), other("Wok");
-    changed.moveTo(changed.middle);
-    changed.picture();
-    const auto presets = factoryPresets();
-    const auto wok = std::ranges::find(presets, std::string_view("Wok"), &Preset::name);
-    changed.processor.setCurrentProgram(static_cast<int>(wok - presets.begin()));
-    changed.view.refresh();
-    for (auto* mouse : {&changed, &other})
-        mouse->moveTo(mouse->middle);
-    CHECK(isEqual(changed.picture(), other.picture()));
+TEST_CASE("The outline in a new scene is of its own object, also under the same camera") {
+    Hovering plate("Steel Plate"), wok("Wok");
+    const auto sceneOf = [](Hovering& mouse) {
+        return ObjectScene(mouse.processor.view().instrument.playedObjects());
+    };
+    const auto first = sceneOf(plate), second = sceneOf(wok);
+    OrbitCamera camera;
+    camera.lookAt(first.outline());
+    const auto painted = [&](HoverOutline& outline, const ObjectScene& scene) {
+        juce::Image image(juce::Image::ARGB, 600, 300, true);
+        juce::Graphics g(image);
+        outline.show(HoverOutline::Hover{.velocity = 100});
+        outline.paint(g, plate.view, scene, camera);
+        outline.show(std::nullopt);
+        return image;
+    };
+    HoverOutline used, fresh;
+    const auto ofPlate = painted(used, first), ofWok = painted(used, second);
+    CHECK_FALSE(isEqual(ofWok, ofPlate));
+    CHECK(isEqual(ofWok, painted(fresh, second)));
 }
 
 TEST_CASE("A body on a stage is outlined while it rests") {
