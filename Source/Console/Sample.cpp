@@ -57,7 +57,9 @@ writeSfz(const SampleOptions& options, const SampleTask& task, double gainDecibe
                       .releaseSeconds = {}};
     if (sampled.values[ParameterId::letRing] == 0)
         sfz.releaseSeconds = sampled.values[ParameterId::releaseTime];
-    const auto file = options.folder / fileNameFrom(sampled.preset.name + ".sfz");
+    const auto file =
+        options.folder /
+        fileNameFrom((sampled.preset.name.empty() ? "Instrument" : sampled.preset.name) + ".sfz");
     if (auto done = writeTextFile(file, sfzText(sfz, task.plan)); !done)
         return tl::unexpected(done.error());
     return file.string();

@@ -111,6 +111,16 @@ class Strike(ConsoleTest):
             for exact, whole in zip(waves[32].left, waves[bits].left):
                 self.assertLess(abs(exact - whole), 0.501 * step)
 
+    def test_a_name_that_ends_in_flac_gives_flac(self):
+        options = ("--seconds", 0.1, "--set", "level=-12")
+        report, _ = self.strike(BAR, *options)
+        flac = self.folder / "strike.flac"
+        told = self.json("strike", BAR, "-o", flac, *options, "--bit-depth", 24)
+        self.assertEqual(flac.read_bytes()[:4], b"fLaC")
+        self.assertEqual(told["samples"], report["samples"])
+        self.refuse("strike", BAR, "-o", self.folder / "float.flac", *options,
+                    naming="float.flac", saying="16 or 24 bits")
+
     def test_rate_and_length_are_as_requested(self):
         for rate in (8000, 44100, 384000):
             report, wave = self.strike(BAR, "--sample-rate", rate, "--seconds", 0.25)
