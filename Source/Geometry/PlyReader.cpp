@@ -5,6 +5,7 @@
 #include <array>
 #include <bit>
 #include <cstring>
+#include <span>
 #include <string>
 
 namespace idiophone {
@@ -159,10 +160,24 @@ bool isPlausible(const Element& element, const Values& values) {
            static_cast<std::uint64_t>(element.count) <= values.bytesLeft() / rowBytes + 1;
 }
 
+/// Adds the triangles of strips, each of which ends at −1. Every second triangle is turned.
+void addStrips(std::span<const std::int64_t> corners, RawMesh& mesh) {
+    std::size_t begin = 0;
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+        if (corners[k] < 0)
+            begin = k + 1;
+        else if (k >= begin + 2)
+            mesh.addPolygon((k - begin) % 2 == 0
+                                ? std::array{corners[k - 2], corners[k - 1], corners[k]}
+                                : std::array{corners[k - 2], corners[k], corners[k - 1]});
+    }
+}
+
 /// Reads one row of an element. Adds vertices and faces to the mesh and skips the rest. Returns
 /// false at the end of the file.
 bool readRow(const Element& element, Values& values, RawMesh& mesh) {
-    const bool isVertex = element.name == "vertex", isFace = element.name == "face";
+    const bool isVertex = element.name == "vertex", isFace = element.name == "face",
+               isStrips = element.name == "tristrips";
     std::array<double, 3> position{};
     std::vector<std::int64_t> corners;
     for (const auto& property : element.properties) {
@@ -175,8 +190,8 @@ bool readRow(const Element& element, Values& values, RawMesh& mesh) {
                 position[property.name[0] - 'x'] = *first;
             continue;
         }
-        const bool wanted =
-            isFace && (property.name == "vertex_indices" || property.name == "vertex_index");
+        const bool wanted = (isFace || isStrips) &&
+                            (property.name == "vertex_indices" || property.name == "vertex_index");
         // Check before the cast: a hostile count may be negative, huge or NaN.
         if (!(*first >= 0 && *first <= static_cast<double>(values.bytesLeft())))
             return false;
@@ -192,6 +207,8 @@ bool readRow(const Element& element, Values& values, RawMesh& mesh) {
         mesh.coordinates.insert(mesh.coordinates.end(), position.begin(), position.end());
     if (isFace)
         mesh.addPolygon(corners);
+    if (isStrips)
+        addStrips(corners, mesh);
     return true;
 }
 

@@ -75,6 +75,19 @@ public:
     }
     TextScanner& text() { return scanner; }
 
+    /// Leaves out the name of a solid, which has any number of words. It ends with its line, or
+    /// before "facet normal".
+    void skipName() {
+        auto ahead = scanner;
+        scanner.nextLine();
+        for (auto part = ahead.nextWord(); ahead.bytesLeft() > scanner.bytesLeft();) {
+            const bool isFacet = sameName(part, "facet");
+            part = ahead.nextWord();
+            if (isFacet && sameName(part, "normal"))
+                scanner = ahead;
+        }
+    }
+
 private:
     void append() {
         for (const unsigned char letter : scanner.nextWord())
@@ -108,7 +121,7 @@ Result<RawMesh> readTextStl(std::string_view text) {
             isInFacet = true;
         } else if (word.starts_with("endsolid") || word.starts_with("solid")) {
             ended = word.starts_with("endsolid");
-            words.text().nextLine(); // a name of any number of words
+            words.skipName();
         }
     }
     if (isInFacet || !corners.empty())

@@ -129,6 +129,17 @@ class Analyse(ConsoleTest):
         self.assertIn("Joined", report["notes"])
         self.assertEqual(info["vertices"], len(vertices))
 
+    def test_a_concave_face_is_filled_and_a_crossed_one_reported(self):
+        corners = [(0, 0, 0), (0.4, 0, 0), (0.4, 0.1, 0), (0.1, 0.1, 0), (0.1, 0.3, 0), (0, 0.3, 0)]
+        text = obj_text(corners, [])
+        sheet = self.write("sheet.obj", text + "f 3 4 5 6 1 2\n")
+        report, _ = self.analyse(sheet, "--max-frequency", 500, "--material", "Steel")
+        self.assertAlmostEqual(report["mass_kg"], 0.06 * 0.005 * 7850, delta=0.02)
+        self.assertNotIn("crosses itself", report["notes"])
+        crossed = self.write("crossed.obj", text + "f 1 3 2 6 \\\n\n")
+        report, _ = self.analyse(crossed, "--max-frequency", 500)
+        self.assertIn("crosses itself", report["notes"])
+
     def test_open_and_non_manifold_meshes_work(self):
         bar = self.mesh("bar", "--vertices", 120)
         vertices, faces = mesh_text(bar)

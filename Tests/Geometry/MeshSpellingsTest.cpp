@@ -178,7 +178,7 @@ TEST_CASE("Text STL is read in all spellings") {
           replaced(whole, "solid wedge", "Solid"), whole + "\n\n",
           whole.substr(0, whole.size() - 1), stl("vertex facet solid"), stl("#1"),
           replaced(whole, "facet normal 0 0 0", "facet normal nan nan nan"),
-          replaced(whole, "\n", " \t\n")})
+          replaced(whole, "\n", " \t\n"), replaced(whole, "\n", " ")})
         for (const auto* lineEnd : {"\n", "\r\n", "\r"})
             checkWedge("wedge.stl", replaced(text, "\n", lineEnd));
 }
@@ -211,6 +211,29 @@ TEST_CASE("Binary STL with a wrong count is read with a warning") {
     }
     CHECK_THAT(read("web.stl", "<!DOCTYPE html>" + std::string(200, ' ')).error().message,
                ContainsSubstring("does not begin with \"solid\""));
+}
+
+TEST_CASE("Faces and triangle strips of PLY are read, with any line end") {
+    std::string vertices, rows;
+    for (const auto& corner : corners)
+        vertices += corner + "\n";
+    for (const auto& face : faces) {
+        rows += std::to_string(face.size());
+        for (const int corner : face)
+            rows += " " + std::to_string(corner);
+        rows += "\n";
+    }
+    const std::string header =
+                          "ply\nformat ascii 1.0\nelement vertex 5\nproperty float x\nproperty "
+                          "float y\nproperty float z\n",
+                      list = "property list uchar int vertex_indices\nend_header\n";
+    for (const auto& text : {header + "element face 5\n" + list + vertices + rows,
+                             header + "element tristrips 1\n" + list + vertices +
+                                 "20 1 0 2 3 -1 0 1 4 -1 1 2 4 -1 2 3 4 -1 3 0 4\n"})
+        for (const auto* lineEnd : {"\n", "\r\n", "\r"}) {
+            checkWedge("wedge.ply", replaced(text, "\n", lineEnd));
+            checkWedge("wedge.ply", "\xef\xbb\xbf" + replaced(text, "\n", lineEnd));
+        }
 }
 
 TEST_CASE("Concave faces of OBJ, OFF and PLY are filled inside their outline") {

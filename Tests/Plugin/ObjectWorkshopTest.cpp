@@ -63,6 +63,20 @@ TEST_CASE("A mesh becomes a preview and then the object, with its guessed unit a
     CHECK(last.object->thicknessMetres == 0.002);
 }
 
+TEST_CASE("What is odd in a mesh file is in the notes, also if the object is refused") {
+    ObjectWorkshop workshop;
+    workshop.open(writtenFile("far.obj",
+                              "v 5000 0 0\nv 5000.06 0 0\nv 5000.06 0.03 0\nv 5000 0.03 0\n"
+                              "f 1 2 3 4\n"),
+                  {});
+    CHECK_FALSE(productsOf(workshop).empty());
+    CHECK_THAT(workshop.status().notes, ContainsSubstring("Moved the mesh to the origin"));
+    workshop.open(writtenFile("far-line.obj", "v 5000 0 0\nv 5001 0 0\nv 5002 0 0\nf 1 2 3\n"), {});
+    CHECK(productsOf(workshop).empty());
+    CHECK_THAT(workshop.status().error, ContainsSubstring("no face with an area") &&
+                                            ContainsSubstring("Moved the mesh to the origin"));
+}
+
 TEST_CASE("The preview comes first and is close in pitch") {
     ObjectWorkshop workshop;
     std::vector<double> lowest;
