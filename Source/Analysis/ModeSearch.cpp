@@ -17,7 +17,7 @@ using Eigen::MatrixXd;
 // find modes that decay before a narrow filter has passed.
 constexpr double narrowestBandHz = 60, narrowShare = 0.125, wideShare = 0.5;
 constexpr double narrowestCycles = 32;               // of a band, in the shortest recording
-constexpr double lowestHz = 20, highestShare = 0.49; // of the sample rate
+constexpr double lowestHz = 20, highestShare = 0.499; // of the sample rate
 // T60 over two minutes counts as steady. A mode loses at most this part of critical damping; what
 // decays faster belongs to the contact.
 constexpr double slowestDecayPerSecond = 0.05, fastestDecayPerSecond = 3450, heaviestDamping = 0.05;
