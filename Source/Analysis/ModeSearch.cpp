@@ -16,7 +16,7 @@ using Eigen::MatrixXd;
 // Widths of the bands relative to their frequency. Narrow bands tell close modes apart. Wide bands
 // find modes that decay before a narrow filter has passed.
 constexpr double narrowestBandHz = 60, narrowShare = 0.125, wideShare = 0.5;
-constexpr double narrowestCycles = 32;               // of a band, in the shortest recording
+constexpr double narrowestCycles = 32;                // of a band, in the shortest recording
 constexpr double lowestHz = 20, highestShare = 0.499; // of the sample rate
 // T60 over two minutes counts as steady. A mode loses at most this part of critical damping; what
 // decays faster belongs to the contact.
@@ -25,8 +25,9 @@ constexpr double slowestDecayPerSecond = 0.05, fastestDecayPerSecond = 3450, hea
 // term per recording.
 constexpr double aboveNoise = 20, aboveNoiseEach = 8;
 // Minimum energy of a mode beside a louder one: in decades at the same frequency, and more for each
-// octave up to one.
-constexpr double decadesBelow = 3, decadesPerOctave = 2.5;
+// octave up to one. Two modes closer than their width are twins; a faint one mends the fit of the
+// other for the room, and bends its decay.
+constexpr double decadesBelow = 3, decadesPerOctave = 2.5, decadesBelowTwin = 1.5;
 constexpr std::size_t mostOfOneSearch = 600, mostCandidates = 320;
 constexpr double faintestCandidate = 1e-7; // energy relative to the loudest of the same search
 
@@ -165,7 +166,11 @@ MatrixXd ModeSearch::floors(const JointFit& fit, const std::vector<bool>& isStea
             if (isSteady[j])
                 continue;
             const double octaves = std::abs(std::log2(poles[i].frequencyHz / poles[j].frequencyHz));
-            const double decades = decadesBelow + decadesPerOctave * std::min(1.0, octaves);
+            const bool isTwin = std::abs(poles[i].perSecond() - poles[j].perSecond()) <
+                                std::max(poles[i].decayPerSecond, poles[j].decayPerSecond);
+            const double decades = isTwin
+                                       ? decadesBelowTwin
+                                       : decadesBelow + decadesPerOctave * std::min(1.0, octaves);
             least = std::max(least, fit.ownEnergies().row(j).sum() * std::pow(10, -decades));
         }
         if (isSteady[i])
