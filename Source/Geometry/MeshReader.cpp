@@ -45,6 +45,7 @@ std::string faultOf(const RawMesh& raw) {
         return "it has too many vertices";
     if (raw.corners.size() > std::numeric_limits<int>::max() / 3)
         return "it has too many faces";
+    Eigen::AlignedBox3d box; // polygons of larger numbers would overflow
     for (const auto vertex : raw.corners) {
         if (vertex < 0 || vertex >= raw.vertexCount())
             return "a face names a vertex that does not exist (there are " +
@@ -53,7 +54,10 @@ std::string faultOf(const RawMesh& raw) {
             std::span(raw.coordinates).subspan(static_cast<std::size_t>(vertex) * 3, 3);
         if (!std::ranges::all_of(place, [](double x) { return std::isfinite(x); }))
             return numbered("vertex", vertex) + " is not a finite number";
+        box.extend(Eigen::Vector3d(place[0], place[1], place[2]));
     }
+    if (!(box.sizes().maxCoeff() <= largestUnits))
+        return "its faces reach over more than a million units of length";
     return {};
 }
 
@@ -100,15 +104,16 @@ MeshOfFile triangulated(const RawMesh& raw) {
 }
 
 /// Moves a mesh far from the origin there, with a note.
-void moveNear(MeshOfFile& file, const Eigen::AlignedBox3d& box) {
+void moveNear(MeshOfFile& file) {
     constexpr double farDiagonals = 100, coarseShare = 1e-4;
     auto& vertices = file.mesh.vertices;
+    const auto box = boxOfFaces(file.mesh);
     const double diagonal = box.diagonal().norm();
     const double distance =
         std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
-    if ((distance <= farDiagonals * diagonal && distance <= largestUnits) || diagonal == 0)
+    if (distance <= farDiagonals * diagonal && distance <= largestUnits)
         return;
-    const Eigen::RowVector3d centre = box.center().transpose();
+    const Eigen::RowVector3d centre = (box.min() + box.sizes() / 2).transpose();
     file.notes +=
         (file.notes.empty() ? "" : " ") + std::string("Moved the mesh to the origin from ");
     for (int axis = 0; axis < 3; ++axis)
@@ -145,10 +150,7 @@ Result<MeshOfFile> readMeshFile(const std::filesystem::path& file, double metres
         if (const auto fault = faultOf(*raw); !fault.empty())
             return fail(fault);
         auto read = triangulated(*raw);
-        const auto box = boxOfFaces(read.mesh);
-        if (!(box.sizes().maxCoeff() <= largestUnits))
-            return fail("its faces reach over more than a million units of length");
-        moveNear(read, box);
+        moveNear(read);
         gatherStrays(read.mesh);
         read.mesh.vertices *= metresPerUnit;
         return read;

@@ -303,6 +303,20 @@ TEST_CASE("A mesh far from the origin is moved there before anything is rounded"
     CHECK(near->mesh.vertices.maxCoeff() > 20);
 }
 
+TEST_CASE("The largest numbers are moved or refused") {
+    for (const auto* far : {"1e12", "1.5e308"}) {
+        const auto mesh = read("point.obj", std::string("v ") + far + " 0 0\nf 1 1 1\n");
+        REQUIRE(mesh);
+        CHECK(mesh->mesh.vertices.isZero());
+    }
+    for (const auto* wide : {"1e155", "1e200", "1.5e308"})
+        CHECK_THAT(
+            read("wide.obj", replaced("v 0 0 0\nv W 0 0\nv 0 W 0\nv 1 1 0\nf 1 2 4 3\n", "W", wide))
+                .error()
+                .message,
+            ContainsSubstring("more than a million units"));
+}
+
 TEST_CASE("Rounded coordinates of a mesh far from the origin are reported") {
     const auto mesh =
         read("rounded.obj", "v 100000 0 0\nv 100000.125 0 0\nv 100000 0.25 0\nf 1 2 3\n");
