@@ -216,6 +216,7 @@ TEST_CASE("Text contrast meets WCAG AA in both looks") {
 }
 
 TEST_CASE("The hint in an empty field meets WCAG AA in both looks") {
+    const UserSettings user;
     Processor processor;
     EditorWindow window(processor, processor.view());
     int fields = 0;

@@ -53,7 +53,7 @@ TEST_CASE("A mesh becomes a preview and then the object, with its guessed unit a
     CHECK(status.method == "two-layer");
     CHECK_THAT(status.notes, ContainsSubstring("looks like millimetres"));
     CHECK_THAT(status.notes, ContainsSubstring("Taken as a shell of 2 mm"));
-    CHECK_THAT(status.summary, ContainsSubstring("of Steel, 60.0 x 36.0 x 0 mm"));
+    CHECK_THAT(status.summary, ContainsSubstring("of Steel, 60 x 36 x 0 mm"));
     REQUIRE_FALSE(products.empty());
     const auto& last = products.back();
     CHECK_FALSE(last.isPreview);
