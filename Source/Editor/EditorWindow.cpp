@@ -169,7 +169,7 @@ void EditorWindow::show(Middle shown) {
 bool EditorWindow::keyPressed(const juce::KeyPress& key) {
     if (key.isKeyCode(juce::KeyPress::tabKey))
         focusRing.tabPressed();
-    return presets.handleKey(key) ||
+    return presets.handleKey(key) || (controllers.isVisible() && controllers.keyPressed(key)) ||
            (juce::JUCEApplicationBase::isStandaloneApp() && keyboard.pressOctaveKey(key)) ||
            AudioProcessorEditor::keyPressed(key);
 }
