@@ -1,5 +1,5 @@
-// Colours, fonts and the shapes that differ from JUCE's look; a dark and a light scheme. Also what
-// many parts of the window set up alike.
+// Colours, fonts and shapes of the window in a dark and a light scheme, and functions that many of
+// its parts share.
 #pragma once
 
 #include <juce_gui_basics/juce_gui_basics.h>

@@ -18,7 +18,7 @@ namespace idiophone {
 class PageDeck final : public juce::Component {
 public:
     static constexpr int tabHeight = 30, titleHeight = 22, gap = 8;
-    static constexpr int aboveHeight = tabHeight + titleHeight; ///< what a page does not get
+    static constexpr int aboveHeight = tabHeight + titleHeight; ///< of tabs and title
     static constexpr int minimumHeight = aboveHeight + DeckPage::minimumHeight;
 
     PageDeck() {

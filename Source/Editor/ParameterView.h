@@ -15,8 +15,8 @@ public:
     /// The value in effect. For a figure of a material or mallet, that of the selected one, or of
     /// the objects' own material.
     virtual double effectiveValue(ParameterId parameter) const = 0;
-    /// Returns the value of a reset: in effect in the playing preset as it was loaded, or for a
-    /// setup parameter (ParameterInfo::isSetup) the table's default.
+    /// Returns the value that a reset gives: the one in effect when the preset was loaded. A setup
+    /// parameter (ParameterInfo::isSetup) is reset to the table's default.
     virtual double presetValue(ParameterId parameter) const = 0;
     /// Call before changing a figure of a material or mallet by hand: copies all its figures to the
     /// custom one and selects that. Does nothing if the custom one is selected, or for other

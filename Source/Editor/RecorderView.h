@@ -6,7 +6,7 @@
 
 namespace idiophone {
 
-/// For the message thread. WAV files are stereo, 32-bit float. An offline render is in none. The
+/// For the message thread. WAV files are stereo, 32-bit float, and contain no offline render. The
 /// status shows errors.
 class RecorderView {
 public:
