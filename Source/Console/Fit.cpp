@@ -135,7 +135,8 @@ std::string notesOf(const RecordingFit& fit, const ModalObject& object, const Fi
     notes << fit.modes.size() << " of the " << fit.modesFound << " modes found.";
     if (options.material.empty())
         notes << std::setprecision(3) << " Its material is unknown. A damping of gamma "
-              << object.material.damping.fluidPerSecond << " 1/s and eta "
+              << object.material.damping.fluidPerSecond << " 1/s, loss factor "
+              << object.material.damping.lossFactor << " and eta "
               << object.material.damping.viscoelasticSeconds
               << " s was fitted to its decays. All other figures are those of steel.";
     if (!options.massKg && (options.mesh.empty() || options.material.empty()))
