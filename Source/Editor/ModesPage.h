@@ -135,11 +135,12 @@ private:
                 std::ranges::count(frame.modes, ModeStanding::sounding, &ModeNow::standing);
             const int groups = frame.modes.back().group + 1;
             next.add((frame.note >= 0 ? noteName(frame.note) + ": " : juce::String()) +
-                     juce::String(frame.modes.size()) + " modes, merged into " +
-                     juce::String(groups) + ", " + juce::String(sounding) + " sounding");
-            next.add(frame.modesOmitted > 0
-                         ? juce::String(frame.modesOmitted) + " more are too high to be shown"
-                         : juce::String("Line: level in dB now; dot: T60; foot: merged modes"));
+                     juce::String(frame.modes.size()) + " modes, mixed as " + juce::String(groups) +
+                     ", " + juce::String(sounding) + " sounding");
+            next.add(
+                frame.modesOmitted > 0
+                    ? juce::String(frame.modesOmitted) + " more are too high to be shown"
+                    : juce::String("Line: level now, dot: decay time, foot: modes mixed as one"));
         }
         if (next == lines)
             return;

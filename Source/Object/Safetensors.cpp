@@ -92,8 +92,7 @@ Container parse(std::span<const std::byte> bytes) {
     const auto headerLength = headerLengthOf(bytes);
     bytes = bytes.subspan(sizeof(std::uint64_t));
     if (headerLength > headerLimitBytes)
-        throw Fault{"it is not a modal object (its header claims " + std::to_string(headerLength) +
-                    " bytes)"};
+        throw Fault{"it is not a modal object"};
     if (headerLength > bytes.size())
         throw Fault{"it is cut off inside its header"};
 

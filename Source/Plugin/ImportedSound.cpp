@@ -27,7 +27,7 @@ Preset presetOf(const ObjectWorkshop::Product& product, Preset preset) {
     preset.author.clear();
     preset.description = object.name + ": " + summaryOf(object);
     if (product.isPreview) // a project saved now keeps the preview
-        preset.description += ". A preview of few elements: analyse it again for all modes.";
+        preset.description += ". A preview of few elements, until the whole analysis is done.";
     preset.tags = {"imported"};
     preset.mutedModes = {};
     return preset;
