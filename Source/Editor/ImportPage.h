@@ -21,9 +21,9 @@ public:
     explicit ImportPage(ProcessorView& processor)
         : DeckPage("Object"), view(processor),
           open("Open...",
-               "Open a mesh or a modal object",
-               "Open a mesh (OBJ, PLY, STL, OFF) or a modal object. Dropping it on the window does "
-               "the same.",
+               "Open a mesh, a recording or a modal object",
+               "Open a mesh (OBJ, PLY, STL, OFF), the recording of a strike (WAV, FLAC, AIFF) or a "
+               "modal object. Dropping it on the window does the same.",
                fromUtf8(processor.workshop.openPatterns()),
                [this](const std::filesystem::path& chosen) {
                    view.workshop.openFile(chosen);
@@ -192,7 +192,8 @@ private:
         if (shown.stage == Stage::none)
             return "A mesh in OBJ, PLY, STL or OFF becomes an object that can be played: within a "
                    "moment as a preview, then as it is. The settings above may be changed at any "
-                   "time.";
+                   "time. The recording of one strike (WAV, FLAC or AIFF) becomes an object with "
+                   "its modes.";
         juce::StringArray lines;
         if (shown.stage == Stage::failed)
             lines.add(fromUtf8(shown.error));

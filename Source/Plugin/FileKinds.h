@@ -7,8 +7,11 @@
 namespace idiophone {
 
 // Patterns as file choosers take them.
-inline constexpr const char* objectFiles = "*.obj;*.off;*.ply;*.stl;*.modal"; ///< meshes too
+/// Meshes, modal objects and recordings.
+inline constexpr const char* objectFiles =
+    "*.obj;*.off;*.ply;*.stl;*.modal;*.wav;*.flac;*.aif;*.aiff";
 inline constexpr const char* modalFiles = "*.modal";
+inline constexpr const char* recordingFiles = "*.wav;*.flac;*.aif;*.aiff";
 inline constexpr const char* tuningFiles = "*.scl;*.kbm"; ///< scales and keyboard mappings
 inline constexpr const char* scaleFiles = "*.scl";
 

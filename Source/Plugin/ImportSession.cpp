@@ -62,10 +62,16 @@ void ImportSession::setImportSettings(const ImportSettings& settings) {
         analyseAgain();
 }
 
+bool ImportSession::canAnalyseAgain() const {
+    const auto object = foreignObject();
+    return followsSettings() || // a recorded object has no mesh of its own
+           (object != nullptr && object->method != "measured");
+}
+
 void ImportSession::analyseAgain() {
     const auto now = session.loaded();
     const bool isOurs = origin == now.origin && workshop.hasMesh();
-    if (!isOurs && !layoutOf(now.sound.instrument))
+    if (!isOurs && !canAnalyseAgain())
         return;
     importSettings = settingsInForce(); // the mesh is the workshop's from now on
     begin(now.origin);

@@ -31,7 +31,7 @@ public:
     }
     std::string openPatterns() const override { return objectFiles; }
     void openFile(const std::filesystem::path& file) override;
-    bool canAnalyseAgain() const override { return followsSettings() || keyLayout(); }
+    bool canAnalyseAgain() const override;
     void setImportSettings(const ImportSettings& settings) override;
     void analyseAgain() override;
     void cancelImport() override { workshop.cancel(); }

@@ -6,8 +6,8 @@
 #include "Editor/Utf8.h"
 #include "Geometry/LengthUnit.h"
 #include "Geometry/MeshReader.h"
-#include "Object/ModalObjectFile.h"
 #include "Plugin/FileKinds.h"
+#include "Plugin/FinishedObject.h"
 #include "Plugin/ImportChoices.h"
 #include "Plugin/ImportSummary.h"
 #include "Plugin/WithinMemory.h"
@@ -164,8 +164,8 @@ void ObjectWorkshop::run() {
 Result<void> ObjectWorkshop::make(const Job& job) {
     if (job.source != nullptr)
         return makeFromMesh(job, *job.source);
-    if (matches(job.file, modalFiles))
-        return makeFromModal(job);
+    if (matches(job.file, modalFiles) || matches(job.file, recordingFiles))
+        return makeFinished(job);
     report(job, 0, "Reading");
     auto read = readMeshFile(job.file);
     if (!read)
@@ -229,15 +229,13 @@ Result<void> ObjectWorkshop::makeFromMesh(const Job& job, const Source& source) 
     return {};
 }
 
-Result<void> ObjectWorkshop::makeFromModal(const Job& job) {
-    report(job, 0, "Reading");
-    auto object = readModalObject(job.file);
+Result<void> ObjectWorkshop::makeFinished(const Job& job) {
+    auto object = finishedObject(
+        job.file,
+        {.progress = [&](double share, std::string_view step) { report(job, share, step); },
+         .cancelled = &job.cancelled});
     if (!object)
         return tl::unexpected(object.error());
-    if (object->modeCount() == 0 || object->shapeVertexCount() == 0 || object->faceCount() == 0)
-        return failure(fileNameOf(job.file) + ": it has no mode, or no surface to be struck.");
-    if (object->name.empty())
-        object->name = textOf(job.file.stem()).toStdString();
     deliver(job, std::move(*object), {}, Finish::whole);
     return {};
 }

@@ -80,7 +80,7 @@ private:
     void run();
     Result<void> make(const Job& job);
     Result<void> makeFromMesh(const Job& job, const Source& source);
-    Result<void> makeFromModal(const Job& job);
+    Result<void> makeFinished(const Job& job);
     void report(const Job& job, double progress, std::string_view step);
     void deliver(const Job& job, ModalObject object, const UnitGuess& unit, Finish finish);
     void fail(const Job& job, const std::string& sentence);

@@ -174,7 +174,7 @@ TEST_CASE("A file that cannot be opened changes nothing and gives an error in th
     CHECK_THAT(status.sentence, ContainsSubstring("\"broken.stl\""));
     CHECK(processor.view().workshop.canOpen("a.OBJ"));
     CHECK(processor.view().workshop.canOpen("a.modal"));
-    CHECK_FALSE(processor.view().workshop.canOpen("a.wav"));
+    CHECK_FALSE(processor.view().workshop.canOpen("a.mp3"));
     CHECK_FALSE(processor.view().workshop.canOpen("obj"));
 }
 
