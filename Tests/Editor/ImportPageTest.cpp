@@ -297,7 +297,8 @@ TEST_CASE("Files can be dropped anywhere on the window; unreadable files are rep
         CHECK(status.isError);
         CHECK(status.sentence.starts_with('"' + std::string(refused) + '"'));
         CHECK(status.sentence.ends_with(
-            "none of .obj, .off, .ply, .stl, .modal, .scl, .kbm, .json."));
+            "none of .obj, .off, .ply, .stl, .modal, .wav, .flac, .aif, .aiff, .scl, .kbm, "
+            ".json."));
     }
     const auto captured = juce::File::getSpecialLocation(juce::File::tempDirectory)
                               .getChildFile("Idiophone-drag-1a/Idiophone capture.mid");
@@ -308,8 +309,8 @@ TEST_CASE("The page's buttons show their whole text and have tooltips") {
     Page p;
     p.page.setLookAndFeel(&p.look);
     for (const auto* title :
-         {"Open a mesh or a modal object", "Analyse anew", "Keys scaled to their pitches",
-          "Keys along a strike path", "Make it: Plate"}) {
+         {"Open a mesh, a recording or a modal object", "Analyse anew",
+          "Keys scaled to their pitches", "Keys along a strike path", "Make it: Plate"}) {
         auto& button = part<juce::TextButton>(p.page, title);
         INFO(title);
         CHECK(juce::GlyphArrangement::getStringWidth(Look::textFont(), button.getButtonText()) +
