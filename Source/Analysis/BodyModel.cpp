@@ -159,25 +159,30 @@ Result<ModalObject> solveBody(const BodyModel& body,
         object.bending = bendingParts(body, modes->eigenvalues, modes->shapes);
     setMesh(object, body.surface);
     object.mass = massPropertiesOf(body.model, body.pointsMetres);
-    auto radiation = radiationOf({.mesh = body.surface,
-                                  .shapes = shapes,
-                                  .eigenvalues = modes->eigenvalues,
-                                  .thicknessMetres = body.thicknessMetres,
-                                  .centreMetres = Eigen::Vector3d(object.mass.centreMetres.data())},
-                                 {.directions = settings.listeningDirections,
-                                  .method = settings.radiation,
-                                  .nearPointsMetres = settings.nearPointsMetres,
-                                  .threads = settings.threads},
-                                 control.part(modesShare, 1));
-    if (!radiation)
-        return tl::unexpected(radiation.error());
-    object.radiation = std::move(radiation->table);
-    if (nearPressures != nullptr)
-        *nearPressures = std::move(radiation->nearPressures);
+    std::string radiationNotes;
+    if (!settings.listeningDirections.empty()) {
+        auto radiation =
+            radiationOf({.mesh = body.surface,
+                         .shapes = shapes,
+                         .eigenvalues = modes->eigenvalues,
+                         .thicknessMetres = body.thicknessMetres,
+                         .centreMetres = Eigen::Vector3d(object.mass.centreMetres.data())},
+                        {.directions = settings.listeningDirections,
+                         .method = settings.radiation,
+                         .nearPointsMetres = settings.nearPointsMetres,
+                         .threads = settings.threads},
+                        control.part(modesShare, 1));
+        if (!radiation)
+            return tl::unexpected(radiation.error());
+        object.radiation = std::move(radiation->table);
+        radiationNotes = std::move(radiation->notes);
+        if (nearPressures != nullptr)
+            *nearPressures = std::move(radiation->nearPressures);
+    }
     object.provenance = {
         .source = settings.source,
         .software = "Idiophone " IDIOPHONE_VERSION,
-        .notes = joinedSentences({notesOn(body, settings, *modes), radiation->notes}),
+        .notes = joinedSentences({notesOn(body, settings, *modes), radiationNotes}),
         .analysisSeconds =
             std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(),
         .analysedVertices = body.surface.vertexCount(),

@@ -230,7 +230,7 @@ Result<MaterialFit> fitMaterial(std::span<const MeasuredMode> measured,
     if (measured.empty())
         return failure("There are no modes to fit a material to.");
     settings.material = *findMaterial("Steel");
-    settings.radiation = RadiationMethod::preview; // does not move the modes
+    settings.listeningDirections.clear(); // radiation does not move the modes
     std::optional<ModeMatch> best;
     double bestPoissonRatio = 0;
     for (std::size_t i = 0; i < poissonRatios.size(); ++i) {

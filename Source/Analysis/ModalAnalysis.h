@@ -26,7 +26,8 @@ struct AnalysisSettings {
     int elementBudget = 8000; ///< approximate number of tetrahedra; a wider band makes them coarser
     bool largestComponentOnly = false;   ///< leave smaller components of the mesh out
     std::vector<int> shapeVertices = {}; ///< input vertices that keep their shapes; empty: all
-    /// Directions to the listener; `directionsAllAround` for bodies that turn in scenes.
+    /// Directions to the listener; `directionsAllAround` for bodies that turn in scenes. Empty: no
+    /// radiation is computed.
     std::vector<Eigen::Vector3d> listeningDirections = stereoDirections();
     RadiationMethod radiation = RadiationMethod::quick;
     unsigned threads = 0; ///< maximum, with the same result for any; 0: as many as pay

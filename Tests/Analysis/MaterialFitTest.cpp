@@ -22,7 +22,7 @@ AnalysisSettings settings(const Material& material) {
             .material = material,
             .thicknessMetres = 0.003,
             .maxFrequencyHz = 14000,
-            .radiation = RadiationMethod::preview};
+            .listeningDirections = {}};
 }
 
 const Material unknown{.name = "Unknown",
