@@ -19,7 +19,8 @@ class Material(ConsoleTest):
         """Analyses, strikes, and fits the material to the sound and the mesh."""
         mesh, thickness, place = self.mesh(kind)
         obj = self.folder / "true.modal"
-        self.succeed("analyse", mesh, "-o", obj, "--material", material, *thickness)
+        self.succeed("analyse", mesh, "-o", obj, "--material", material, *thickness,
+                     "--max-frequency", 14000)
         wave = self.folder / "strike.wav"
         self.succeed("strike", obj, "-o", wave, "--at", place, "--seconds", 2, *HARD)
         return self.json("material", wave, "--mesh", mesh, *thickness,
@@ -28,7 +29,8 @@ class Material(ConsoleTest):
     def decays(self, kind, material):
         mesh, thickness, _ = self.mesh(kind)
         obj = self.folder / "other.modal"
-        self.succeed("analyse", mesh, "-o", obj, "--material", material, *thickness)
+        self.succeed("analyse", mesh, "-o", obj, "--material", material, *thickness,
+                     "--max-frequency", 14000)
         return [(mode["frequency_hz"], mode["t60_s"]) for mode in self.json("info", obj)["modes"]
                 if mode["frequency_hz"] < 8000]
 
