@@ -34,7 +34,7 @@ Fit fitColumns(const MatrixXd& terms, const VectorXd& weights, const std::vector
         solution = (root.asDiagonal() * columns).colPivHouseholderQr().solve(root);
         if (solution.minCoeff() < 0)
             return {};
-        // Of the logarithm: a decay twice as fast deviates as much as one half as fast.
+        // In logarithms, a decay twice as fast deviates as much as one half as fast.
         deviation = (columns * solution).array().max(1e-9).log().abs();
         trust = (usualDeviation / deviation.array().max(usualDeviation));
     }

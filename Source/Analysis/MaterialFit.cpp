@@ -23,7 +23,7 @@ constexpr double faintestDecibels = -60;
 /// A missing low mode lowers the score by this: the strike may have missed it.
 constexpr double missing = 0.4;
 constexpr std::size_t lowModes = 8;
-/// Of glass and ceramics, of steel, of brass and plastics.
+/// The first suits glass and ceramics, the second steel, the third brass and plastics.
 constexpr std::array poissonRatios{0.2, 0.27, 0.34};
 /// Scores, in nats. Several hundred ratios are tried: one of them reaches some 6 by chance.
 constexpr double convincing = 5, nearlyAsGood = 3;

@@ -1,4 +1,4 @@
-// What a fit of modes leaves of a recording, in shares of its energy and in words.
+// Divides the energy of a recording among its modes and the rest, and says so in a sentence.
 #pragma once
 
 #include "Analysis/DampedSinusoid.h"

@@ -54,7 +54,7 @@ fitted(const RecordingFit& modes, const MaterialOptions& options, const WorkCont
     return validated(material).map([&](const Material&) { return *fit; });
 }
 
-/// What was kept, what is assumed, and what is uncertain.
+/// Returns sentences on the matched modes, the assumed figures and other readings.
 std::string
 notesOf(const MaterialFit& fit, const RecordingFit& modes, const MaterialOptions& options) {
     std::ostringstream notes;

@@ -1,4 +1,4 @@
-// What `idiophone sample` renders: strikes of a preset's keys, or of places of one object.
+// The strikes that `idiophone sample` renders: of a preset's keys, or of places of one object.
 #pragma once
 
 #include "Sampling/SampleExport.h"

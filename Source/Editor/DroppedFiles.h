@@ -9,8 +9,8 @@
 
 namespace idiophone {
 
-/// One mesh, modal object or preset, or a scale with its keyboard mapping. The first readable file
-/// decides.
+/// One mesh, recording, modal object or preset, or a scale with its keyboard mapping. The first
+/// readable file decides.
 class DroppedFiles {
 public:
     enum class Kind { unreadable, object, preset, tuning };

@@ -38,9 +38,7 @@ public:
     EditorWindow(juce::AudioProcessor& processor, ProcessorView& view);
     ~EditorWindow() override;
 
-    void paint(juce::Graphics& g) override {
-        g.fillAll(colourOf(*this, LookColour::background));
-    }
+    void paint(juce::Graphics& g) override { g.fillAll(colourOf(*this, LookColour::background)); }
     void resized() override;
     bool keyPressed(const juce::KeyPress& key) override;
     bool keyStateChanged(bool isDown) override;
@@ -72,7 +70,7 @@ public:
     void filesDropped(const juce::StringArray& files, int x, int y) override;
 
 private:
-    /// What the middle of the window shows: the browser, or the picture with pages or controllers.
+    /// The middle of the window shows the browser, or the picture with pages or controllers.
     enum class Middle { pages, controllers, browser };
 
     void show(Middle shown);

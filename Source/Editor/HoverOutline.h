@@ -37,7 +37,7 @@ public:
                const OrbitCamera& camera);
 
 private:
-    /// What an outline depends on.
+    /// An outline is kept while these stay the same.
     struct View {
         std::size_t object = 0;
         std::optional<BodyNow> body;
