@@ -15,9 +15,9 @@ struct ModeDemand {
 };
 
 /// A sounding object mixes at least this many modes as long as the budget lasts. One mode of each
-/// of four times as many objects would cost more and be further from the unscaled mix
+/// of six times as many objects would cost more and be further from the unscaled mix
 /// (docs/decisions/0006).
-inline constexpr std::int32_t minimumModes = 4;
+inline constexpr std::int32_t minimumModes = 6;
 
 /// Returns the entitlement of rank r < n of n objects, in modes; see BudgetShares.
 double modeEntitlement(std::size_t rank, std::size_t objects, double budget, double slope) noexcept;
