@@ -21,24 +21,24 @@ Shares sharesOf(const std::vector<ModeDemand>& demands, double budget, double sl
 
 } // namespace
 
-// Three objects, Q = 12, n² = 9. By loudness: the middle, the last, the first.
+// Three objects, Q = 40, n² = 9. By loudness: the middle, the last, the first.
 const std::vector<ModeDemand> hungry{{0.1, 100}, {3, 100}, {2, 100}};
 
 TEST_CASE("S = 0 gives equal shares") {
-    CHECK(sharesOf(hungry, 12, 0) == Shares{4, 4, 4});
+    CHECK(sharesOf(hungry, 39, 0) == Shares{13, 13, 13});
 }
 
 TEST_CASE("S = 1 lowers the share by Q/n^2 from rank to rank") {
-    // Fall 12/9 = 4/3 and 3a − 4/3 (0 + 1 + 2) = 12, so a = 16/3: 16/3, 4, 8/3. Rounded down 5, 4,
-    // 2; the remaining mode goes to the loudest.
-    CHECK(sharesOf(hungry, 12, 1) == Shares{2, 6, 4});
+    // Fall 40/9 and 3a − 40/9 (0 + 1 + 2) = 40, so a = 160/9: 17.8, 13.3, 8.9. Rounded down 17, 13,
+    // 8; the remaining two go to the loudest.
+    CHECK(sharesOf(hungry, 40, 1) == Shares{8, 18, 14});
 }
 
 TEST_CASE("A steep slope leaves nothing for the last object") {
-    // S = 3: fall 4; all three would need a = 8, 4, 0. S = 4: fall 16/3; the first two share 2a −
-    // 16/3 = 12, a = 26/3: 26/3, 10/3, 0. Rounded down 8, 3, 0; one remains.
-    CHECK(sharesOf(hungry, 12, 3) == Shares{0, 8, 4});
-    CHECK(sharesOf(hungry, 12, 4) == Shares{0, 9, 3});
+    // S = 3: fall 40/3; all three would need a = 80/3: 26.7, 13.3, 0. S = 4: fall 160/9; the first
+    // two share 2a − 160/9 = 40, a = 28.9: 28.9, 11.1, 0. Rounded down; one remains of each.
+    CHECK(sharesOf(hungry, 40, 3) == Shares{0, 27, 13});
+    CHECK(sharesOf(hungry, 40, 4) == Shares{0, 29, 11});
 }
 
 TEST_CASE("S = infinity is greedy") {
