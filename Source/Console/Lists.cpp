@@ -40,6 +40,8 @@ ordered_json describe(const ParameterInfo& info) {
                         {"description", info.description}};
     if (const auto names = choiceNames(info.parameter); !names.empty())
         result["choices"] = names;
+    if (info.minimumName != nullptr)
+        result["minimum_name"] = info.minimumName;
     if (info.maximumName != nullptr)
         result["maximum_name"] = info.maximumName;
     return result;
@@ -59,8 +61,9 @@ std::string shortRange(const ParameterInfo& info) {
     if (const auto names = choiceNames(info.parameter); !names.empty())
         return "one of " + std::to_string(names.size()) + " below";
     const auto most = info.maximumName != nullptr ? info.maximumName : numberText(info.maximum);
+    const auto least = info.minimumName != nullptr ? info.minimumName : numberText(info.minimum);
     const std::string unit = info.unit;
-    return numberText(info.minimum) + " to " + most + (unit.empty() ? "" : " " + unit);
+    return least + " to " + most + (unit.empty() ? "" : " " + unit);
 }
 
 std::string shortDefault(const ParameterInfo& info) {

@@ -93,7 +93,9 @@ void EditorWindow::makePages() {
         "Contact", std::vector<ParameterGroup>{{"Scrape and roll", 0}, {"Keys", 1}, {"Motor", 1}},
         view));
     deck.add(std::make_unique<ParameterPage>(
-        "Output", std::vector<ParameterGroup>{{"Listening", 0}, {"Room", 0}, {"Output", 1}}, view));
+        "Output",
+        std::vector<ParameterGroup>{{"Listening", 0}, {"Room", 0}, {"Output", 1}, {"Sound in", 1}},
+        view));
     importPage = deck.pageCount();
     deck.add(std::make_unique<ImportPage>(view));
     deck.add(std::make_unique<QualityPage>(view));

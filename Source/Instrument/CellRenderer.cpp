@@ -25,10 +25,11 @@ CellRenderer::CellRenderer(const Instrument& played,
                            double sampleRateHz,
                            std::unique_ptr<CellStrategy> cellStrategy,
                            HeldContacts& contacts,
-                           HandScrape& scrapingHand)
+                           HandScrape& scrapingHand,
+                           InputForce& soundIn)
     : instrument(played),
       synth(copySlots(played), sampleRateHz, cellStrategy->hasMallets() ? 2 : 1),
-      strategy(std::move(cellStrategy)), held(contacts), hand(scrapingHand),
+      strategy(std::move(cellStrategy)), held(contacts), hand(scrapingHand), input(soundIn),
       motor(cellSamples / sampleRateHz), slotTouched(synth.slotCount(), false),
       slotHeld(synth.slotCount(), false), slotPressed(synth.slotCount(), 0),
       slotDamping(synth.slotCount(), 0) {
@@ -63,6 +64,7 @@ void CellRenderer::beginCell(const ParameterValues& values,
     addRemains();
     ++index;
     position = 0;
+    input.beginCell(values);
     strategy->finish(begunCell(), strikes, cell);
 }
 
@@ -86,6 +88,7 @@ void CellRenderer::endSilence(const ParameterValues& values, const KeyState& key
     synth.reset();
     held.forgetAll();
     hand.reset();
+    input.reset();
 }
 
 void CellRenderer::addRemains() {
@@ -108,9 +111,29 @@ void CellRenderer::moveGain(float goal) {
         gainAtEnd = goal;
 }
 
-void CellRenderer::copyOut(const StereoSpan& output, StrikeScheduler& strikes) {
+/// The force begins after the strikes before it, whatever the size of the parts.
+void CellRenderer::soundInput(std::span<const float> heard,
+                              std::size_t count,
+                              StrikeScheduler& strikes) {
+    const auto from = static_cast<std::size_t>(position);
+    if (const auto onset = input.take(heard, from, count)) {
+        strikes.strikeBefore(static_cast<double>(*onset), begunCell());
+        input.press(synth);
+    }
+    strikes.strikeBefore(static_cast<double>(from + count), begunCell());
+    input.sound(from, count, synth, cell.slots);
+    if (from + count == cellSamples)
+        input.endCell(synth);
+}
+
+void CellRenderer::copyOut(const StereoSpan& output,
+                           std::span<const float> heard,
+                           StrikeScheduler& strikes) {
     const int count = static_cast<int>(output.size());
-    strikes.strikeBefore(position + count, begunCell());
+    if (strategy->hasMallets())
+        soundInput(heard, output.size(), strikes);
+    else
+        strikes.strikeBefore(position + count, begunCell());
     for (std::size_t k = 0; k < output.size(); ++k) {
         const auto from = static_cast<std::size_t>(position) + k;
         const float part = static_cast<float>(from + 1) / cellSamples;
@@ -131,6 +154,8 @@ StrikeMoment CellRenderer::moment(const ParameterValues& values, double softness
 void CellRenderer::updateDampers(const ParameterValues& values, const KeyState& keys) {
     slotHeld = slotTouched;
     if (const auto slot = hand.heldSlot())
+        slotHeld[*slot] = true;
+    if (const auto slot = input.slotPressed())
         slotHeld[*slot] = true;
     const bool hasMallets = strategy->hasMallets();
     if (values[letRing] != 0 || !hasMallets)
@@ -185,6 +210,7 @@ void CellRenderer::reset() {
     gainAtStart = gainAtEnd = 1;
     motor.reset();
     held.forgetAll();
+    input.reset();
     silenced = hasRemains = false;
 }
 
@@ -193,8 +219,8 @@ bool CellRenderer::silent() const {
         return std::all_of(samples.begin() + position, samples.end(),
                            [](float x) { return x == 0; });
     };
-    return !hasRemains && synth.silent() && held.silent() && hand.silent() && isCopied(cell.left) &&
-           isCopied(cell.right);
+    return !hasRemains && synth.silent() && held.silent() && hand.silent() && input.silent() &&
+           isCopied(cell.left) && isCopied(cell.right);
 }
 
 } // namespace idiophone

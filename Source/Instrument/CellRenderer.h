@@ -5,6 +5,7 @@
 #include "Instrument/CellStrategy.h"
 #include "Instrument/HandScrape.h"
 #include "Instrument/HeldContacts.h"
+#include "Instrument/InputForce.h"
 #include "Instrument/KeyState.h"
 #include "Instrument/Motor.h"
 #include "Instrument/SilencedModes.h"
@@ -17,14 +18,15 @@
 namespace idiophone {
 
 /// Constructed off the audio thread; the rest is for the audio thread and neither allocates, locks
-/// nor throws. Instrument, contacts and hand must outlive it.
+/// nor throws. Instrument, contacts, hand and input must outlive it.
 class CellRenderer {
 public:
     CellRenderer(const Instrument& instrument,
                  double sampleRateHz,
                  std::unique_ptr<CellStrategy> strategy,
                  HeldContacts& contacts,
-                 HandScrape& hand);
+                 HandScrape& hand,
+                 InputForce& input);
 
     /// Applies settings and dampers to all slots at once; off the audio thread, before the first
     /// cell.
@@ -43,8 +45,9 @@ public:
     bool cellIsOver() const { return position == cellSamples; }
     bool isWithinCell() const { return position > 0 && !cellIsOver(); }
     int samplesLeft() const { return cellSamples - position; }
-    /// Plays the strikes of the cell's next part and copies this part to the output.
-    void copyOut(const StereoSpan& output, StrikeScheduler& strikes);
+    /// Plays the strikes and the input of the cell's next part and copies this part to the output.
+    /// Without input, `heard` is empty.
+    void copyOut(const StereoSpan& output, std::span<const float> heard, StrikeScheduler& strikes);
 
     /// Returns the moment of a strike at the next sample.
     StrikeMoment moment(const ParameterValues& values, double softness);
@@ -75,6 +78,7 @@ public:
 private:
     BegunCell begunCell() { return {synth, cell.slots, index}; }
     void sound(const ParameterValues& values, StereoCell& into);
+    void soundInput(std::span<const float> heard, std::size_t count, StrikeScheduler& strikes);
     void addRemains();
 
     const Instrument& instrument;
@@ -82,6 +86,7 @@ private:
     std::unique_ptr<CellStrategy> strategy;
     HeldContacts& held;
     HandScrape& hand;
+    InputForce& input;
     Motor motor;
     StereoCell cell;
     StereoCell remains; ///< old sound after All Sound Off, for the next cell

@@ -14,7 +14,7 @@ using enum ParameterId;
 
 // The indices of the hand's forces follow those of the keys.
 constexpr std::size_t firstForce = 2 * HeldContacts::capacity, contactCount = 2;
-static_assert(firstForce + contactCount <= forceCapacity);
+static_assert(firstForce + contactCount <= HandScrape::firstFreeForce);
 
 /// Keeps the hand's seed far from those of any key.
 constexpr std::uint64_t apartFromKeys = std::uint64_t{1} << 62;

@@ -32,6 +32,8 @@ struct SurfaceTouch {
 class HandScrape {
 public:
     static constexpr double fastestMetresPerSecond = 5;
+    /// The first index of a force that neither keys nor the hand use.
+    static constexpr std::size_t firstFreeForce = 2 * HeldContacts::capacity + 2;
 
     /// The seed decides where on the profile the hand begins. Strengths [slots] multiply the
     /// contact force. `instrument` must outlive the hand.

@@ -1,6 +1,5 @@
 #include "Instrument/HeldContacts.h"
 
-#include "Instrument/DraggedForce.h"
 #include "Instrument/MalletStrike.h"
 #include "Instrument/RollCoupling.h"
 #include "Instrument/SettingsOfParameters.h"
@@ -13,12 +12,6 @@ namespace idiophone {
 namespace {
 
 using enum ParameterId;
-
-ForcePlace pushed(const StripStep& place, double friction) {
-    return {.points = {draggedForce(place.first.point, place.first.direction, friction),
-                       draggedForce(place.second.point, place.second.direction, friction)},
-            .fraction = static_cast<float>(place.fraction)};
-}
 
 } // namespace
 
@@ -165,9 +158,10 @@ void HeldContacts::soundOne(Contact& contact,
     const auto slot = static_cast<std::size_t>(key.slot);
     const double friction =
         contactMaterial(parameters, instrument.slots()[slot].object->material).friction;
-    const StripStep before = contact.place;
+    const StripGlide before = contact.place;
     const bool begins = contact.force.begins();
     move(contact, key, parameters);
+    const ForcePlace end = contact.place.force(friction);
     // The rendered signal is the normal part of the force.
     alignas(64) std::array<float, cellSamples> newtons;
     if (contact.force.render({.speedMetresPerSecond = parameters[contactSpeed] *
@@ -176,8 +170,8 @@ void HeldContacts::soundOne(Contact& contact,
                              parameters[roughness] * forceScale(key.mallet), newtons))
         synthesiser.applyForce(slot,
                                {.contact = static_cast<std::size_t>(&contact - contacts.data()),
-                                .start = pushed(begins ? contact.place : before, friction),
-                                .end = pushed(contact.place, friction),
+                                .start = begins ? end : before.force(friction),
+                                .end = end,
                                 .newtons = newtons},
                                cell);
 }
@@ -185,22 +179,12 @@ void HeldContacts::soundOne(Contact& contact,
 void HeldContacts::move(Contact& contact,
                         const Key& key,
                         const ParameterValues& parameters) noexcept {
-    const auto own = aimedPlace(key.along, parameters);
-    const double target = placeMoved(controllers(contact.channel).place, own.along);
-    const auto& strip = *key.strip;
-    const double cellSeconds = cellSamples / rateHz;
-    const double ratio =
-        instrument.slots()[static_cast<std::size_t>(key.slot)].sizeRatio * parameters[size];
-    const double furthest =
-        fastestGlideMetresPerSecond * cellSeconds / (strip.lengthMetres * ratio);
-    if (contact.force.begins()) {
-        contact.along = target;
-        contact.across = own.across;
-    }
-    const double share = -std::expm1(-4 * cellSeconds / glideSeconds); // 98 % in the glide time
-    contact.along += std::clamp(share * (target - contact.along), -furthest, furthest);
-    contact.across += share * (own.across - contact.across);
-    contact.place = strip.around(contact.along, contact.across);
+    auto goal = aimedPlace(key.along, parameters);
+    goal.along = placeMoved(controllers(contact.channel).place, goal.along);
+    if (contact.force.begins())
+        contact.place.jumpTo(key, goal);
+    const auto& slot = instrument.slots()[static_cast<std::size_t>(key.slot)];
+    contact.place.moveTo(key, goal, slot.sizeRatio * parameters[size], cellSamples / rateHz);
 }
 
 bool HeldContacts::silent() const noexcept {

@@ -4,6 +4,7 @@
 
 #include "Instrument/Instrument.h"
 #include "Instrument/PressedForce.h"
+#include "Instrument/StripGlide.h"
 #include "Parameters/ParameterTable.h"
 #include "Synth/Synthesiser.h"
 
@@ -27,11 +28,6 @@ public:
     /// Maximum of keys held at a time. A further key releases the oldest.
     static constexpr std::size_t capacity = 16;
     static constexpr std::size_t channels = 16;
-    /// Time in which a contact follows CC74 and the strike position, and its maximum speed along
-    /// the key.
-    static constexpr double glideSeconds = 0.02;
-    static constexpr double fastestGlideMetresPerSecond = 5;
-
     /// Value of the speed and place controllers before they move.
     static constexpr int controllerAtRest = 64;
 
@@ -87,8 +83,7 @@ private:
         std::uint64_t pressCount = 0;
         double strikePressure = 0; ///< from the note's velocity
         double pressure = 0;
-        double along = 0, across = 0; ///< on the key's strip
-        StripStep place;
+        StripGlide place;
     };
 
     void chooseKind(Contact& contact,

@@ -52,9 +52,14 @@ Player::Player(std::shared_ptr<const Instrument> instrument,
            sharedSurfaceProfile(surface, sampleRateHz),
            seed,
            handStrengths({playedInstrument, surface, sampleRateHz}, own)),
-      keys(held), slotTuning(*playedInstrument, cellSamples / sampleRateHz),
-      scheduler(*playedInstrument, seed),
-      renderer(*playedInstrument, sampleRateHz, cellStrategy(performance.get()), held, hand) {
+      inputForce(*playedInstrument, sampleRateHz, own, HandScrape::firstFreeForce), keys(held),
+      slotTuning(*playedInstrument, cellSamples / sampleRateHz), scheduler(*playedInstrument, seed),
+      renderer(*playedInstrument,
+               sampleRateHz,
+               cellStrategy(performance.get()),
+               held,
+               hand,
+               inputForce) {
     if (!performance)
         loudness = std::make_shared<MatchedGain>(
             LoudnessMatch(Phrase(playedInstrument, surface, sampleRateHz), own));
@@ -74,7 +79,10 @@ void Player::setOffline(bool isOffline) noexcept {
 
 void Player::process(const StereoSpan& output,
                      std::span<const MidiEvent> events,
-                     const ParameterValues& parameters) {
+                     const ParameterValues& parameters,
+                     std::span<const float> input) {
+    if (!input.empty())
+        inputForce.connect();
     glide.setGoal(parameters);
     keys.bend().setParameters(glide.values());
     const int count = static_cast<int>(output.size());
@@ -94,9 +102,10 @@ void Player::process(const StereoSpan& output,
         int until = std::min(count, position + renderer.samplesLeft());
         if (!events.empty())
             until = std::min(until, events.front().sampleOffset);
-        renderer.copyOut(output.subspan(static_cast<std::size_t>(position),
-                                        static_cast<std::size_t>(until - position)),
-                         scheduler);
+        const auto from = static_cast<std::size_t>(position);
+        const auto length = static_cast<std::size_t>(until - position);
+        renderer.copyOut(output.subspan(from, length),
+                         input.empty() ? input : input.subspan(from, length), scheduler);
         position = until;
         if (renderer.isSilenced())
             silencedSamples = static_cast<std::size_t>(position);
@@ -136,6 +145,7 @@ void Player::follow(const MidiEvent& event) {
         playedResizedKeys = playedResizedKeys || !playedInstrument->hasOwn(note);
         playedLast = static_cast<std::size_t>(playedInstrument->key(note).slot);
         renderer.endSilence(glide.values(), keys);
+        inputForce.choose(note);
         if (!performance && !strikes(glide.values()))
             held.press(event.channel(), note, keys.softness() * event.second() / 127.0);
     }
@@ -153,6 +163,8 @@ void Player::follow(const MidiEvent& event) {
 void Player::beginCell(std::optional<double> beats) {
     glide.advance();
     const auto& values = glide.values();
+    if (inputForce.slotPressed()) // as a strike does
+        renderer.endSilence(values, keys);
     slotTuning.apply(keys.bend(), renderer.synthesiser());
     const auto turns = beats && tempo > 0 ? motorTurnsAt(values, *beats) : std::nullopt;
     renderer.turnMotor(values, tempo, turns, turns && silent());
@@ -195,6 +207,7 @@ void Player::strikeSurface(const SurfaceStrike& strike) {
     if (!playedInstrument->has(strike.slot, strike.point))
         return;
     playedLast = strike.slot;
+    inputForce.chooseSlot(strike.slot);
     renderer.touch(strike.slot, strike.velocity > 0);
     if (strike.velocity > 0 && scheduler.keep(strike))
         renderer.endSilence(glide.values(), keys);

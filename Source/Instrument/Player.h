@@ -5,6 +5,7 @@
 #include "Instrument/CellRenderer.h"
 #include "Instrument/HandScrape.h"
 #include "Instrument/HeldContacts.h"
+#include "Instrument/InputForce.h"
 #include "Instrument/Instrument.h"
 #include "Instrument/KeyState.h"
 #include "Instrument/MatchedGain.h"
@@ -64,9 +65,12 @@ public:
     /// gliding parameters glide.
     /// On a stage notes move bodies at their sample, and strikes by hand act at the next grid
     /// point.
+    /// `input` (mono, full scale 1) presses on the object of the last key, at its own sample. It
+    /// is as long as the output, or empty. A stage does not hear it.
     void process(const StereoSpan& output,
                  std::span<const MidiEvent> events,
-                 const ParameterValues& parameters);
+                 const ParameterValues& parameters,
+                 std::span<const float> input = {});
 
     /// Strikes at the first sample of the next non-empty block. From the strike until the hand
     /// lifts, the object is held as by a key. Ignores slots and rows that this instrument does not
@@ -152,6 +156,7 @@ private:
     ParameterGlide glide;
     HeldContacts held;
     HandScrape hand;
+    InputForce inputForce;
     KeyState keys;
     SlotTuning slotTuning;
     StrikeScheduler scheduler;

@@ -55,6 +55,7 @@ struct ParameterInfo {
     bool isPhysical = false; ///< a figure of physics: see ValueDisplay
     MutationRange mutation = {};
     const char* description = nullptr; ///< one sentence: the effect on the sound
+    const char* minimumName = nullptr; ///< name of the minimum, or nullptr
     const char* maximumName = nullptr; ///< name of the maximum, or nullptr
 
     /// Converts a value to 0 to 1 (clamped first) and back. NaN gives the default.

@@ -65,6 +65,8 @@ std::string formatParameter(const ParameterInfo& info, double value, ValueDispla
         return inside != 0 ? "On" : "Off";
     if (info.scale == choice)
         return std::string(choiceNames(info.parameter)[static_cast<std::size_t>(inside)]);
+    if (info.minimumName != nullptr && inside == info.minimum)
+        return info.minimumName;
     if (info.maximumName != nullptr && inside == info.maximum)
         return info.maximumName;
     std::string text =
@@ -86,6 +88,8 @@ parseUnclamped(const ParameterInfo& info, std::string_view text, ValueDisplay di
     text = trimmed(text);
     if (info.scale == onOff && (sameWord(text, "on") || sameWord(text, "off")))
         return sameWord(text, "on") ? 1.0 : 0.0;
+    if (info.minimumName != nullptr && sameWord(text, info.minimumName))
+        return info.minimum;
     if (info.maximumName != nullptr && sameWord(text, info.maximumName))
         return info.maximum;
     const auto names = choiceNames(info.parameter);

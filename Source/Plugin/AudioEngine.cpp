@@ -4,26 +4,30 @@
 
 namespace idiophone {
 
-void AudioEngine::process(juce::AudioBuffer<float>& buffer,
+void AudioEngine::process(const HostBuffer& buffer,
                           juce::MidiBuffer& midi,
                           const juce::AudioPlayHead* playHead,
                           bool isOffline) noexcept {
-    const SoundMonitor::Callback watched(report.monitor, sound, buffer.getNumSamples());
+    const int samples = buffer.samples.getNumSamples();
+    const SoundMonitor::Callback watched(report.monitor, sound, samples);
     ++report.callbacks;
     takeReset();
     const Player* const next = takeSound(midi);
     takeSettings(isOffline);
-    followTransport(playHead, buffer.getNumSamples());
-    pieces.begin(midi, buffer.getNumSamples());
+    followTransport(playHead, samples);
+    pieces.begin(midi, samples);
     takeWindowEvents();
     strikeKeysHeldFor(next);
     while (const auto piece = pieces.next()) {
         const auto length = static_cast<std::size_t>(piece->length);
         const StereoSpan rendered{std::span(left).first(length), std::span(right).first(length)};
         const auto channels = channelsFrom(buffer, piece->start);
+        takeInput(buffer, *piece);
         takeEvents(*piece);
         render(rendered, piece->events);
         write(rendered, channels);
+        if (buffer.isEffect)
+            dryWet.process(std::span(heardChannels).first(heardCount), channels, values);
         sendReport(channels, piece->length);
         if (!isOffline) // it would replace what was played
             report.lastSound.write(channels, length);
@@ -37,6 +41,7 @@ void AudioEngine::takeReset() noexcept {
     forgetEvents();
     sound.reset();
     output.reset();
+    dryWet.reset();
     transport.forgetPlace();
 }
 
@@ -125,8 +130,23 @@ void AudioEngine::takeEvents(const BlockPieces::Piece& piece) noexcept {
     programs.follow(piece.events);
 }
 
+/// Copies the input, which the output may overwrite.
+void AudioEngine::takeInput(const HostBuffer& buffer, const BlockPieces::Piece& piece) noexcept {
+    const auto length = static_cast<std::size_t>(piece.length);
+    heardCount = static_cast<std::size_t>(buffer.inputs);
+    for (std::size_t c = 0; c < heardCount; ++c) {
+        const auto* from = buffer.samples.getReadPointer(static_cast<int>(c), piece.start);
+        std::copy_n(from, length, heard[c].begin());
+        heardChannels[c] = std::span(heard[c]).first(length);
+    }
+    const auto& second = heard[heardCount == 2 ? 1 : 0];
+    for (std::size_t k = 0; k < length; ++k)
+        pressing[k] = (heard[0][k] + second[k]) / 2;
+}
+
 void AudioEngine::render(const StereoSpan& rendered, std::span<const MidiEvent> events) noexcept {
-    sound.process(rendered, events, values);
+    sound.process(rendered, events, values,
+                  std::span(pressing).first(heardCount > 0 ? rendered.size() : 0));
     if (auto* player = sound.player()) {
         followGivenBends(*player);
         if (const auto silenced = player->takeSilenced())
@@ -175,12 +195,10 @@ void AudioEngine::sendReport(std::span<float* const> channels, int count) noexce
     }
 }
 
-std::span<float* const> AudioEngine::channelsFrom(juce::AudioBuffer<float>& buffer,
-                                                  int start) noexcept {
-    const auto count = std::min<std::size_t>(static_cast<std::size_t>(buffer.getNumChannels()),
-                                             channelPointers.size());
+std::span<float* const> AudioEngine::channelsFrom(const HostBuffer& buffer, int start) noexcept {
+    const auto count = static_cast<std::size_t>(buffer.outputs);
     for (std::size_t i = 0; i < count; ++i)
-        channelPointers[i] = buffer.getWritePointer(static_cast<int>(i), start);
+        channelPointers[i] = buffer.samples.getWritePointer(static_cast<int>(i), start);
     return std::span(channelPointers).first(count);
 }
 
@@ -194,6 +212,7 @@ AudioEngine::AudioEngine(HostParameters& hostParameters,
 void AudioEngine::prepare(double sampleRateHz, std::unique_ptr<Player> player) {
     // Blocks are rendered in pieces of our own size, because the host's blocks may have any size.
     output.prepare(sampleRateHz, BlockPieces::maximumSamples);
+    dryWet.prepare(sampleRateHz, OutputStage::rampSeconds);
     report.monitor.prepare(sampleRateHz);
     report.lastSound.prepare(sampleRateHz);
     delete messages.players.take();

@@ -2,6 +2,7 @@
 // neither the host nor the session, only their messages.
 #pragma once
 
+#include "Output/DryWet.h"
 #include "Output/OutputStage.h"
 #include "Plugin/BlockPieces.h"
 #include "Plugin/EngineMessages.h"
@@ -16,6 +17,14 @@
 #include <span>
 
 namespace idiophone {
+
+/// A block of the host. Its first channels hold the input, and are then overwritten by the output.
+struct HostBuffer {
+    juce::AudioBuffer<float>& samples;
+    int inputs = 0;        ///< channels that come in, 0 to 2
+    int outputs = 2;       ///< channels that go out, 0 to 2
+    bool isEffect = false; ///< the output is mixed with the input
+};
 
 /// The references must outlive it. All fields are the audio thread's; `prepare` may use them
 /// because no callback runs meanwhile.
@@ -33,7 +42,7 @@ public:
 
     /// [audio thread] Plays one block of the host; call it after `prepare`. Neither allocates,
     /// locks nor throws. `playHead` may be null. Clears `midi`.
-    void process(juce::AudioBuffer<float>& buffer,
+    void process(const HostBuffer& buffer,
                  juce::MidiBuffer& midi,
                  const juce::AudioPlayHead* playHead,
                  bool isOffline) noexcept;
@@ -53,12 +62,13 @@ private:
     void takeWindowEvents() noexcept;
     void strikeKeysHeldFor(const Player* next) noexcept;
     void takeEvents(const BlockPieces::Piece& piece) noexcept;
+    void takeInput(const HostBuffer& buffer, const BlockPieces::Piece& piece) noexcept;
     void render(const StereoSpan& rendered, std::span<const MidiEvent> events) noexcept;
     void followGivenBends(Player& player) noexcept;
     void write(const StereoSpan& rendered, std::span<float* const> channels) noexcept;
     void sendReport(std::span<float* const> channels, int count) noexcept;
     void forgetEvents() noexcept;
-    std::span<float* const> channelsFrom(juce::AudioBuffer<float>& buffer, int start) noexcept;
+    std::span<float* const> channelsFrom(const HostBuffer& buffer, int start) noexcept;
 
     HostParameters& parameters;
     EngineMessages& messages;
@@ -71,7 +81,12 @@ private:
     HostTransport transport;
     BlockPieces pieces;
     OutputStage output;
+    DryWet dryWet;
     std::array<float, BlockPieces::maximumSamples> left{}, right{};
+    std::array<std::array<float, BlockPieces::maximumSamples>, 2> heard{}; ///< the piece's input
+    std::array<float, BlockPieces::maximumSamples> pressing{};             ///< its mean
+    std::array<std::span<const float>, 2> heardChannels{};
+    std::size_t heardCount = 0; ///< channels of the input; 0: none
     std::array<float*, 2> channelPointers{};
 };
 

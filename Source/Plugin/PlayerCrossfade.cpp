@@ -42,9 +42,10 @@ void PlayerCrossfade::changeTo(Player* next,
 
 void PlayerCrossfade::process(const StereoSpan& output,
                               std::span<const MidiEvent> events,
-                              const ParameterValues& values) noexcept {
+                              const ParameterValues& values,
+                              std::span<const float> input) noexcept {
     if (current != nullptr) {
-        current->process(output, events, values);
+        current->process(output, events, values, input);
     } else {
         std::ranges::fill(output.left, 0.0f);
         std::ranges::fill(output.right, 0.0f);

@@ -34,10 +34,12 @@ public:
     /// that level. Ignores nullptr.
     void changeTo(Player* next, const ParameterValues& former, float levelBefore = 1) noexcept;
 
-    /// Renders the next samples, at most `BlockPieces::maximumSamples`; see `Player::process`.
+    /// Renders the next samples, at most `BlockPieces::maximumSamples`; see `Player::process`. The
+    /// input presses on the current player's objects only.
     void process(const StereoSpan& output,
                  std::span<const MidiEvent> events,
-                 const ParameterValues& values) noexcept;
+                 const ParameterValues& values,
+                 std::span<const float> input = {}) noexcept;
 
     /// Silences everything at once.
     void reset() noexcept;

@@ -4,5 +4,6 @@
 juce::AudioProcessor* JUCE_CALLTYPE createPluginFilter();
 
 juce::AudioProcessor* JUCE_CALLTYPE createPluginFilter() {
-    return new idiophone::Processor();
+    using enum idiophone::PluginKind;
+    return new idiophone::Processor(JucePlugin_IsSynth ? instrument : resonator);
 }

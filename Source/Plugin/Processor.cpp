@@ -16,16 +16,28 @@ int presetCount() {
 
 } // namespace
 
-Processor::Processor()
-    : AudioProcessor(BusesProperties().withOutput("Output", juce::AudioChannelSet::stereo(), true)),
-      shared(*this,
-             presetCount(),
-             [this] {
-                 if (polls)
-                     polls->callSoon();
-             }),
+/// An instrument's side chain is closed at first. An LV2 has none, because its hosts connect every
+/// input of a plugin.
+juce::AudioProcessor::BusesProperties Processor::busesOf(PluginKind kind) {
+    const auto stereo = juce::AudioChannelSet::stereo();
+    const auto outputs = BusesProperties().withOutput("Output", stereo, true);
+    if (kind == PluginKind::resonator)
+        return outputs.withInput("Input", stereo, true);
+    if (juce::PluginHostType::getPluginLoadedAs() == wrapperType_VST3)
+        return outputs.withInput("Side chain", stereo, false);
+    return outputs;
+}
+
+Processor::Processor(PluginKind kindOfPlugin)
+    : AudioProcessor(busesOf(kindOfPlugin)), kind(kindOfPlugin), shared(*this,
+                                                                        presetCount(),
+                                                                        [this] {
+                                                                            if (polls)
+                                                                                polls->callSoon();
+                                                                        }),
       engine(shared.parameters, shared.messages, shared.programs, shared.report), session(shared),
       window(shared, session), host(shared, session, window.tuning) {
+    shared.reporter.vst3().hasMainInput = kind == PluginKind::resonator;
     setCurrentProgram(0);
     shared.reporter.forget(); // the host has not asked yet
     polls.emplace(pollMilliseconds, [this] { poll(); });
@@ -38,7 +50,11 @@ void Processor::processBlock(juce::AudioBuffer<float>& buffer, juce::MidiBuffer&
         midi.clear();
         return;
     }
-    engine.process(buffer, midi, getPlayHead(), isNonRealtime());
+    engine.process({.samples = buffer,
+                    .inputs = getTotalNumInputChannels(),
+                    .outputs = getTotalNumOutputChannels(),
+                    .isEffect = kind == PluginKind::resonator},
+                   midi, getPlayHead(), isNonRealtime());
     if (isNonRealtime())
         host.followRequest();
 }
@@ -53,10 +69,15 @@ void Processor::poll() {
 }
 
 bool Processor::isBusesLayoutSupported(const BusesLayout& layouts) const {
-    if (!layouts.inputBuses.isEmpty() || layouts.outputBuses.size() != 1)
-        return false;
-    const auto& main = layouts.outputBuses.getReference(0);
-    return main == juce::AudioChannelSet::mono() || main == juce::AudioChannelSet::stereo();
+    const auto isMonoOrStereo = [](const juce::AudioChannelSet& set) {
+        return set == juce::AudioChannelSet::mono() || set == juce::AudioChannelSet::stereo();
+    };
+    const auto mayComeIn = [&](const juce::AudioChannelSet& set) {
+        return isMonoOrStereo(set) || (set.isDisabled() && kind == PluginKind::instrument);
+    };
+    return layouts.inputBuses.size() == getBusCount(true) &&
+           std::ranges::all_of(layouts.inputBuses, mayComeIn) && layouts.outputBuses.size() == 1 &&
+           isMonoOrStereo(layouts.outputBuses.getReference(0));
 }
 
 void Processor::prepareToPlay(double sampleRateHz, int) {

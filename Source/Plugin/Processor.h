@@ -11,15 +11,23 @@
 
 namespace idiophone {
 
+/// The plugins that are built from this processor.
+enum class PluginKind {
+    instrument, ///< plays notes; a VST3 also has a side-chain input
+    resonator   ///< an effect: what comes in presses on an object, and notes may strike it
+};
+
 /// Threads: `processBlock` runs the engine, which neither allocates, locks nor calls the system.
 /// Everything that changes the sound (states, programs, `prepareToPlay`) may come from any other
 /// thread and takes the session's lock. A program that MIDI asks for is loaded by a message-thread
 /// timer some 50 ms later. In an offline render the callback loads it between two blocks.
 class Processor final : public juce::AudioProcessor {
 public:
-    Processor();
+    explicit Processor(PluginKind kind = PluginKind::instrument);
 
-    const juce::String getName() const override { return "Idiophone"; }
+    const juce::String getName() const override {
+        return kind == PluginKind::resonator ? "Idiophone Resonator" : "Idiophone";
+    }
     bool acceptsMidi() const override { return true; }
     bool producesMidi() const override { return false; }
     bool supportsMPE() const override { return true; }
@@ -67,6 +75,10 @@ public:
 
 private:
     bool isVst3() const noexcept { return wrapperType == wrapperType_VST3; }
+
+    static BusesProperties busesOf(PluginKind kind);
+
+    PluginKind kind;
 
     SharedParts shared;
     AudioEngine engine;

@@ -19,6 +19,9 @@ public:
     /// formats.
     bool send(const HostParameters& parameters) const;
 
+    bool getPluginHasMainInput() const override { return hasMainInput; }
+    bool hasMainInput = false; ///< false: its first input is a side chain; set before the host asks
+
 private:
     std::shared_ptr<Steinberg::FUnknown> host; ///< an IComponentHandler, or null
 };

@@ -11,7 +11,7 @@
 namespace idiophone {
 
 /// Maximum number of simultaneous continuous contacts of a synthesiser.
-inline constexpr std::size_t forceCapacity = 34;
+inline constexpr std::size_t forceCapacity = 35;
 
 /// A point of an object's surface and the force there for each newton of the signal.
 struct ForcePoint {
@@ -34,6 +34,9 @@ struct ForceCell {
     std::size_t contact = 0; ///< index of the contact among the simultaneous ones, < forceCapacity
     ForcePlace start, end;   ///< place of the contact at the cell's start and at its end
     std::span<const float, cellSamples> newtons;
+    /// Each sample is an impulse that sounds as a strike does. Otherwise the samples are those of a
+    /// steady force, which is silent while it is constant.
+    bool isImpulses = false;
 };
 
 } // namespace idiophone

@@ -17,6 +17,7 @@ struct ForceResponse {
     std::uint64_t lastUse = 0;
     ForcePoint at;
     Listening listening;
+    bool isImpulses = false;       ///< ForceCell::isImpulses
     ModeResidues residues;         ///< [G]
     alignas(64) CellSound sound{}; ///< over one cell
     alignas(64) CellSound tube{};  ///< the tube's part of `sound`

@@ -40,6 +40,16 @@ std::array<float, maximumChannels> directSound(const ModalBank& bank,
     return sums;
 }
 
+/// The impulses of a cell of force, in N s.
+struct CellImpulses {
+    CellImpulses(const ForceCell& force, double sampleRateHz) noexcept {
+        const auto secondsPerSample = static_cast<float>(1 / sampleRateHz);
+        for (std::size_t k = 0; k < cellSamples; ++k)
+            samples[k] = force.newtons[k] * secondsPerSample;
+    }
+    alignas(64) std::array<float, cellSamples> samples;
+};
+
 } // namespace
 
 ForceResponses::ForceResponses(ModalBank& ownBank,
@@ -60,33 +70,29 @@ double ForceResponses::begin(std::int64_t cell, const Listening& listening) noex
     return std::max(startListening.farShare, endListening.farShare);
 }
 
-void ForceResponses::apply(const ForceCell& force, const CellOutput& cell) noexcept {
-    alignas(64) std::array<float, cellSamples> impulses;
-    const auto secondsPerSample = static_cast<float>(1 / output.sampleRateHz());
-    for (std::size_t k = 0; k < cellSamples; ++k)
-        impulses[k] = force.newtons[k] * secondsPerSample;
-    CachedResponses& known = scratch.responses[force.contact];
-    Response start, end;
-    const bool changes = force.start != force.end || startListening != endListening;
-    blend(force.start, startListening, known, scratch.startResidues, start);
-    if (changes)
-        blend(force.end, endListening, known, scratch.endResidues, end);
-    sound(impulses, start, changes ? end : start, cell);
-    active.bringRestingUpToDate(lastCell + 1);
-    bank.force(impulses, scratch.startResidues,
-               changes ? scratch.endResidues : scratch.startResidues, output.damping());
-    if (!active.allMixed())
-        active.listRinging();
+/// Also leaves the residues in the scratch.
+void ForceResponses::hear(const ForceCell& force, HeardForce& heard) noexcept {
+    heard.tubesPulse = output.tubesPulse();
+    blend(force.start, startListening, force, scratch.startResidues, heard.start);
+    if (changes(force))
+        blend(force.end, endListening, force, scratch.endResidues, heard.end);
+    else
+        heard.end = heard.start;
+    if (bank.channels() == 1) // a strike may open the second channel within the cell
+        for (ForceSound* sound : {&heard.start, &heard.end}) {
+            sound->sound[1] = sound->sound[0];
+            sound->tube[1] = sound->tube[0];
+        }
 }
 
 /// Computes the response between two points by linear interpolation.
 void ForceResponses::blend(const ForcePlace& place,
                            const Listening& listening,
-                           CachedResponses& known,
+                           const ForceCell& force,
                            ModeResidues& residues,
-                           Response& response) noexcept {
+                           ForceSound& response) noexcept {
     const bool pulses = output.tubesPulse();
-    const ForceResponse& first = responseAt(place.points[0], listening, known);
+    const ForceResponse& first = responseAt(place.points[0], listening, force);
     if (place.fraction == 0) {
         for (std::size_t c = 0; c < bank.channels(); ++c)
             residues[c].copyFrom(first.residues[c], bank.paddedSize());
@@ -95,7 +101,7 @@ void ForceResponses::blend(const ForcePlace& place,
             response.tube = first.tube;
         return;
     }
-    const ForceResponse& second = responseAt(place.points[1], listening, known);
+    const ForceResponse& second = responseAt(place.points[1], listening, force);
     const auto mix = [&](const auto& from, const auto& to, std::size_t count, auto& result) {
         blendResponses(from.data(), to.data(), place.fraction, count, result.data());
     };
@@ -112,17 +118,19 @@ void ForceResponses::blend(const ForcePlace& place,
 /// recently used of the contact's four.
 const ForceResponse& ForceResponses::responseAt(const ForcePoint& at,
                                                 const Listening& listening,
-                                                CachedResponses& known) noexcept {
+                                                const ForceCell& force) noexcept {
+    CachedResponses& known = scratch.responses[force.contact];
     const std::uint64_t now = version + active.modes().version();
     const auto answers = [&](const ForceResponse& response) {
         return response.owner == this && response.version == now &&
                response.listening == listening && response.at == at &&
+               response.isImpulses == force.isImpulses &&
                (response.knowsTube || !output.tubesPulse());
     };
     auto chosen = std::ranges::find_if(known, answers);
     if (chosen == known.end()) {
         chosen = std::ranges::min_element(known, {}, &ForceResponse::lastUse);
-        compute(at, listening, *chosen);
+        compute(at, listening, force.isImpulses, *chosen);
         chosen->owner = this;
         chosen->version = now;
     }
@@ -132,9 +140,11 @@ const ForceResponse& ForceResponses::responseAt(const ForcePoint& at,
 
 void ForceResponses::compute(const ForcePoint& at,
                              const Listening& listening,
+                             bool isImpulses,
                              ForceResponse& response) noexcept {
     response.at = at;
     response.listening = listening;
+    response.isImpulses = isImpulses;
     groupResidues.compute(at.point, at.direction, listening);
     scratch.contact.setImpulse(bank.poles());
     scratch.increments.start(bank, scratch.contact, scratch.groupResidues, {});
@@ -146,35 +156,52 @@ void ForceResponses::compute(const ForcePoint& at,
     const auto parts = output.pulsing(runs);
     scratch.increments.sound(bank, runs, subBlocks, outputsOf(response.sound), parts,
                              outputsOf(response.tube));
-    const auto direct = directSound(bank, scratch.groupResidues, runs);
-    for (std::size_t c = 0; c < bank.channels(); ++c) {
-        response.sound[c][0] = response.sound[c][0] / 2 + direct[c];
-        response.tube[c][0] /= 2;
-    }
-    for (const ModePart& part : parts) {
-        const ModeRun mode{part.mode, 1};
-        const auto ofPart = directSound(bank, scratch.groupResidues, {&mode, 1});
-        for (std::size_t c = 0; c < bank.channels(); ++c)
-            response.tube[c][0] += part.share * ofPart[c];
+    if (!isImpulses) {
+        const auto direct = directSound(bank, scratch.groupResidues, runs);
+        for (std::size_t c = 0; c < bank.channels(); ++c) {
+            response.sound[c][0] = response.sound[c][0] / 2 + direct[c];
+            response.tube[c][0] /= 2;
+        }
+        for (const ModePart& part : parts) {
+            const ModeRun mode{part.mode, 1};
+            const auto ofPart = directSound(bank, scratch.groupResidues, {&mode, 1});
+            for (std::size_t c = 0; c < bank.channels(); ++c)
+                response.tube[c][0] += part.share * ofPart[c];
+        }
     }
     for (CellSound* sound : {&response.sound, &response.tube})
         output.fadeByDamper(outputsOf(*sound), cellSamples);
 }
 
-void ForceResponses::sound(std::span<const float, cellSamples> impulses,
-                           const Response& start,
-                           const Response& end,
-                           const CellOutput& cell) const noexcept {
-    alignas(64) CellSound sound{};
-    for (std::size_t c = 0; c < bank.channels(); ++c)
-        convolveForce(impulses, start.sound[c], end.sound[c], sound[c]);
-    output.add(sound, 0, cellSamples, cell);
-    if (!output.tubesPulse())
+void ForceResponses::add(const HeardForce& heard,
+                         const ForceCell& force,
+                         std::size_t from,
+                         std::size_t count,
+                         const CellOutput& cell) const noexcept {
+    const CellImpulses impulses(force, output.sampleRateHz());
+    // What lies behind `from + count` of the convolution lacks later samples of the force.
+    const auto sounding = [&](const CellSound& start, const CellSound& end) {
+        alignas(64) CellSound whole{};
+        for (std::size_t c = 0; c < bank.channels(); ++c) {
+            convolveForce(impulses.samples, start[c], end[c], whole[c]);
+            std::copy_n(whole[c].begin() + from, count, whole[c].begin());
+        }
+        return whole;
+    };
+    output.add(sounding(heard.start.sound, heard.end.sound), from, count, cell);
+    if (!heard.tubesPulse)
         return;
-    sound = {};
-    for (std::size_t c = 0; c < bank.channels(); ++c)
-        convolveForce(impulses, start.tube[c], end.tube[c], sound[c]);
-    output.closeTubes(sound, 0, cellSamples, cell);
+    auto tube = sounding(heard.start.tube, heard.end.tube);
+    output.closeTubes(tube, from, count, cell);
+}
+
+void ForceResponses::moveAsHeard(const ForceCell& force) noexcept {
+    active.bringRestingUpToDate(lastCell + 1);
+    const CellImpulses impulses(force, output.sampleRateHz());
+    bank.force(impulses.samples, scratch.startResidues,
+               changes(force) ? scratch.endResidues : scratch.startResidues, output.damping());
+    if (!active.allMixed())
+        active.listRinging();
 }
 
 void ForceResponses::reset() noexcept {

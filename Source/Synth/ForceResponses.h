@@ -5,6 +5,7 @@
 #include "Synth/ActiveModes.h"
 #include "Synth/ForceResponse.h"
 #include "Synth/GroupResidues.h"
+#include "Synth/HeardForce.h"
 
 #include <cstdint>
 
@@ -27,32 +28,43 @@ public:
     bool actedIn(std::int64_t cell) const noexcept { return lastCell == cell; }
     /// Begins a force in a cell and returns the maximum share of far sound in it.
     double begin(std::int64_t cell, const Listening& listening) noexcept;
-    /// Applies a valid force in the cell that has begun: adds its sound and moves the states.
-    void apply(const ForceCell& force, const CellOutput& cell) noexcept;
+    /// Computes how a valid force is heard in the cell that has begun, whatever its samples.
+    void hear(const ForceCell& force, HeardForce& heard) noexcept;
+    /// Adds `count` samples of the sound from sample `from` on. Only the force's samples before
+    /// their end need be known.
+    void add(const HeardForce& heard,
+             const ForceCell& force,
+             std::size_t from,
+             std::size_t count,
+             const CellOutput& cell) const noexcept;
+    /// Moves the states by the force of the whole cell. Call it before the next cell.
+    void move(const ForceCell& force) noexcept {
+        HeardForce unheard;
+        hear(force, unheard);
+        moveAsHeard(force);
+    }
+    /// Does the same directly after `hear`.
+    void moveAsHeard(const ForceCell& force) noexcept;
 
     void reset() noexcept;
 
 private:
     static constexpr std::int64_t never = -2;
-    /// The response between two points.
-    struct Response {
-        alignas(64) CellSound sound;
-        alignas(64) CellSound tube; ///< the tube's part of `sound`; only set if tubesPulse()
-    };
 
+    bool changes(const ForceCell& force) const noexcept {
+        return force.start != force.end || startListening != endListening;
+    }
     void blend(const ForcePlace& place,
                const Listening& listening,
-               CachedResponses& known,
+               const ForceCell& force,
                ModeResidues& residues,
-               Response& response) noexcept;
+               ForceSound& sound) noexcept;
     const ForceResponse&
-    responseAt(const ForcePoint& at, const Listening& listening, CachedResponses& known) noexcept;
-    void
-    compute(const ForcePoint& at, const Listening& listening, ForceResponse& response) noexcept;
-    void sound(std::span<const float, cellSamples> impulses,
-               const Response& start,
-               const Response& end,
-               const CellOutput& cell) const noexcept;
+    responseAt(const ForcePoint& at, const Listening& listening, const ForceCell& force) noexcept;
+    void compute(const ForcePoint& at,
+                 const Listening& listening,
+                 bool isImpulses,
+                 ForceResponse& response) noexcept;
 
     ModalBank& bank;
     BankOutput& output;

@@ -262,9 +262,9 @@ bool ModalResonator::strikeAsleep(const Contact& contact, const CellOutput& cell
     return true;
 }
 
-bool ModalResonator::applyForce(const ForceCell& force,
+bool ModalResonator::beginForce(const ForceCell& force,
                                 std::int32_t allowance,
-                                const CellOutput& cell) noexcept {
+                                HeardForce& heard) noexcept {
     if (force.contact >= forceCapacity || !isOn(object, force.start) || !isOn(object, force.end) ||
         !allWithin(force.newtons, largestForceNewtons))
         return false;
@@ -272,7 +272,7 @@ bool ModalResonator::applyForce(const ForceCell& force,
     widen(forces.begin(cellIndex, listening));
     contacts.join(active.join({bank.poles().audibleWeights(), 0, bank.energies()}, allowance,
                               !contacts.empty(), cellIndex + 1));
-    forces.apply(force, cell);
+    forces.hear(force, heard);
     return true;
 }
 

@@ -128,7 +128,28 @@ public:
     /// times. During a force the resonator mixes as many of its modes as `allowance` permits, and
     /// drops none.
     bool
-    applyForce(const ForceCell& force, std::int32_t allowance, const CellOutput& cell) noexcept;
+    applyForce(const ForceCell& force, std::int32_t allowance, const CellOutput& cell) noexcept {
+        HeardForce heard;
+        const bool isValid = beginForce(force, allowance, heard);
+        if (isValid) {
+            forces.add(heard, force, 0, cellSamples, cell);
+            forces.moveAsHeard(force);
+        }
+        return isValid;
+    }
+
+    /// Begins a cell of force whose samples become known in its course, and computes how it will be
+    /// heard. Otherwise as `applyForce`.
+    bool beginForce(const ForceCell& force, std::int32_t allowance, HeardForce& heard) noexcept;
+    void hearForce(const HeardForce& heard,
+                   const ForceCell& force,
+                   std::size_t from,
+                   std::size_t count,
+                   const CellOutput& cell) const noexcept {
+        forces.add(heard, force, from, count, cell);
+    }
+    /// Moves the states by the whole cell of a force that has begun, before the next cell.
+    void endForce(const ForceCell& force) noexcept { forces.move(force); }
 
     /// Silences everything at once. Touches the states of ringing blocks only.
     void reset() noexcept;

@@ -1,12 +1,11 @@
 #include "Synth/Synthesiser.h"
 
 #include "Synth/AwakeSlots.h"
+#include "Synth/PrefetchObject.h"
 #include "Synth/RegroupTurns.h"
 
 #include <algorithm>
-#include <cstddef>
 #include <deque>
-#include <hwy/cache_control.h>
 #include <map>
 #include <utility>
 
@@ -17,15 +16,6 @@ namespace {
 void clear(const CellOutput& cell) {
     for (std::size_t c = 0; c < cell.channels(); ++c)
         std::fill_n(cell[c].data(), cellSamples, 0.0f);
-}
-
-/// Fetches all lines of an object at once. Those of a sleeping one are not in the cache, and a
-/// strike would wait for most of them one after the other.
-void prefetch(const ModalResonator& object) noexcept {
-    constexpr std::size_t cacheLine = 64;
-    const auto* bytes = reinterpret_cast<const std::byte*>(&object);
-    for (std::size_t k = 0; k < sizeof(object); k += cacheLine)
-        hwy::Prefetch(bytes + k);
 }
 
 } // namespace
@@ -51,6 +41,8 @@ struct Synthesiser::Implementation {
     void set(std::size_t slot, void (ModalResonator::*setter)(Value) noexcept, Value value);
     template <class Action>
     bool act(std::size_t slot, Action action);
+    template <class Apply>
+    bool press(std::size_t slot, Apply apply);
 };
 
 Synthesiser::Synthesiser(std::vector<SynthesiserSlot> slots,
@@ -195,7 +187,7 @@ template <class Action>
 bool Synthesiser::Implementation::act(std::size_t slot, Action action) {
     settleIfNew();
     ModalResonator& object = objects[slot];
-    prefetch(object);
+    prefetchObject(object);
     wasTouched[slot] = 1;
     object.moveTo(slots->cell());
     const std::int32_t modesBefore = object.modesMixed();
@@ -220,14 +212,42 @@ bool Synthesiser::contactsUsedUp(std::size_t slot) const noexcept {
     return slot < slotCount() && implementation->objects[slot].contactsUsedUp();
 }
 
+template <class Apply>
+bool Synthesiser::Implementation::press(std::size_t slot, Apply apply) {
+    return slot < objects.size() && act(slot, [&](ModalResonator& object) {
+               if (object.silent())
+                   object.catchUp(settings);
+               return apply(object, slots->forceAllowance(slot));
+           });
+}
+
 bool Synthesiser::applyForce(std::size_t slot,
                              const ForceCell& force,
                              const CellOutput& cell) noexcept {
-    auto& all = *implementation;
-    return slot < slotCount() && all.act(slot, [&](ModalResonator& object) {
-        if (object.silent())
-            object.catchUp(all.settings);
-        return object.applyForce(force, all.slots->forceAllowance(slot), cell);
+    return implementation->press(slot, [&](ModalResonator& object, std::int32_t allowance) {
+        return object.applyForce(force, allowance, cell);
+    });
+}
+
+bool Synthesiser::beginForce(std::size_t slot, const ForceCell& force, HeardForce& heard) noexcept {
+    return implementation->press(slot, [&](ModalResonator& object, std::int32_t allowance) {
+        return object.beginForce(force, allowance, heard);
+    });
+}
+
+void Synthesiser::hearForce(std::size_t slot,
+                            const HeardForce& heard,
+                            const ForceCell& force,
+                            std::size_t from,
+                            std::size_t count,
+                            const CellOutput& cell) const noexcept {
+    implementation->objects[slot].hearForce(heard, force, from, count, cell);
+}
+
+void Synthesiser::endForce(std::size_t slot, const ForceCell& force) noexcept {
+    implementation->act(slot, [&](ModalResonator& object) {
+        object.endForce(force);
+        return true;
     });
 }
 

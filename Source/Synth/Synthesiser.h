@@ -4,6 +4,7 @@
 
 #include "Synth/CellOutput.h"
 #include "Synth/ForceCell.h"
+#include "Synth/HeardForce.h"
 #include "Synth/SlotStatus.h"
 #include "Synth/SoundingGroups.h"
 #include "Synth/Strike.h"
@@ -93,6 +94,21 @@ public:
     /// nothing if the slot or a shape row does not exist, a value is not finite or a force is above
     /// 1e12 N. A response above 1e17 m/s to 1 N s is silent.
     bool applyForce(std::size_t slot, const ForceCell& force, const CellOutput& cell) noexcept;
+
+    /// Begins, within the current cell, a force whose samples become known in its course, and
+    /// computes how it will be heard. Returns false as `applyForce` does. The slot must exist in
+    /// `hearForce` and `endForce`.
+    bool beginForce(std::size_t slot, const ForceCell& force, HeardForce& heard) noexcept;
+    /// Adds `count` samples of its sound from sample `from` on. The force's later samples are not
+    /// read.
+    void hearForce(std::size_t slot,
+                   const HeardForce& heard,
+                   const ForceCell& force,
+                   std::size_t from,
+                   std::size_t count,
+                   const CellOutput& cell) const noexcept;
+    /// Lets the whole force act on the modes; call it before the next cell.
+    void endForce(std::size_t slot, const ForceCell& force) noexcept;
 
     /// Silences everything at once. The caller fades the output. From the next `beginCell` on the
     /// slots sound bit for bit as new ones with the same settings.

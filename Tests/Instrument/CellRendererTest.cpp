@@ -21,7 +21,7 @@ constexpr double sampleRateHz = 48000;
 /// A renderer of the bars, without a player.
 struct Rig {
     explicit Rig(std::unique_ptr<CellStrategy> strategy = std::make_unique<MalletCells>())
-        : renderer(*instrument, sampleRateHz, std::move(strategy), contacts, hand) {
+        : renderer(*instrument, sampleRateHz, std::move(strategy), contacts, hand, input) {
         parameters.set(ParameterId::letRing, 0);
         parameters.set(ParameterId::releaseTime, 0.05);
         parameters.set(ParameterId::strikeSpread, 0);
@@ -42,7 +42,7 @@ struct Rig {
                 beginCell();
             const auto length =
                 std::min({part, count - at, static_cast<std::size_t>(renderer.samplesLeft())});
-            renderer.copyOut(StereoSpan(sound).subspan(at, length), strikes);
+            renderer.copyOut(StereoSpan(sound).subspan(at, length), {}, strikes);
             at += length;
         }
         return sound.left;
@@ -53,6 +53,7 @@ struct Rig {
     HeldContacts contacts{*instrument, sharedSurfaceProfile({}, sampleRateHz), 1};
     HandScrape hand{*instrument, sharedSurfaceProfile({}, sampleRateHz), 1,
                     std::vector<double>(instrument->slots().size(), 1)};
+    InputForce input{*instrument, sampleRateHz, {}, HandScrape::firstFreeForce};
     KeyState keys{contacts};
     StrikeScheduler strikes{*instrument, 1};
     CellRenderer renderer;
@@ -173,7 +174,7 @@ TEST_CASE("On a stage a renderer plays the ears' mix of separate slots") {
     Rig rig(std::make_unique<StageCells>(stage));
     StereoSound sound(cellSamples);
     rig.beginCell();
-    rig.renderer.copyOut(StereoSpan(sound).subspan(0, 10), rig.strikes);
+    rig.renderer.copyOut(StereoSpan(sound).subspan(0, 10), {}, rig.strikes);
     CHECK(stage.slotOutputs == rig.instrument->slots().size());
     CHECK(sound.left[9] == 0.25f);
     CHECK(sound.right[9] == 0.5f);

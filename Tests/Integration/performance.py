@@ -96,3 +96,9 @@ def assert_equal_sound(audio, reference, decibels=-100):
     level = 20 * math.log10(relative) if relative > 0 else -math.inf
     print(f"largest difference {level:.1f} dB of the peak")
     assert level <= decibels, f"the largest difference is {level:.1f} dB of the peak"
+
+
+def strongest_hz(audio):
+    """Returns the frequency of the highest peak in the spectrum."""
+    spectrum = numpy.abs(numpy.fft.rfft(audio.mean(axis=0)))
+    return numpy.argmax(spectrum) * SAMPLE_RATE / audio.shape[1]

@@ -98,7 +98,9 @@ def test_the_installed_plugin_plays(prefix):
     plugin = pedalboard.load_plugin(str(prefix / "lib/vst3/Idiophone.vst3"))
     sound = plugin([Message("note_on", note=72, velocity=100, time=0)], 0.5, 48000)
     assert abs(sound).max() > 0.001
-    assert (prefix / "lib/lv2/Idiophone.lv2/manifest.ttl").exists()
+    for name in ("Idiophone", "Idiophone Resonator"):
+        assert (prefix / f"lib/lv2/{name}.lv2/manifest.ttl").exists()
+    assert (prefix / "lib/vst3/Idiophone Resonator.vst3").exists()
 
 
 @pytest.fixture(scope="module")

@@ -24,7 +24,7 @@ struct Playing {
     float block(juce::MidiBuffer midi = {}) {
         juce::AudioBuffer<float> buffer(2, blockSamples);
         buffer.clear();
-        engine.process(buffer, midi, nullptr, false);
+        engine.process({.samples = buffer}, midi, nullptr, false);
         CHECK(midi.isEmpty());
         return buffer.getMagnitude(0, blockSamples);
     }

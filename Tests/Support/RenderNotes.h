@@ -22,12 +22,14 @@ struct StereoSound {
     bool operator==(const StereoSound&) const = default;
 };
 
-/// Renders stereo; `events` are in order, with times from the start of the stream.
+/// Renders stereo; `events` are in order, with times from the start of the stream. The input is as
+/// long as the output, or empty.
 inline StereoSound renderStereo(Player& player,
                                 const std::vector<MidiEvent>& events,
                                 std::size_t samples,
                                 std::size_t blockSize,
-                                const ParameterValues& parameters = {}) {
+                                const ParameterValues& parameters = {},
+                                std::span<const float> input = {}) {
     StereoSound output(samples);
     std::size_t next = 0;
     for (std::size_t start = 0; start < samples; start += blockSize) {
@@ -39,7 +41,8 @@ inline StereoSound renderStereo(Player& player,
             block.push_back(events[next]);
             block.back().sampleOffset -= static_cast<int>(start);
         }
-        player.process(StereoSpan(output).subspan(start, count), block, parameters);
+        player.process(StereoSpan(output).subspan(start, count), block, parameters,
+                       input.empty() ? input : input.subspan(start, count));
     }
     return output;
 }

@@ -13,7 +13,11 @@ pushed(ForceResponses& forces, std::int64_t cell, const Listening& listening = {
     std::array<float, cellSamples> newtons{}, sound{};
     newtons[0] = 48000;
     forces.begin(cell, listening);
-    forces.apply({.start = {}, .end = {}, .newtons = newtons}, sound);
+    const ForceCell force{.start = {}, .end = {}, .newtons = newtons};
+    HeardForce heard;
+    forces.hear(force, heard);
+    forces.add(heard, force, 0, cellSamples, sound);
+    forces.moveAsHeard(force);
     return sound;
 }
 

@@ -134,6 +134,65 @@ TEST_CASE("A continuous force equals an impulse at every sample within -100 dB")
     CHECK(differenceDb(scraped.output, reference(object, scraped, moving, damping)) < -100);
 }
 
+TEST_CASE("Impulses that become known within a cell sound as strikes do, in parts of any length") {
+    const double damping = GENERATE(0.0, 40.0);
+    const ModalObject object = twoPlaces({60, 310, 1250, 4100, 9800, 17000});
+    const auto start = [&](Synthesiser& synthesiser) {
+        SynthesisSettings settings = exactSettings();
+        settings.tau = 0;
+        synthesiser.setSettings(settings);
+        synthesiser.setDamping(0, damping);
+    };
+    constexpr int cells = 100;
+    std::mt19937 random(5);
+    std::vector<float> newtons(cells * cellSamples);
+    for (std::size_t n = 0; n < newtons.size() / 2; n += 1 + random() % 40)
+        newtons[n] = static_cast<float>(random()) / 2147483648.0f - 1;
+
+    const auto pressed = [&](std::size_t part) {
+        Synthesiser synthesiser({slotOf(object)}, sampleRate);
+        start(synthesiser);
+        std::vector<float> output;
+        for (std::size_t c = 0; c < cells; ++c) {
+            std::array<float, cellSamples> cell{}, known{};
+            synthesiser.beginCell(cell);
+            const ForceCell force{
+                .start = place(0), .end = place(0), .newtons = known, .isImpulses = true};
+            HeardForce heard;
+            REQUIRE(synthesiser.beginForce(0, force, heard));
+            for (std::size_t from = 0; from < cellSamples; from += part) {
+                const std::size_t count = std::min(part, cellSamples - from);
+                std::copy_n(newtons.begin() + static_cast<int>(c * cellSamples + from), count,
+                            known.begin() + from);
+                synthesiser.hearForce(0, heard, force, from, count, cell);
+            }
+            synthesiser.endForce(0, force);
+            output.insert(output.end(), cell.begin(), cell.end());
+        }
+        return output;
+    };
+    Synthesiser struck({slotOf(object)}, sampleRate);
+    start(struck);
+    std::vector<double> expected;
+    std::array<float, cellSamples> cell{};
+    for (std::size_t n = 0; n < newtons.size(); ++n) {
+        if (n % cellSamples == 0)
+            struck.beginCell(cell);
+        if (newtons[n] != 0.0f)
+            REQUIRE(struck.strike(
+                0,
+                {.point = vertex(0),
+                 .impulseNewtonSeconds = {0, 0, -newtons[n] / static_cast<float>(sampleRate)}},
+                static_cast<double>(n % cellSamples), cell));
+        if (n % cellSamples == cellSamples - 1)
+            expected.insert(expected.end(), cell.begin(), cell.end());
+    }
+    const auto whole = pressed(cellSamples);
+    CHECK(differenceDb(whole, expected) < -100);
+    for (const std::size_t part : {1, 7, 16, 63})
+        CHECK(pressed(part) == whole);
+}
+
 TEST_CASE("Modes are kept during a force and dropped once it ends") {
     const ModalObject object = twoPlaces({300, 700, 1500});
     Synthesiser synthesiser({slotOf(object)}, sampleRate);

@@ -1,0 +1,20 @@
+// How a continuous force is heard over one cell.
+#pragma once
+
+#include "Synth/CellSound.h"
+
+namespace idiophone {
+
+/// The sound of an impulse of 1 N s between two points.
+struct ForceSound {
+    alignas(64) CellSound sound;
+    alignas(64) CellSound tube; ///< the tube's part of `sound`
+};
+
+/// It stays as it is throughout the cell, even if strikes change the modes meanwhile.
+struct HeardForce {
+    ForceSound start, end; ///< at the places where the cell starts and ends
+    bool tubesPulse = false;
+};
+
+} // namespace idiophone
