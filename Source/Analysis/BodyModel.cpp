@@ -1,6 +1,7 @@
 #include "Analysis/BodyModel.h"
 
 #include "Analysis/Eigensolver.h"
+#include "Analysis/HeldBody.h"
 #include "Analysis/Radiation.h"
 #include "Analysis/TwoLayerShell.h"
 #include "Geometry/ObjectMesh.h"
@@ -100,6 +101,21 @@ void storeModes(const Eigen::VectorXd& eigenvalues,
     object.eigenvalues.assign(eigenvalues.begin(), eigenvalues.end());
 }
 
+/// Stores which vertices are held, and what the support takes.
+void storeSupport(const BodyModel& body,
+                  const std::vector<bool>& held,
+                  const Modes& modes,
+                  ModalObject& object) {
+    if (held.empty())
+        return;
+    const int rows = body.kind == ModelKind::twoLayers ? 6 : 3;
+    for (int vertex = 0; vertex < body.surface.vertexCount(); ++vertex)
+        if (held[static_cast<std::size_t>(rows * vertex)])
+            object.clampedVertices.push_back(vertex);
+    if (const auto& resistance = body.support.resistanceNsPerM)
+        object.extraDecaysPerSecond = supportDecays(body.model, held, modes, *resistance);
+}
+
 /// [3N×M] displacements of the surface for shapes of the model.
 Eigen::MatrixXd surfaceShapes(const BodyModel& body, const Eigen::MatrixXd& shapes) {
     if (body.kind == ModelKind::twoLayers)
@@ -131,12 +147,16 @@ Result<ModalObject> solveBody(const BodyModel& body,
                               Eigen::MatrixXcd* nearPressures) {
     const double modesShare = shareOfModes(body, settings.radiation);
     const auto start = std::chrono::steady_clock::now();
-    const auto modes = solveModes(body.model,
-                                  {.lowestHz = settings.lowestFrequencyHz,
-                                   .highestHz = settings.maxFrequencyHz,
-                                   .maximumModes = settings.maximumModes,
-                                   .threads = settings.threads},
-                                  control.part(0, modesShare));
+    const auto held = heldRows(body);
+    if (!held)
+        return tl::unexpected(held.error());
+    const FrequencyBand band{.lowestHz = settings.lowestFrequencyHz,
+                             .highestHz = settings.maxFrequencyHz,
+                             .maximumModes = settings.maximumModes,
+                             .threads = settings.threads};
+    const auto solving = control.part(0, modesShare);
+    const auto modes = held->empty() ? solveModes(body.model, band, solving)
+                                     : solveHeldModes(body.model, *held, band, solving);
     if (!modes)
         return tl::unexpected(modes.error());
     if (modes->eigenvalues.size() == 0)
@@ -158,6 +178,7 @@ Result<ModalObject> solveBody(const BodyModel& body,
     if (body.kind == ModelKind::twoLayers)
         object.bending = bendingParts(body, modes->eigenvalues, modes->shapes);
     setMesh(object, body.surface);
+    storeSupport(body, *held, *modes, object);
     object.mass = massPropertiesOf(body.model, body.pointsMetres);
     std::string radiationNotes;
     if (!settings.listeningDirections.empty()) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "Analysis/AnalysedBand.h"
+#include "Analysis/Clamp.h"
 #include "Analysis/Radiation.h"
 #include "Analysis/VibrationModel.h"
 #include "Geometry/Mesh.h"
@@ -33,7 +34,8 @@ struct BodyModel {
     /// budget made the elements coarser than the shortest wavelength needs.
     double servedBandHz = highestAnalysedHz;
     int components = 1; ///< separate parts; each has six rigid motions
-    std::string notes;  ///< remarks for the user about how the model was made
+    Support support;
+    std::string notes; ///< remarks for the user about how the model was made
 };
 
 /// Joins the sentences that are not empty.

@@ -144,8 +144,7 @@ std::string noteOnParts(const BodyModel& body, const RepairReport& report) {
     if (more <= 0)
         return {};
     return "Parts that met only at a point, or at an edge of more than two faces, are now "
-           "separate: "
-           "each of " +
+           "separate: each of " +
            std::to_string(more + report.components) + " parts moves by itself.";
 }
 
@@ -237,6 +236,7 @@ Result<ModalObject> analysed(const Mesh& mesh, const Task& task) {
         return tl::unexpected(body.error());
     body->method = methodName(choice->method);
     body->components = componentsOf(*body, repaired->report);
+    body->support = settings.support;
     body->notes =
         joinedSentences({repaired->report.text(), choice->reason, body->notes,
                          noteOnBand(*body, settings), noteOnParts(*body, repaired->report)});
@@ -277,6 +277,8 @@ Result<void> validate(const AnalysisSettings& settings) {
         return failure("The limit on the number of modes must be positive.");
     if (settings.elementBudget < 1)
         return failure("The number of elements must be positive.");
+    if (!(settings.support.resistanceNsPerM.value_or(1) > 0))
+        return failure("The support's resistance must be a positive number of N s/m.");
     return validated(settings.material).map([](const Material&) {});
 }
 

@@ -4,6 +4,7 @@
 
 #include "Analysis/AnalysedBand.h"
 #include "Analysis/AnalysisMethod.h"
+#include "Analysis/Clamp.h"
 #include "Analysis/Radiation.h"
 #include "Geometry/Mesh.h"
 #include "Object/ModalObject.h"
@@ -25,6 +26,7 @@ struct AnalysisSettings {
     int maximumModes = maximumAnalysedModes; ///< more modes in the band are an error
     int elementBudget = 8000; ///< approximate number of tetrahedra; a wider band makes them coarser
     bool largestComponentOnly = false;   ///< leave smaller components of the mesh out
+    Support support = {};                ///< what holds the body, if anything does
     std::vector<int> shapeVertices = {}; ///< input vertices that keep their shapes; empty: all
     /// Directions to the listener; `directionsAllAround` for bodies that turn in scenes. Empty: no
     /// radiation is computed.
@@ -59,8 +61,8 @@ analyse(const Mesh& mesh, const AnalysisSettings& settings, const WorkControl& c
 /// two-layer method. The band goes beyond what the elements resolve, up to the requested maximum or
 /// some 350 modes: these upper modes are too high by several per cent. Every vertex carries shapes.
 ///
-/// It reads name, source, material, method, thickness, `largestComponentOnly` and the band from the
-/// settings. Errors: those of `analyse`, and a mesh that cannot be decimated. Any thread but the
+/// It reads name, source, material, method, thickness, `largestComponentOnly`, the support and the
+/// band from the settings. Errors: those of `analyse`, and a mesh that cannot be decimated. Any thread but the
 /// audio thread may call it.
 Result<ModalObject>
 analysePreview(const Mesh& mesh, const AnalysisSettings& settings, const WorkControl& control = {});

@@ -8,6 +8,7 @@
 #include "Console/ProgressLine.h"
 #include "Object/ModalObjectFile.h"
 #include "Object/NumberText.h"
+#include "Object/OneLine.h"
 
 #include <iomanip>
 #include <iostream>
@@ -30,6 +31,8 @@ struct AnalyseOptions {
     std::optional<std::string> unit;
     bool largestPart = false;
     bool allAround = false;
+    std::vector<std::string> clamps;
+    std::optional<double> supportResistanceNsPerM;
     std::string radiation = "quick";
     bool json = false;
 };
@@ -38,6 +41,13 @@ Result<AnalysisSettings> settingsFrom(const AnalyseOptions& options) {
     const auto material = findOrReadMaterial(options.material);
     if (!material)
         return tl::unexpected(material.error());
+    Support support{.clamps = {}, .resistanceNsPerM = options.supportResistanceNsPerM};
+    for (const auto& text : options.clamps) {
+        const auto region = parseClamp(text);
+        if (!region)
+            return failure("--clamp: " + inQuotes(text) + " " + region.error().message);
+        support.clamps.push_back(*region);
+    }
     return AnalysisSettings{
         .name = options.name.empty() ? options.mesh.stem().string() : options.name,
         .source = options.mesh.filename().string(),
@@ -47,6 +57,7 @@ Result<AnalysisSettings> settingsFrom(const AnalyseOptions& options) {
         .maxFrequencyHz = options.maxFrequencyHz,
         .elementBudget = options.elementBudget,
         .largestComponentOnly = options.largestPart,
+        .support = std::move(support),
         .listeningDirections = options.allAround ? directionsAllAround() : stereoDirections(),
         .radiation =
             options.radiation == "exact" ? RadiationMethod::exact : RadiationMethod::quick};
@@ -142,6 +153,18 @@ void addAnalyse(CLI::App& program, Action& chosen) {
                         "size)");
     command->add_flag("--largest-part", options->largestPart,
                       "Analyses only the largest connected part");
+    command
+        ->add_option("--clamp", options->clamps,
+                     "Holds the part where this is true, in metres: x<0.02 or x>0.1,z<0; may be "
+                     "repeated")
+        ->type_name("REGION")
+        ->take_all()
+        ->expected(1);
+    command
+        ->add_option("--support-resistance", options->supportResistanceNsPerM,
+                     "What the clamps take of the vibration: less, the higher this is, in N s/m "
+                     "(default: nothing)")
+        ->check(numberBetween(1e-3, 1e9));
     command->add_flag("--all-around", options->allAround,
                       "Computes the radiation in all directions, for bodies that turn in scenes");
     command

@@ -68,6 +68,7 @@ ordered_json describe(const ModalObject& object) {
             {"thickness_m", object.thicknessMetres},
             {"band_hz", object.bandHz},
             {"radiation_directions", object.radiation.directions.size()},
+            {"clamped_vertices", object.clampedVertices.size()},
             {"measured_decays", !object.decaysPerSecond.empty()},
             {"material", describe(object.material)},
             {"mass_kg", object.mass.massKg},

@@ -27,11 +27,11 @@ double dot(const Vector& a, const Vector& b) noexcept {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/// Returns 1/M + (r × n)ᵀ I⁻¹ (r × n), r from the centre of mass. Returns 0 without a mass, and
-/// leaves out the rotation if the inertia is singular.
+/// Returns 1/M + (r × n)ᵀ I⁻¹ (r × n), r from the centre of mass. Returns 0 without a mass or in a
+/// clamp, and leaves out the rotation if the inertia is singular.
 double rigidMobilityPerKg(const ModalObject& object, const StrikePoint& point) noexcept {
     const auto& mass = object.mass;
-    if (!(mass.massKg > 0))
+    if (!(mass.massKg > 0) || !object.clampedVertices.empty())
         return 0;
     const auto place = strikePointMetres(object, point);
     const Vector normal{point.normal[0], point.normal[1], point.normal[2]};

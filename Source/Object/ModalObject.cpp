@@ -96,6 +96,10 @@ std::string geometryFault(const ModalObject& object) {
     if (std::ranges::adjacent_find(object.shapeVertices, std::greater_equal{}) !=
         object.shapeVertices.end())
         return "the list of vertices with shapes is not in ascending order";
+    if (!std::ranges::all_of(object.clampedVertices, isVertex) ||
+        std::ranges::adjacent_find(object.clampedVertices, std::greater_equal{}) !=
+            object.clampedVertices.end())
+        return "the list of clamped vertices is not one of vertices in ascending order";
     return {};
 }
 

@@ -58,13 +58,14 @@ struct ModalObject {
     std::vector<std::int32_t> shapeVertices; ///< [V] mesh vertices that carry shapes, ascending
     std::vector<float> vertices;             ///< [N,3] in metres
     std::vector<std::int32_t> faces;         ///< [F,3] counter-clockwise seen from outside
+    std::vector<std::int32_t> clampedVertices; ///< mesh vertices that are held, ascending; or none
     /// Empty, or [M] the part of λ that grows with the square of a shell's thickness (0 ≤ b ≤ λ).
     std::vector<double> bending;
     /// Empty if modes decay by the material's law. Else [M] measured decay rates α > 0 at the
     /// reference material. Another material scales them by its law.
     std::vector<double> decaysPerSecond;
-    /// Empty, or [M] additional decay rates α ≥ 0, the losses in cords and a tube. Independent of
-    /// the material.
+    /// Empty, or [M] additional decay rates α ≥ 0, the losses in cords, a tube or a clamp.
+    /// Independent of the material.
     std::vector<double> extraDecaysPerSecond;
     /// Empty if all are 1. Else [M] factors of the velocity at the struck point. They are complex
     /// where a bar and its tube share a mode. The radiation has factors of its own.

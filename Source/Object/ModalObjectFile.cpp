@@ -47,6 +47,8 @@ public:
         object.shapeVertices = values<std::int32_t>("shape_vertices", "I32", 1);
         object.vertices = values<float>("vertices", "F32", 2);
         object.faces = values<std::int32_t>("faces", "I32", 2);
+        if (container.tensors.contains("clamped_vertices"))
+            object.clampedVertices = values<std::int32_t>("clamped_vertices", "I32", 1);
         object.bending = optionalValues("bending");
         object.decaysPerSecond = optionalValues("decay_per_s");
         object.extraDecaysPerSecond = optionalValues("extra_decay_per_s");

@@ -72,6 +72,8 @@ std::vector<std::byte> encodeModalObject(const ModalObject& object, ShapePrecisi
         writer.add("gains", "F32", {modes, 2}, object.gains);
     writer.add("faces", "I32", {object.faceCount(), 3}, object.faces);
     writer.add("shape_vertices", "I32", {shapeVertices}, object.shapeVertices);
+    if (const auto clamped = object.clampedVertices.size(); clamped > 0)
+        writer.add("clamped_vertices", "I32", {clamped}, object.clampedVertices);
     const bool fitsHalf = std::ranges::all_of(
         object.shapes, [](float shape) { return std::isfinite(halfToFloat(floatToHalf(shape))); });
     if (precision == ShapePrecision::single || !fitsHalf) {

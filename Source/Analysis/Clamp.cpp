@@ -1,0 +1,57 @@
+#include "Analysis/Clamp.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <string>
+
+namespace idiophone {
+namespace {
+
+constexpr std::string_view axes = "xyz";
+
+std::string withoutBlanks(std::string_view text) {
+    std::string result;
+    for (const char character : text)
+        if (character != ' ' && character != '\t')
+            result += character;
+    return result;
+}
+
+/// Reads "x<0.02".
+bool parseSide(std::string_view text, ClampSide& side) {
+    if (text.size() < 3 || (text[1] != '<' && text[1] != '>'))
+        return false;
+    const auto axis = axes.find(text[0]);
+    const char* const end = text.data() + text.size();
+    const auto number = std::from_chars(text.data() + 2, end, side.metres);
+    side.axis = static_cast<int>(axis);
+    side.isBelow = text[1] == '<';
+    return axis != std::string_view::npos && number.ec == std::errc() && number.ptr == end &&
+           std::isfinite(side.metres);
+}
+
+} // namespace
+
+Result<ClampRegion> parseClamp(std::string_view text) {
+    const std::string bare = withoutBlanks(text);
+    ClampRegion region;
+    for (std::size_t start = 0; start <= bare.size();) {
+        const std::size_t comma = std::min(bare.find(',', start), bare.size());
+        ClampSide side;
+        if (!parseSide(std::string_view(bare).substr(start, comma - start), side))
+            return failure("is no region such as x<0.02 or x>0.1,z<0, in metres");
+        region.push_back(side);
+        start = comma + 1;
+    }
+    return region;
+}
+
+bool isClamped(std::span<const ClampRegion> regions, const Eigen::Vector3d& pointMetres) {
+    return std::ranges::any_of(regions, [&](const ClampRegion& region) {
+        return std::ranges::all_of(
+            region, [&](const ClampSide& side) { return side.contains(pointMetres); });
+    });
+}
+
+} // namespace idiophone

@@ -1,0 +1,43 @@
+// Regions in which a body is held still.
+#pragma once
+
+#include "Object/Result.h"
+
+#include <Eigen/Core>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace idiophone {
+
+/// The side of a plane at right angles to an axis.
+struct ClampSide {
+    int axis = 0; ///< 0 to 2: x, y, z
+    bool isBelow = true;
+    double metres = 0;
+
+    bool contains(const Eigen::Vector3d& pointMetres) const {
+        return isBelow ? pointMetres(axis) <= metres : pointMetres(axis) >= metres;
+    }
+};
+
+/// The part of space that lies on all of its sides, such as a box. It has at least one.
+using ClampRegion = std::vector<ClampSide>;
+
+/// What holds a body, and how much of its vibration it takes.
+struct Support {
+    std::vector<ClampRegion> clamps; ///< where the body does not move; none: it is free
+    /// What the clamps resist together, in N s/m, > 0. A support much heavier than the body takes
+    /// less the higher it is; without a number it takes nothing.
+    std::optional<double> resistanceNsPerM;
+};
+
+/// Reads a region in metres: "x<0.02", or "x>0.1, z<0". The error is the end of a sentence that
+/// begins with the text.
+Result<ClampRegion> parseClamp(std::string_view text);
+
+/// Returns whether a point lies in one of the regions.
+bool isClamped(std::span<const ClampRegion> regions, const Eigen::Vector3d& pointMetres);
+
+} // namespace idiophone

@@ -1,0 +1,32 @@
+// A body whose clamped points do not move: fewer rows, and the forces that hold it.
+#pragma once
+
+#include "Analysis/BodyModel.h"
+#include "Analysis/Eigensolver.h"
+
+#include <Eigen/Core>
+#include <vector>
+
+namespace idiophone {
+
+/// Returns, for each row of the body's model, whether the body's clamps hold it; empty if it has
+/// none. A shell is held in both of its layers. Errors, each one sentence: the clamps hold no
+/// point, or all.
+Result<std::vector<bool>> heldRows(const BodyModel& body);
+
+/// As `solveModes`, for a model whose held rows [n] do not move. Their shapes are 0.
+Result<Modes> solveHeldModes(const VibrationModel& model,
+                             const std::vector<bool>& held,
+                             const FrequencyBand& band,
+                             const WorkControl& control = {});
+
+/// Returns the decay rates [M] that a resistance R of the support adds: α = |F|²/(2 R ω²), with the
+/// force F = Σ (K − λM) φ over the held rows, in N for a modal amplitude of 1 m √kg. The power that
+/// reaches a support much heavier than the body is |F|²/(2R). The three rows of each point follow
+/// each other.
+std::vector<double> supportDecays(const VibrationModel& model,
+                                  const std::vector<bool>& held,
+                                  const Modes& modes,
+                                  double resistanceNsPerM);
+
+} // namespace idiophone
