@@ -64,7 +64,8 @@ void CellRenderer::beginCell(const ParameterValues& values,
     addRemains();
     ++index;
     position = 0;
-    input.beginCell(values);
+    if (strategy->hasMallets())
+        input.beginCell(values);
     strategy->finish(begunCell(), strikes, cell);
 }
 

@@ -1,4 +1,5 @@
 // Tests the effect, and the side chain of the instrument's VST3.
+#include "Plugin/FactoryPrograms.h"
 #include "Support/TestSound.h"
 
 #include <catch2/catch_test_macros.hpp>
@@ -96,6 +97,16 @@ TEST_CASE("The resonator mixes what comes in with what comes out, and bypass let
     for (int k = 0; k < 512; ++k) {
         REQUIRE(sound.getSample(0, k) == before.getSample(0, k));
         REQUIRE(sound.getSample(1, k) == before.getSample(isMono ? 0 : 1, k));
+    }
+}
+
+TEST_CASE("A stage does not hear what comes in") {
+    Processor resonator(PluginKind::resonator);
+    resonator.setCurrentProgram(factoryProgram(factoryPresetId("Falling Rings")));
+    resonator.prepareToPlay(48000, 512);
+    for (int block = 0; block < 4; ++block) {
+        auto sound = noise(2, 512);
+        CHECK(peakAfter(resonator, sound) == 0);
     }
 }
 
