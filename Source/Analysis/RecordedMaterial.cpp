@@ -1,5 +1,6 @@
 #include "Analysis/RecordedMaterial.h"
 
+#include "Analysis/BodyModel.h"
 #include "Object/FileBytes.h"
 #include "Object/NumberText.h"
 
@@ -60,7 +61,7 @@ std::string notesOf(const MaterialFit& fit,
                  " times as high explains the modes nearly as well.";
     for (const auto& remark : modes.remarks)
         notes += ' ' + remark;
-    return notes;
+    return joinedSentences({notes, object ? object->notes : std::string()});
 }
 
 } // namespace

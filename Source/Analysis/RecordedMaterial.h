@@ -14,6 +14,7 @@ struct StruckObject {
     Mesh mesh;        ///< in metres
     std::optional<AnalysisMethod> method = {}; ///< empty: the one that suits it
     double thicknessMetres = 0.005;            ///< shells only; the default of AnalysisSettings
+    std::string notes = {};                    ///< sentences on the mesh, which the report repeats
 };
 
 struct RecordedMaterial {

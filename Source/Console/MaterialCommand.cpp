@@ -1,3 +1,4 @@
+#include "Analysis/BodyModel.h"
 #include "Analysis/RecordedMaterial.h"
 #include "AudioFiles/AudioFileReader.h"
 #include "Console/Command.h"
@@ -29,9 +30,11 @@ Result<std::optional<StruckObject>> struckObject(const MaterialOptions& options)
     if (options.mesh.empty())
         return std::nullopt;
     return readMetricMesh(options.mesh, options.unit).map([&](MetricMesh&& read) {
-        return std::optional(StruckObject{.name = options.mesh.filename().string(),
-                                          .mesh = std::move(read.mesh),
-                                          .thicknessMetres = options.thicknessMetres});
+        return std::optional(
+            StruckObject{.name = options.mesh.filename().string(),
+                         .mesh = std::move(read.mesh),
+                         .thicknessMetres = options.thicknessMetres,
+                         .notes = joinedSentences({read.notes, read.unitSentence})});
     });
 }
 
