@@ -151,6 +151,15 @@ strike_path
 choose 'rosewood xylophone'
 other_look
 
+# The form that makes a material from a recording, for a bowl.
+click 333 374
+click 737 465
+click 900 467
+xdotool key Up Up Return
+sleep 0.5
+shot dark-material-form
+click 1118 577
+
 # Files, dropped on the picture: a mesh.
 "$console" mesh ring -o "$scratch/ring.obj" >/dev/null
 if "$python" -c 'import Xlib' 2>/dev/null; then

@@ -223,12 +223,10 @@ Result<MaterialFit> fitDampingOnly(std::span<const MeasuredMode> measured) {
     return fitWith(measured, {});
 }
 
-Result<MaterialFit> fitMaterial(std::span<const MeasuredMode> measured,
-                                const Mesh& mesh,
-                                AnalysisSettings settings,
-                                const WorkControl& control) {
-    if (measured.empty())
-        return failure("There are no modes to fit a material to.");
+Result<std::optional<MaterialFit>> fitMaterial(std::span<const MeasuredMode> measured,
+                                               const Mesh& mesh,
+                                               AnalysisSettings settings,
+                                               const WorkControl& control) {
     settings.material = *findMaterial("Steel");
     settings.listeningDirections.clear(); // radiation does not move the modes
     std::optional<ModeMatch> best;
@@ -249,7 +247,7 @@ Result<MaterialFit> fitMaterial(std::span<const MeasuredMode> measured,
         }
     }
     if (!best)
-        return failure("its modes are not those of this mesh, whatever the material");
+        return std::nullopt;
     const auto squared = [](double x) { return x * x; };
     std::vector<MeasuredMode> own;
     for (const std::size_t i : best->matched)

@@ -40,12 +40,12 @@ struct MaterialFit {
 Result<MaterialFit> fitDampingOnly(std::span<const MeasuredMode> measured);
 
 /// Fits Y/ρ and the damping law, given the mesh (in metres) of the recorded object. Analyses it
-/// twice: with steel, then with the most similar library material. Reads name, method and thickness
-/// from the settings. Errors, each one sentence: those of `analyse`, and modes that are not those
-/// of the mesh. Any thread but the audio thread may call it.
-Result<MaterialFit> fitMaterial(std::span<const MeasuredMode> measured,
-                                const Mesh& mesh,
-                                AnalysisSettings settings,
-                                const WorkControl& control = {});
+/// with steel at three Poisson's ratios. Reads name, method and thickness from the settings.
+/// Returns nothing if the modes are not those of the mesh. The error is one of `analyse`. Any
+/// thread but the audio thread may call it.
+Result<std::optional<MaterialFit>> fitMaterial(std::span<const MeasuredMode> measured,
+                                               const Mesh& mesh,
+                                               AnalysisSettings settings,
+                                               const WorkControl& control = {});
 
 } // namespace idiophone

@@ -26,14 +26,19 @@ inline juce::String massText(double massKg) {
     return massKg < 1 ? figureText(1000 * massKg) + " g" : figureText(massKg) + " kg";
 }
 
+/// "30 x 12 x 0.4 cm".
+inline juce::String sidesText(const std::array<double, 3>& sidesMetres) {
+    juce::StringArray sides;
+    for (const double side : sidesMetres)
+        sides.add(figureText(100 * side));
+    return sides.joinIntoString(" x ") + " cm";
+}
+
 /// "30 x 12 x 0.4 cm, 340 g"; empty for an object without extent.
 inline juce::String measuresText(const std::array<double, 3>& sidesMetres, double massKg) {
     if (!(*std::ranges::max_element(sidesMetres) > 0))
         return {};
-    juce::StringArray sides;
-    for (const double side : sidesMetres)
-        sides.add(figureText(100 * side));
-    return sides.joinIntoString(" x ") + " cm, " + massText(massKg);
+    return sidesText(sidesMetres) + ", " + massText(massKg);
 }
 
 /// Parses a length in any unit, or in `plainUnit` if there is none. Returns nothing unless it is a

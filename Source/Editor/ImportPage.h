@@ -9,6 +9,7 @@
 #include "Editor/ObjectShortcuts.h"
 #include "Editor/ProcessorView.h"
 #include "Editor/Utf8.h"
+#include "Editor/WorkProgress.h"
 
 #include <utility>
 
@@ -52,6 +53,7 @@ public:
         report.setIndents(0, 2);
         report.setTitle("What was made of the file");
         showParts(*this, open, file, step, measures, shortcuts, form, keys, report);
+        addChildComponent(bar);
         shown = view.workshop.importStatus();
         lookAndFeelChanged();
         showKeys();
@@ -61,9 +63,7 @@ public:
 
     /// Says what an import is doing; empty if nothing.
     static juce::String stepText(const ImportStatus& status) {
-        const auto step =
-            fromUtf8(status.step) +
-            (status.secondsLeft ? ", " + timeText(*status.secondsLeft) : juce::String("..."));
+        const auto step = workText(status.step, status.secondsLeft);
         switch (status.stage) {
         case Stage::working:
             return step;
@@ -86,18 +86,6 @@ public:
         showStatus();
     }
 
-    void paint(juce::Graphics& g) override {
-        if (!shown.isWorking())
-            return;
-        const auto track = bar.toFloat();
-        g.setColour(colourOf(*this, LookColour::outline));
-        g.fillRoundedRectangle(track, track.getHeight() / 2);
-        g.setColour(colourOf(*this, LookColour::accent));
-        g.fillRoundedRectangle(
-            track.withWidth(
-                std::max(track.getHeight(), track.getWidth() * static_cast<float>(shown.progress))),
-            track.getHeight() / 2);
-    }
     void resized() override {
         constexpr int line = 26, gap = 6;
         auto area = getLocalBounds().reduced(padding);
@@ -111,7 +99,7 @@ public:
         area.removeFromTop(4);
         step.setBounds(area.removeFromTop(18));
         measures.setBounds(step.getBounds());
-        bar = area.removeFromTop(6).withTrimmedBottom(2);
+        bar.setBounds(area.removeFromTop(6).withHeight(WorkBar::height));
         shortcuts.setBounds(area.removeFromTop(24));
         area.removeFromTop(4);
         form.setBounds(area.removeFromTop(ImportForm::height));
@@ -136,13 +124,6 @@ public:
     }
 
 private:
-    static juce::String timeText(int seconds) {
-        return "about " +
-               (seconds < 90 ? juce::String(seconds) + " s"
-                             : juce::String((seconds + 30) / 60) + " min") +
-               " left";
-    }
-
     static void setTextOf(juce::Label& label, const juce::String& text) {
         label.setText(text, juce::dontSendNotification);
     }
@@ -186,7 +167,8 @@ private:
             report.moveCaretToTop(false);
         }
         report.applyColourToAllText(report.findColour(juce::TextEditor::textColourId));
-        repaint(bar);
+        bar.setVisible(isWorking);
+        bar.show(shown.progress);
     }
     juce::String words() const {
         if (shown.stage == Stage::none)
@@ -213,7 +195,7 @@ private:
     ObjectShortcutRow shortcuts;
     ImportForm form;
     juce::TextEditor report;
-    juce::Rectangle<int> bar;
+    WorkBar bar;
 };
 
 } // namespace idiophone

@@ -1,11 +1,12 @@
-// The page of the objects' material: pad, named materials, figures, and a swap with the previous
-// material.
+// The page of the objects' material: pad, named materials, figures, a swap with the previous
+// material, and a form that makes one from a recording.
 #pragma once
 
 #include "Editor/ChoiceList.h"
 #include "Editor/ControlMenu.h"
 #include "Editor/DeckPage.h"
 #include "Editor/Look.h"
+#include "Editor/MaterialForm.h"
 #include "Editor/MaterialPad.h"
 #include "Editor/NamedEdit.h"
 #include "Editor/ParameterColumns.h"
@@ -25,16 +26,23 @@ public:
           list(parameterInfo(ParameterId::material), processor),
           listMenu(list, parameterInfo(ParameterId::material), processor),
           match(parameterInfo(ParameterId::matchLoudness), processor),
-          keep(parameterInfo(ParameterId::keepPitch), processor) {
+          keep(parameterInfo(ParameterId::keepPitch), processor), form(processor.materialFits) {
         for (const std::string_view group : {"Material figures", "Extent"})
             for (const auto& info : parameterTable())
                 if (info.group == group)
                     figures.push_back(std::make_unique<ParameterControl>(info, processor));
         addButton(former, "Material before", "Swap with the material before the last change",
                   [this] { swapMaterials(); });
+        addButton(recorded, "Material from a recording",
+                  "Make a material from the recording of a strike", [this] { showForm(true); });
+        form.onClose = [this] {
+            showForm(false);
+            recorded.grabKeyboardFocus();
+        };
         showParts(*this, list, pad, match, keep);
         for (auto& figure : figures)
             addAndMakeVisible(*figure);
+        addChildComponent(form);
         now = before = figuresNow();
     }
 
@@ -46,9 +54,12 @@ public:
         keep.refresh();
         for (auto& figure : figures)
             figure->refresh();
+        if (form.isVisible())
+            form.refresh();
     }
     void resized() override {
         auto area = getLocalBounds().reduced(padding);
+        form.setBounds(area);
         const int half = (area.getWidth() - gap) / 2;
         auto top = area.removeFromTop(lineHeight);
         keep.setBounds(top.removeFromRight(half));
@@ -58,6 +69,8 @@ public:
         auto left = area.removeFromLeft(half);
         area.removeFromLeft(gap);
         match.setBounds(left.removeFromBottom(lineHeight));
+        left.removeFromTop(4);
+        recorded.setBounds(left.removeFromTop(lineHeight - 2));
         left.removeFromTop(6);
         pad.setBounds(left.withTrimmedBottom(4));
         const int row =
@@ -68,6 +81,14 @@ public:
 
     /// The menu of the list for a right click or Shift+F10.
     juce::PopupMenu materialMenu() const { return listMenu.popup(); }
+
+    /// Shows the form of a material from a recording instead of the page's parts, or these again.
+    void showForm(bool shows) {
+        for (auto* part : getChildren())
+            part->setVisible((part == &form) == shows);
+        if (shows)
+            form.refresh();
+    }
 
     /// Swaps the current material with the one before the last change.
     void swapMaterials() {
@@ -122,7 +143,8 @@ private:
     ChoiceList list;
     ControlMenu listMenu;
     ParameterControl match, keep;
-    juce::TextButton former{"A/B"};
+    juce::TextButton former{"A/B"}, recorded{"From a recording..."};
+    MaterialForm form;
     std::vector<std::unique_ptr<ParameterControl>> figures;
     Figures now, before;
     int instrument = -1;

@@ -4,6 +4,7 @@
 
 #include "Editor/EditHistory.h"
 #include "Editor/InstrumentView.h"
+#include "Editor/MaterialFitView.h"
 #include "Editor/MaterialView.h"
 #include "Editor/MidiLearnView.h"
 #include "Editor/ParameterView.h"
@@ -22,6 +23,7 @@ namespace idiophone {
 struct ProcessorView {
     ParameterView& parameters;
     MaterialView& materials;
+    MaterialFitView& materialFits;
     InstrumentView& instrument;
     StageView& stage;
     SoundView& sound;

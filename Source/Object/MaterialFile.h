@@ -39,6 +39,12 @@ UserMaterials readMaterialFolder(const std::filesystem::path& folder);
 /// environment sets none of these. Creates nothing.
 std::filesystem::path userMaterialFolder();
 
+/// Writes the material to a new file in the user's folder, which it makes if needed. If the library
+/// or the user has a material of that name, appends a number: "Glass cup 2". Returns the material
+/// as it can be read. The error is one sentence: no folder, a name that is too long, or a file that
+/// cannot be written. Message thread.
+Result<Material> addUserMaterial(Material material);
+
 /// Returns the material of that name (case-insensitive) from the library or the user's folder. The
 /// error says that there is none, or what is wrong with a file of that name.
 Result<Material> findAnyMaterial(std::string_view name);

@@ -1,6 +1,7 @@
 #include "Object/FileBytes.h"
 #include "Object/MaterialFile.h"
 #include "Object/SameName.h"
+#include "Object/TextFile.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -45,6 +46,23 @@ std::vector<fs::path> filesOf(const fs::path& folder) {
     return files;
 }
 
+/// Returns the file of a material of this name. Characters that a system forbids become '-'.
+fs::path fileOf(const fs::path& folder, std::string name) {
+    std::ranges::replace_if(
+        name,
+        [](unsigned char c) {
+            return c < ' ' ||
+                   std::string_view("<>:\"/\\|?*").find(char(c)) != std::string_view::npos;
+        },
+        '-');
+    return folder / pathNamed(name + ".json");
+}
+
+bool isKnown(std::string_view name, std::span<const Material> materials) {
+    return std::ranges::any_of(materials,
+                               [&](const Material& known) { return sameName(known.name, name); });
+}
+
 } // namespace
 
 UserMaterials readMaterialFolder(const fs::path& folder) {
@@ -63,6 +81,32 @@ UserMaterials readMaterialFolder(const fs::path& folder) {
 fs::path userMaterialFolder() {
     const auto settings = settingsFolder();
     return settings.empty() ? settings : settings / "Idiophone" / "Materials";
+}
+
+Result<Material> addUserMaterial(Material material) {
+    const auto folder = userMaterialFolder();
+    if (folder.empty())
+        return failure("This machine has no folder for materials of your own.");
+    std::error_code fault;
+    fs::create_directories(folder, fault);
+    if (fault)
+        return failure(shownNameOf(folder) + ": the folder cannot be made");
+    const auto own = readMaterialFolder(folder).materials;
+    const auto wanted = material.name;
+    auto file = fileOf(folder, wanted);
+    for (int number = 2; isKnown(material.name, own) || isKnown(material.name, materialLibrary()) ||
+                         fs::exists(file, fault);
+         ++number) {
+        material.name = wanted + ' ' + std::to_string(number);
+        file = fileOf(folder, material.name);
+    }
+    const auto text = encodeMaterial(material);
+    auto read = parseMaterial(text, file);
+    if (!read)
+        return read;
+    if (auto written = writeTextFile(file, text); !written)
+        return tl::unexpected(written.error());
+    return read;
 }
 
 Result<Material> findAnyMaterial(std::string_view name) {

@@ -13,4 +13,10 @@ std::string fileNameOf(const std::filesystem::path& file) {
     return textOf(file.filename()).toStdString();
 }
 
+std::string withoutFolder(const std::string& sentence, const std::filesystem::path& file) {
+    if (file.empty())
+        return sentence;
+    return fromUtf8(sentence).replace(textOf(file), fromUtf8(fileNameOf(file))).toStdString();
+}
+
 } // namespace idiophone

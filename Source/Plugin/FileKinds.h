@@ -10,6 +10,7 @@ namespace idiophone {
 /// Meshes, modal objects and recordings.
 inline constexpr const char* objectFiles =
     "*.obj;*.off;*.ply;*.stl;*.modal;*.wav;*.flac;*.aif;*.aiff";
+inline constexpr const char* meshFiles = "*.obj;*.off;*.ply;*.stl";
 inline constexpr const char* modalFiles = "*.modal";
 inline constexpr const char* recordingFiles = "*.wav;*.flac;*.aif;*.aiff";
 inline constexpr const char* tuningFiles = "*.scl;*.kbm"; ///< scales and keyboard mappings
@@ -20,5 +21,8 @@ bool matches(const std::filesystem::path& file, const char* patterns);
 
 /// Returns the name without its folder, in UTF-8.
 std::string fileNameOf(const std::filesystem::path& file);
+
+/// Shortens a reader's sentence for the window: names the file without its folder.
+std::string withoutFolder(const std::string& sentence, const std::filesystem::path& file);
 
 } // namespace idiophone

@@ -28,6 +28,12 @@ bool MaterialSession::contains(const std::string& name) const {
     return std::ranges::find(materials, name, &Material::name) != materials.end();
 }
 
+void MaterialSession::choose(const std::string& name) {
+    const auto names = readUserMaterials();
+    if (const auto found = std::ranges::find(names, name); found != names.end())
+        chooseUserMaterial(static_cast<int>(found - names.begin()));
+}
+
 int MaterialSession::userMaterialIndex() const {
     const auto now = parameters.values();
     const auto played = std::ranges::find_if(materials, [&](const Material& material) {

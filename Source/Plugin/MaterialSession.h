@@ -28,6 +28,8 @@ public:
     void chooseUserMaterial(int index) override;
 
     bool contains(const std::string& name) const;
+    /// Reads the user's materials again, and chooses the one of that name.
+    void choose(const std::string& name);
 
 private:
     HostParameters& parameters;

@@ -28,24 +28,10 @@ constexpr double readShare = 0.03, previewShare = 0.12;
 /// Maximum shapes times modes that an object keeps: 4 MB in half precision in every project.
 constexpr std::size_t maximumShapes = 700'000, minimumRows = 300;
 
-/// Shortens a reader's sentence for the window: gives the file without its folder.
-std::string withoutFolder(const std::string& sentence, const std::filesystem::path& file) {
-    if (file.empty())
-        return sentence;
-    return fromUtf8(sentence).replace(textOf(file), fromUtf8(fileNameOf(file))).toStdString();
-}
-
 } // namespace
 
 ObjectWorkshop::~ObjectWorkshop() {
     cancel();
-    {
-        const std::scoped_lock lock(mutex);
-        ending = true;
-    }
-    wake.notify_all();
-    if (worker.joinable())
-        worker.join();
 }
 
 void ObjectWorkshop::open(const std::filesystem::path& file, const ImportSettings& settings) {
@@ -92,18 +78,15 @@ void ObjectWorkshop::start(std::shared_ptr<Job> job) {
         mesh.swap(formerMesh);
         shown = std::move(status);
         remaining = {};
-        current = waiting = std::move(job);
+        current = job;
     }
     try {
-        if (!worker.joinable())
-            worker = std::thread([this] { run(); });
+        worker.start([this, job = std::move(job)] { work(*job); });
     } catch (const std::system_error& fault) {
         shown.stage = ImportStatus::Stage::failed; // without a lock, because no worker runs
         shown.error = sentenceOf(fault, shown.fileName);
         shown.step.clear();
-        waiting.reset();
     }
-    wake.notify_all();
 }
 
 void ObjectWorkshop::cancel() {
@@ -113,7 +96,6 @@ void ObjectWorkshop::cancel() {
     if (current == nullptr || !shown.isWorking())
         return;
     current->cancelled = true;
-    waiting.reset();
     shown.stage = ImportStatus::Stage::cancelled;
     shown.step.clear();
 }
@@ -140,24 +122,14 @@ std::optional<ObjectWorkshop::Product> ObjectWorkshop::takeProduct() {
 
 // The worker thread.
 
-void ObjectWorkshop::run() {
-    for (;;) {
-        std::shared_ptr<Job> job;
-        {
-            std::unique_lock lock(mutex);
-            wake.wait(lock, [this] { return ending || waiting != nullptr; });
-            if (ending)
-                return;
-            job = std::exchange(waiting, nullptr);
-        }
-        try {
-            const auto made = make(*job);
-            if (!made)
-                fail(*job, withoutFolder(made.error().message, job->file));
-        } catch (const std::exception& fault) {
-            fail(*job,
-                 fileNameOf(job->file) + ": it cannot be made an object: " + fault.what() + ".");
-        }
+void ObjectWorkshop::work(const Job& job) {
+    if (job.cancelled)
+        return;
+    try {
+        if (const auto made = make(job); !made)
+            fail(job, withoutFolder(made.error().message, job.file));
+    } catch (const std::exception& fault) {
+        fail(job, fileNameOf(job.file) + ": it cannot be made an object: " + fault.what() + ".");
     }
 }
 

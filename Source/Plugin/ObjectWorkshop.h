@@ -8,15 +8,14 @@
 #include "Object/ModalObject.h"
 #include "Object/Result.h"
 #include "Plugin/RemainingTime.h"
+#include "Plugin/WorkThread.h"
 
 #include <atomic>
-#include <condition_variable>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <thread>
 
 namespace idiophone {
 
@@ -77,7 +76,7 @@ private:
     void start(std::shared_ptr<Job> job);
 
     // Called on the worker.
-    void run();
+    void work(const Job& job);
     Result<void> make(const Job& job);
     Result<void> makeFromMesh(const Job& job, const Source& source);
     Result<void> makeFinished(const Job& job);
@@ -86,14 +85,12 @@ private:
     void fail(const Job& job, const std::string& sentence);
 
     mutable std::mutex mutex;
-    std::condition_variable wake;
-    std::shared_ptr<Job> waiting, current; ///< `current` is the latest job
-    std::shared_ptr<const Source> mesh;    ///< mesh of the latest job that had one
+    std::shared_ptr<Job> current;       ///< the latest job
+    std::shared_ptr<const Source> mesh; ///< mesh of the latest job that had one
     ImportStatus shown;
     RemainingTime remaining; ///< of the whole analysis
     std::optional<Product> product;
-    bool ending = false;
-    std::thread worker;
+    WorkThread worker; ///< last, so that it ends first
 };
 
 } // namespace idiophone

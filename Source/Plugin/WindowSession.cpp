@@ -9,10 +9,12 @@ WindowSession::WindowSession(SharedParts& shared, SoundSession& session)
       variants(session, history), edits(shared.parameters, session, history),
       materials(shared.parameters, session, history, edits), instrument(shared, session),
       stage(shared, session), modes(shared, session, history),
-      imports(shared, session, history, materials), tuning(shared, session, history),
-      presets(session, history, imports, userSettingsFolder()),
+      imports(shared, session, history, materials),
+      materialFits(shared.parameters, session, imports, materials),
+      tuning(shared, session, history), presets(session, history, imports, userSettingsFolder()),
       recorder(shared, session), view{.parameters = edits,
                                       .materials = materials,
+                                      .materialFits = materialFits,
                                       .instrument = instrument,
                                       .stage = stage,
                                       .sound = modes,
@@ -28,6 +30,7 @@ WindowSession::WindowSession(SharedParts& shared, SoundSession& session)
 void WindowSession::poll() {
     instrument.poll();
     imports.poll();
+    materialFits.poll();
     recorder.poll();
 }
 

@@ -4,6 +4,7 @@
 #include "Editor/ProcessorView.h"
 #include "Plugin/ImportSession.h"
 #include "Plugin/InstrumentSession.h"
+#include "Plugin/MaterialFitSession.h"
 #include "Plugin/MaterialSession.h"
 #include "Plugin/ModeSession.h"
 #include "Plugin/ParameterEdits.h"
@@ -32,6 +33,7 @@ struct WindowSession {
     StageSession stage;
     ModeSession modes;
     ImportSession imports;
+    MaterialFitSession materialFits;
     TuningSession tuning;
     PresetCollection presets;
     RecorderSession recorder;

@@ -5,14 +5,12 @@
 
 #include <algorithm>
 #include <catch2/catch_test_macros.hpp>
-#include <catch2/matchers/catch_matchers_string.hpp>
 #include <cmath>
 #include <numbers>
 #include <random>
 
 using namespace idiophone;
 using namespace idiophone::test;
-using Catch::Matchers::ContainsSubstring;
 
 namespace {
 
@@ -66,12 +64,13 @@ void checkFit(const Mesh& mesh, const Material& material) {
     const auto modes = recorded(*object, object->shapeVertexCount() / 7);
     const auto fit = fitMaterial(modes, mesh, settings({}));
     INFO(material.name << ", " << modes.size() << " modes");
-    REQUIRE(fit);
-    CAPTURE(fit->resembles, fit->matched);
-    CHECK(std::abs(ratioOf(fit->material) / ratioOf(material) - 1) < 0.05);
+    REQUIRE((fit && *fit));
+    const auto& found = **fit;
+    CAPTURE(found.resembles, found.matched);
+    CHECK(std::abs(ratioOf(found.material) / ratioOf(material) - 1) < 0.05);
     for (const double hz : {500.0, 2000.0, 8000.0}) {
         const double eigenvalue = std::pow(2 * std::numbers::pi * hz, 2);
-        CHECK(std::abs(fit->material.damping.perSecond(eigenvalue) /
+        CHECK(std::abs(found.material.damping.perSecond(eigenvalue) /
                            material.damping.perSecond(eigenvalue) -
                        1) < 0.2);
     }
@@ -120,7 +119,7 @@ TEST_CASE(
     CHECK_FALSE(fitDampingOnly({}));
 }
 
-TEST_CASE("Modes that are not of the mesh give an error") {
+TEST_CASE("Modes that are not of the mesh give no material") {
     std::vector<MeasuredMode> noise;
     std::mt19937 random(3);
     std::uniform_real_distribution<double> hz(200, 9000);
@@ -129,6 +128,6 @@ TEST_CASE("Modes that are not of the mesh give an error") {
     std::ranges::sort(noise, {}, &MeasuredMode::frequencyHz);
     const auto fit =
         fitMaterial(noise, extrudedMesh(sheetMesh(0.25, 0.04, 300), 0.012, 3), settings({}));
-    REQUIRE_FALSE(fit);
-    CHECK_THAT(fit.error().message, ContainsSubstring("not those of this mesh"));
+    REQUIRE(fit);
+    CHECK_FALSE(*fit);
 }

@@ -5,6 +5,8 @@ HARD = ("--set", "mallet_hardness=100000", "--set", "mallet_mass=1", "--set", "t
 MESHES = {
     "bar": (("bar", "--length", 0.25, "--width", 0.04), ("--thickness", 0.008), "0.09,0.012,0"),
     "plate": (("plate", "--length", 0.3, "--width", 0.2), ("--thickness", 0.004), "0.11,0.06,0"),
+    "bowl": (("bowl", "--radius", 0.05, "--height", 0.07, "--foot-radius", 0.03),
+             ("--thickness", 0.003), "0.05,0,0.07"),
 }
 
 
@@ -44,6 +46,21 @@ class Material(ConsoleTest):
             self.assertAlmostEqual(hz / true_hz, 1, delta=0.03)
             self.assertAlmostEqual(seconds / true_seconds, 1, delta=0.2)
 
+    def test_a_bowl_tells_its_material(self):
+        told = self.fitted("bowl", "Glass")
+        true = self.json("materials", "Glass")
+        ratio = lambda m: m["youngs_modulus_pa"] / m["density_kg_per_m3"]
+        self.assertAlmostEqual(ratio(told) / ratio(true), 1, delta=0.05)
+
+    def test_a_bowl_is_an_open_shell_or_a_solid_with_a_wall(self):
+        bowl = ("mesh", "bowl", "--radius", 0.06, "--height", 0.05, "-o", self.folder / "b.obj")
+        for wall, method in (((), "two-layer"), (("--thickness", 0.006), "fem")):
+            self.succeed(*bowl, *wall)
+            obj = self.folder / "b.modal"
+            self.succeed("analyse", self.folder / "b.obj", "-o", obj, "--max-frequency", 8000)
+            self.assertEqual(self.json("info", obj)["method"], method)
+        self.refuse(*bowl, "--foot-radius", 0.06, naming="bowl", saying="narrower than its rim")
+
     def test_without_a_mesh_only_the_damping_is_fitted(self):
         self.fitted("bar", "Marble")
         told = self.json("material", self.folder / "strike.wav", "-o", self.folder / "m.json")
@@ -59,4 +76,4 @@ class Material(ConsoleTest):
         self.succeed("mesh", "icosphere", "-o", mesh, "--radius", 0.12)
         self.refuse("material", self.folder / "strike.wav", "--mesh", mesh,
                     "-o", self.folder / "x.json", naming="strike.wav",
-                    saying="not those of this mesh")
+                    saying="not those of ball.obj")

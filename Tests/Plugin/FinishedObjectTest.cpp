@@ -1,16 +1,14 @@
 #include "Plugin/FinishedObject.h"
 
-#include "AudioFiles/AudioFileWriter.h"
 #include "Support/ImportedFiles.h"
+#include "Support/RecordedStrike.h"
 #include "Support/TestSound.h"
 
-#include <array>
 #include <atomic>
 #include <catch2/catch_approx.hpp>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
 #include <cmath>
-#include <numbers>
 
 using namespace idiophone;
 using namespace idiophone::test;
@@ -19,30 +17,7 @@ using Catch::Matchers::ContainsSubstring;
 
 namespace {
 
-struct Tone {
-    double hz, decayPerSecond, amplitude;
-};
-constexpr std::array tones{Tone{440, 6, 0.4}, Tone{1210, 11, 0.25}, Tone{2370, 17, 0.15}};
-
-/// Writes a strike after a fifth of a second of silence.
-std::filesystem::path recordedStrike(const std::string& name) {
-    constexpr int rate = 48000;
-    std::vector<float> samples(rate / 5);
-    for (int i = 0; i < rate; ++i) {
-        double sample = 0;
-        for (const auto& [hz, decay, amplitude] : tones)
-            sample += amplitude * std::exp(-decay * i / rate) *
-                      std::sin(2 * std::numbers::pi * hz * i / rate);
-        samples.push_back(static_cast<float>(sample));
-    }
-    const auto file = testFolder() / name;
-    const auto writer = AudioFileWriter::create(file, rate, 1, 24);
-    REQUIRE(writer);
-    const float* const channel = samples.data();
-    REQUIRE((*writer)->write(&channel, static_cast<int>(samples.size())));
-    REQUIRE((*writer)->finish());
-    return file;
-}
+const std::vector<Tone> tones{{440, 6, 0.4}, {1210, 11, 0.25}, {2370, 17, 0.15}};
 
 } // namespace
 
@@ -50,7 +25,7 @@ TEST_CASE("A recording that is opened plays over the keys, with its own modes") 
     for (const auto* name : {"strike.wav", "strike.flac"}) {
         Processor processor;
         auto& workshop = processor.view().workshop;
-        const auto file = recordedStrike(name);
+        const auto file = recordedStrike(name, tones);
         CHECK(workshop.canOpen(file));
         workshop.openFile(file);
         finish(processor);
@@ -91,8 +66,8 @@ TEST_CASE("A file that is no recording of a strike is refused, and its fault nam
 
 TEST_CASE("The fit of a recording can be cancelled") {
     const std::atomic cancelled = true;
-    const auto object =
-        finishedObject(recordedStrike("strike.wav"), {.progress = {}, .cancelled = &cancelled});
+    const auto object = finishedObject(recordedStrike("strike.wav", tones),
+                                       {.progress = {}, .cancelled = &cancelled});
     REQUIRE_FALSE(object);
     CHECK(isCancellation(object.error()));
 }

@@ -3,6 +3,7 @@
 #include "Plugin/RealTimeTrap.h"
 #include "Plugin/RestoredSound.h"
 #include "Support/ImportedFiles.h"
+#include "Support/RecordedStrike.h"
 #include "Support/UserSettings.h"
 
 #include "Instrument/FactoryContent.h"
@@ -110,4 +111,23 @@ TEST_CASE("Without a thread to read it, a file is refused; later the same file o
     processor.view().workshop.openFile(file);
     finish(processor);
     CHECK(processor.soundSession().loadedSound().preset.name == "plate");
+}
+
+TEST_CASE("Without a thread to fit a material, the recording is refused; later it is fitted") {
+    if (!realTimeTrapWorks())
+        SKIP("threads cannot be made to fail here");
+    const UserSettings user;
+    const RecordedStrike strike{.recording = recordedStrike("strike.wav", {{440, 6, 0.4}})};
+    Processor processor;
+    auto& fits = processor.view().materialFits;
+    {
+        const NoThreads shortage;
+        fits.fitMaterial(strike);
+    }
+    processor.poll();
+    CHECK(processor.view().status.takeStatus().sentence == "strike.wav" + noThread);
+    fits.fitMaterial(strike);
+    waitUntil([&] { return fits.fitStatus().stage != MaterialFitStatus::Stage::working; },
+              [&] { processor.poll(); });
+    CHECK(fits.fitStatus().stage == MaterialFitStatus::Stage::done);
 }
