@@ -138,6 +138,19 @@ TEST_CASE("A free body struck off its centre yields by its rotation too") {
     CHECK(impact.impulseNewtonSeconds == Approx(2 * 2 / (1.0 / 3 + expected)).epsilon(1e-6));
 }
 
+TEST_CASE("A body in a clamp yields by its modes only") {
+    auto struck = object(0.5, {1000}, {2});
+    const auto striker = head(0.03, 1e-3);
+    const auto free = DrivingPoint(struck, onVertex, {}).struckBy(striker, 2);
+    struck.clampedVertices = {0};
+    const auto held = DrivingPoint(struck, onVertex, {}).struckBy(striker, 2);
+    CHECK(held.impulseNewtonSeconds > free.impulseNewtonSeconds);
+    struck.eigenvalues.clear();
+    struck.shapes.clear();
+    const auto wall = DrivingPoint(struck, onVertex, {}).struckBy(striker, 2);
+    CHECK(wall.contactSeconds == Approx(1e-3));
+}
+
 TEST_CASE("A mode far slower than the contact acts as a free mass, and a far faster one is rigid") {
     const auto striker = head(0.03, 1e-3);
     const auto impactOn = [&](double hz) {

@@ -63,6 +63,7 @@ void checkRefused(std::span<const std::byte> file, const char* sentence) {
 TEST_CASE("An object read back equals the written one, to the last bit") {
     auto object = syntheticObject({100, 200.125, 44000}, {0.3f, -1.7f, 3e-9f});
     object.bending = {1, 2, 3};
+    object.clampedVertices = {0, 2};
     object.decaysPerSecond = {0.3, 7, 1.0 / 3};
     object.material.damping.lossFactor = 1.7e-4;
     object.radiation = radiatingObject().radiation;
@@ -80,6 +81,7 @@ TEST_CASE("An object read back equals the written one, to the last bit") {
     CHECK(back->eigenvalues == object.eigenvalues);
     CHECK(back->shapes == object.shapes);
     CHECK(back->bending == object.bending);
+    CHECK(back->clampedVertices == object.clampedVertices);
     CHECK(back->decaysPerSecond == object.decaysPerSecond);
     CHECK(back->radiation == object.radiation);
     CHECK(back->vertices == object.vertices);

@@ -51,6 +51,8 @@ TEST_CASE("Each malformed field is named") {
         "less than a nanometre");
     refuse([](auto& o) { o.bending = {1}; }, "bending parts");
     refuse([](auto& o) { o.bending = {1, -1, 1}; }, "bending part");
+    refuse([](auto& o) { o.clampedVertices = {1, 0}; }, "list of clamped vertices");
+    refuse([](auto& o) { o.clampedVertices = {-1}; }, "list of clamped vertices");
     refuse([](auto& o) { o.decaysPerSecond = {1}; }, "decays are not one for each mode");
     refuse([](auto& o) { o.decaysPerSecond = {1, 0, 1}; }, "decay is not between");
     refuse([](auto& o) { o.extraDecaysPerSecond = {1}; }, "extra decays are not one for each");
