@@ -54,7 +54,7 @@ Result<SampleFolder> exportTask(const SampleTask& task,
     if (task.places.empty()) {
         const auto& name = task.sampled.preset.name;
         folder.index =
-            settings.folder / fileNameFrom((name.empty() ? "Instrument" : name) + ".sfz");
+            settings.folder / (fileNameFrom(name.empty() ? "Instrument" : name) + ".sfz");
         text = sfzOf(task, settings, exported->gainDecibels);
     } else {
         auto figures = figuresOf(jobs, control);
