@@ -9,6 +9,7 @@
 #include "Editor/ParameterView.h"
 #include "Editor/PresetShelf.h"
 #include "Editor/RecorderView.h"
+#include "Editor/SampleView.h"
 #include "Editor/SoundVariants.h"
 #include "Editor/SoundView.h"
 #include "Editor/StageView.h"
@@ -32,6 +33,7 @@ struct ProcessorView {
     SoundVariants& variants;
     MidiLearnView& controllers;
     RecorderView& recorder;
+    SampleView& samples;
     StatusView& status;
 };
 

@@ -10,25 +10,27 @@ WindowSession::WindowSession(SharedParts& shared, SoundSession& session)
       materials(shared.parameters, session, history, edits), instrument(shared, session),
       stage(shared, session), modes(shared, session, history),
       imports(shared, session, history, materials), tuning(shared, session, history),
-      presets(session, history, imports, userSettingsFolder()),
-      recorder(shared, session), view{.parameters = edits,
-                                      .materials = materials,
-                                      .instrument = instrument,
-                                      .stage = stage,
-                                      .sound = modes,
-                                      .workshop = imports,
-                                      .tuning = tuning,
-                                      .presets = presets,
-                                      .history = history,
-                                      .variants = variants,
-                                      .controllers = controllers,
-                                      .recorder = recorder,
-                                      .status = session} {}
+      presets(session, history, imports, userSettingsFolder()), recorder(shared, session),
+      samples(shared, session, tuning), view{.parameters = edits,
+                                             .materials = materials,
+                                             .instrument = instrument,
+                                             .stage = stage,
+                                             .sound = modes,
+                                             .workshop = imports,
+                                             .tuning = tuning,
+                                             .presets = presets,
+                                             .history = history,
+                                             .variants = variants,
+                                             .controllers = controllers,
+                                             .recorder = recorder,
+                                             .samples = samples,
+                                             .status = session} {}
 
 void WindowSession::poll() {
     instrument.poll();
     imports.poll();
     recorder.poll();
+    samples.poll();
 }
 
 } // namespace idiophone

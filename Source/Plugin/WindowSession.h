@@ -9,6 +9,7 @@
 #include "Plugin/ParameterEdits.h"
 #include "Plugin/PresetCollection.h"
 #include "Plugin/RecorderSession.h"
+#include "Plugin/SampleSession.h"
 #include "Plugin/SoundHistory.h"
 #include "Plugin/StageSession.h"
 #include "Plugin/TuningSession.h"
@@ -35,6 +36,7 @@ struct WindowSession {
     TuningSession tuning;
     PresetCollection presets;
     RecorderSession recorder;
+    SampleSession samples;
     ProcessorView view;
 };
 
