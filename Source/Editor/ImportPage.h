@@ -9,6 +9,7 @@
 #include "Editor/ObjectShortcuts.h"
 #include "Editor/ProcessorView.h"
 #include "Editor/Utf8.h"
+#include "Editor/WorkProgress.h"
 
 #include <utility>
 
@@ -63,7 +64,7 @@ public:
     static juce::String stepText(const ImportStatus& status) {
         const auto step =
             fromUtf8(status.step) +
-            (status.secondsLeft ? ", " + timeText(*status.secondsLeft) : juce::String("..."));
+            (status.secondsLeft ? ", " + timeLeftText(*status.secondsLeft) : juce::String("..."));
         switch (status.stage) {
         case Stage::working:
             return step;
@@ -87,16 +88,8 @@ public:
     }
 
     void paint(juce::Graphics& g) override {
-        if (!shown.isWorking())
-            return;
-        const auto track = bar.toFloat();
-        g.setColour(colourOf(*this, LookColour::outline));
-        g.fillRoundedRectangle(track, track.getHeight() / 2);
-        g.setColour(colourOf(*this, LookColour::accent));
-        g.fillRoundedRectangle(
-            track.withWidth(
-                std::max(track.getHeight(), track.getWidth() * static_cast<float>(shown.progress))),
-            track.getHeight() / 2);
+        if (shown.isWorking())
+            paintProgress(g, *this, bar, shown.progress);
     }
     void resized() override {
         constexpr int line = 26, gap = 6;
@@ -136,13 +129,6 @@ public:
     }
 
 private:
-    static juce::String timeText(int seconds) {
-        return "about " +
-               (seconds < 90 ? juce::String(seconds) + " s"
-                             : juce::String((seconds + 30) / 60) + " min") +
-               " left";
-    }
-
     static void setTextOf(juce::Label& label, const juce::String& text) {
         label.setText(text, juce::dontSendNotification);
     }
