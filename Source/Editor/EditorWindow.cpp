@@ -176,6 +176,7 @@ bool EditorWindow::keyPressed(const juce::KeyPress& key) {
     if (key.isKeyCode(juce::KeyPress::tabKey))
         focusRing.tabPressed();
     return presets.handleKey(key) || (controllers.isVisible() && controllers.keyPressed(key)) ||
+           (samples.isVisible() && samples.keyPressed(key)) ||
            (juce::JUCEApplicationBase::isStandaloneApp() && keyboard.pressOctaveKey(key)) ||
            AudioProcessorEditor::keyPressed(key);
 }

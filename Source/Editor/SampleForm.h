@@ -179,10 +179,13 @@ private:
         said.setTooltip(sentence);
         colourSentence();
         const bool runs = shown.isExporting();
+        const bool isFocused = begin.hasKeyboardFocus(false) || stop.hasKeyboardFocus(false);
         lists.setEnabled(!runs);
         begin.setVisible(!runs);
         begin.setEnabled(shown.stage != Stage::refused && shown.stage != Stage::none);
         stop.setVisible(runs);
+        if (isFocused)
+            (runs ? stop : begin).grabKeyboardFocus();
         reveal.setVisible(shown.stage == Stage::done);
         repaint();
     }

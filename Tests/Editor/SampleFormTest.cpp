@@ -175,6 +175,9 @@ TEST_CASE("The export opens in the window by its button and closes by Escape") {
     CHECK_FALSE(form->isVisible());
     CHECK(picture->isVisible());
     exporting->onClick();
+    CHECK(window->keyPressed(juce::KeyPress(juce::KeyPress::escapeKey))); // wherever the focus is
+    CHECK_FALSE(form->isVisible());
+    exporting->onClick();
     exporting->onClick();
     CHECK_FALSE(form->isVisible());
 }
