@@ -141,6 +141,17 @@ sleep 0.5
 shot_with_menus light-menu
 xdotool key Escape
 
+# The export of samples, of keys and in the smallest window.
+samples() { click $((width - 276)) "$1"; sleep 2; }
+samples 726
+shot light-samples
+samples 726
+size 800 500
+samples 411
+shot light-samples-small
+samples 411
+size 1180 860
+
 # A strike path drawn by hand over the steel plate.
 choose 'steel plate'
 draw_path

@@ -1,4 +1,4 @@
-# libebur128 1.2.6: loudness, for the console's figures and the tests.
+# libebur128 1.2.6: loudness, for samples, the console's figures and the tests.
 if(TARGET idiophone_ebur128)
     return()
 endif()

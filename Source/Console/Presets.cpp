@@ -1,12 +1,12 @@
 #include "Console/Command.h"
 #include "Console/JsonText.h"
-#include "Console/LoudnessMeter.h"
 #include "Console/PresetChoice.h"
 #include "Console/TextColumns.h"
 #include "Instrument/FactoryContent.h"
 #include "Instrument/LoudnessPhrase.h"
 #include "Instrument/Player.h"
 #include "Output/OutputStage.h"
+#include "Sampling/LoudnessMeter.h"
 
 #include <algorithm>
 #include <array>

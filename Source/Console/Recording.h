@@ -1,10 +1,10 @@
 // Records the output stage to a stereo audio file and reports on the sound.
 #pragma once
 
-#include "Console/LoudnessMeter.h"
-#include "Output/OutputStage.h"
 #include "AudioFiles/AudioFileWriter.h"
+#include "Output/OutputStage.h"
 #include "Parameters/ParameterTable.h"
+#include "Sampling/LoudnessMeter.h"
 
 #include <CLI/CLI.hpp>
 #include <cstddef>

@@ -1,145 +1,83 @@
-#include "AudioFiles/AudioFileReader.h"
 #include "Console/Command.h"
-#include "Console/FileName.h"
 #include "Console/Interrupt.h"
 #include "Console/JsonText.h"
-#include "Console/LoudnessMeter.h"
 #include "Console/OptionChecks.h"
 #include "Console/ParameterAssignments.h"
 #include "Console/ProgressLine.h"
-#include "Console/SampleTask.h"
+#include "Console/SampleOptions.h"
 #include "Object/NumberText.h"
-#include "Object/TextFile.h"
 #include "Object/WorkTeam.h"
-#include "Sampling/SfzText.h"
+#include "Sampling/SampleFolder.h"
 
-#include <algorithm>
-#include <cmath>
 #include <iostream>
+#include <span>
 
 namespace idiophone {
 namespace {
 
 using nlohmann::ordered_json;
 
-/// Loudness and length of a file, as it lies on the disk.
-struct FileFigures {
-    double seconds = 0, peakDecibels = 0, loudestMomentLufs = 0;
-};
-
-Result<FileFigures> figuresOf(const std::filesystem::path& file) {
-    auto sound = readChannels(file);
-    if (!sound)
-        return tl::unexpected(sound.error());
-    const auto channels = static_cast<std::size_t>(sound->channelCount);
-    FileFigures figures;
-    figures.seconds = static_cast<double>(sound->samples.size() / channels) / sound->sampleRateHz;
-    double peak = 0;
-    for (const float sample : sound->samples)
-        peak = std::max(peak, std::abs(static_cast<double>(sample)));
-    figures.peakDecibels = 20 * std::log10(peak);
-    // Silence behind a short sound gives it the 400 ms that loudness takes.
-    const auto rate = static_cast<int>(sound->sampleRateHz);
-    sound->samples.resize(sound->samples.size() + channels * static_cast<std::size_t>(rate) / 2);
-    figures.loudestMomentLufs = loudestMomentLufs(sound->samples, sound->channelCount, rate);
-    return figures;
-}
-
-Result<std::string>
-writeSfz(const SampleOptions& options, const SampleTask& task, double gainDecibels) {
-    const auto& sampled = task.sampled;
-    SfzInstrument sfz{.name = sampled.preset.name,
-                      .folder = "",
-                      .ending = "." + options.ending,
-                      .gainDecibels = gainDecibels,
-                      .tailDecibels = options.files.tailDecibels,
-                      .keysHavePitches = sampled.preset.keyMap.kind != KeyMapKind::zones,
-                      .releaseSeconds = {}};
-    if (sampled.values[ParameterId::letRing] == 0)
-        sfz.releaseSeconds = sampled.values[ParameterId::releaseTime];
-    const auto file =
-        options.folder /
-        fileNameFrom((sampled.preset.name.empty() ? "Instrument" : sampled.preset.name) + ".sfz");
-    if (auto done = writeTextFile(file, sfzText(sfz, task.plan)); !done)
-        return tl::unexpected(done.error());
-    return file.string();
-}
-
-Result<std::string> writeTable(const SampleOptions& options, const ordered_json& files) {
-    std::string table = "file,x_m,y_m,z_m,velocity,peak_dbfs,loudest_moment_lufs,seconds\n";
-    for (const auto& row : files) {
-        table += row["file"].get<std::string>();
-        for (const double metres : row["place_m"])
-            table += "," + numberText(metres + 0.0); // no "-0"
-        table += "," + std::to_string(row["velocity"].get<int>());
-        for (const auto* figure : {"peak_dbfs", "loudest_moment_lufs", "seconds"})
-            table += "," + numberText(row[figure].get<double>());
-        table += "\n";
-    }
-    const auto file = options.folder / "samples.csv";
-    if (auto done = writeTextFile(file, table); !done)
-        return tl::unexpected(done.error());
-    return file.string();
-}
-
-Result<ordered_json> describeFiles(const SampleTask& task) {
-    auto files = ordered_json::array();
-    for (std::size_t i = 0; i < task.jobs.size(); ++i) {
-        const auto figures = figuresOf(task.jobs[i].file);
-        if (!figures)
-            return tl::unexpected(figures.error());
-        auto row = task.names[i];
-        row["peak_dbfs"] = figures->peakDecibels;
-        row["loudest_moment_lufs"] = figures->loudestMomentLufs;
-        row["seconds"] = figures->seconds;
-        files.push_back(std::move(row));
-    }
-    return files;
-}
-
-Result<ExportedSamples> render(const SampleOptions& options, const SampleTask& task) {
+Result<SampleFolder> render(const SampleOptions& options, const SampleTask& task) {
     auto settings = options.files;
     settings.folder = options.folder;
     WorkTeam team(options.threads);
     ProgressLine progress(task.sampled.preset.name);
-    auto exported = exportSamples(task.sampled, task.jobs, settings, team, progress.control());
-    if (!exported && isCancellation(exported.error()))
+    auto folder = exportTask(task, settings, team, progress.control());
+    if (!folder && isCancellation(folder.error()))
         return failure(std::string(interruptedMessage));
-    if (exported && exported->clipped > 0)
-        std::cerr << "warning: " << exported->clipped << " samples clip; a lower --gain avoids this"
-                  << std::endl;
-    return exported;
+    if (folder && folder->exported.clipped > 0)
+        std::cerr << "warning: " << folder->exported.clipped
+                  << " samples clip; a lower --gain avoids this" << std::endl;
+    return folder;
+}
+
+ordered_json describe(const SampleTask& task, std::span<const SampleFigures> figures) {
+    auto files = ordered_json::array();
+    for (std::size_t i = 0; i < figures.size(); ++i) {
+        if (task.places.empty())
+            files.push_back({{"file", task.keys[i].name + task.ending},
+                             {"key", task.keys[i].key},
+                             {"velocity", task.keys[i].velocity},
+                             {"round_robin", task.keys[i].roundRobin}});
+        else
+            files.push_back({{"file", task.places[i].name + task.ending},
+                             {"place_m", task.places[i].placeMetres},
+                             {"velocity", task.places[i].strike.velocity}});
+        files.back()["peak_dbfs"] = figures[i].peakDecibels;
+        files.back()["loudest_moment_lufs"] = figures[i].loudestMomentLufs;
+        files.back()["seconds"] = figures[i].seconds;
+    }
+    return files;
 }
 
 Result<void> sample(const SampleOptions& options) {
-    const auto planned = planSampling(options);
-    if (!planned)
-        return tl::unexpected(planned.error());
-    const auto& task = *planned;
+    const auto task = planSampling(options);
+    if (!task)
+        return tl::unexpected(task.error());
     if (auto made = makeDirectory(options.folder); !made)
         return made;
-    const auto exported = render(options, task);
-    if (!exported)
-        return tl::unexpected(exported.error());
-    const auto files = describeFiles(task);
-    if (!files)
-        return tl::unexpected(files.error());
-    const auto index = options.places ? writeTable(options, *files)
-                                      : writeSfz(options, task, exported->gainDecibels);
-    if (!index)
-        return tl::unexpected(index.error());
-    if (options.json)
-        std::cout << jsonText({{"index", *index},
-                               {"samples", task.jobs.size()},
-                               {"rendered", exported->rendered},
-                               {"gain_db", exported->gainDecibels},
-                               {"sample_rate_hz", options.sampleRateHz},
-                               {"tail_db", options.files.tailDecibels},
-                               {"files", *files}});
-    else
-        std::cout << *index << ": " << task.jobs.size() << " samples, " << exported->rendered
-                  << " of them new, with a gain of " << numberText(exported->gainDecibels) << " dB"
+    const auto folder = render(options, *task);
+    if (!folder)
+        return tl::unexpected(folder.error());
+    const auto& exported = folder->exported;
+    const auto index = folder->index.string();
+    const auto jobs = task->jobsIn(options.folder);
+    if (!options.json) {
+        std::cout << index << ": " << jobs.size() << " samples, " << exported.rendered
+                  << " of them new, with a gain of " << numberText(exported.gainDecibels) << " dB"
                   << std::endl;
+        return {};
+    }
+    const auto figures = task->places.empty() ? figuresOf(jobs) : folder->figures;
+    if (!figures)
+        return tl::unexpected(figures.error());
+    std::cout << jsonText({{"index", index},
+                           {"samples", jobs.size()},
+                           {"rendered", exported.rendered},
+                           {"gain_db", exported.gainDecibels},
+                           {"sample_rate_hz", options.sampleRateHz},
+                           {"tail_db", options.files.tailDecibels},
+                           {"files", describe(*task, *figures)}});
     return {};
 }
 

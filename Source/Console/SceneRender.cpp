@@ -1,8 +1,8 @@
 #include "Console/SceneRender.h"
 
-#include "Console/FileName.h"
 #include "Console/RenderLoop.h"
 #include "Instrument/Instrument.h"
+#include "Object/FileName.h"
 #include "Object/OneLine.h"
 #include "Object/WorkTeam.h"
 

@@ -1,6 +1,5 @@
 #include "Analysis/FactoryBars.h"
 #include "Console/Command.h"
-#include "Console/LoudnessMeter.h"
 #include "Console/MaterialChoice.h"
 #include "Console/OptionChecks.h"
 #include "Console/ProgressLine.h"
@@ -11,6 +10,7 @@
 #include "Object/FileBytes.h"
 #include "Object/ModalObjectFile.h"
 #include "Object/TextFile.h"
+#include "Sampling/LoudnessMeter.h"
 
 #include <array>
 #include <cmath>

@@ -29,9 +29,6 @@ public:
     }
 
     Kind kind() const { return common; }
-    /// The files that a drop opens: one, or all that tune the keys.
-    const juce::StringArray& toOpen() const { return opened; }
-
     /// For the time before the drop: "Drop to play teapot.obj".
     juce::String offer() const {
         if (common == Kind::unreadable)
@@ -56,6 +53,24 @@ public:
         return (juce::File(all[0]).getFileName().quoted() + " is not opened here: it is none of " +
                 patterns.removeCharacters("*").replace(";", ", ") + ".")
             .toStdString();
+    }
+
+    /// Opens the files. The status shows errors.
+    void open() const {
+        switch (common) {
+        case Kind::unreadable:
+            return view.status.reportError(refusal());
+        case Kind::preset:
+            if (const auto done = view.presets.openPresetFile(pathOf(opened[0])); !done)
+                view.status.reportError(done.error().message);
+            return;
+        case Kind::tuning: // a scale and its mapping arrive together
+            for (const auto& file : opened)
+                view.tuning.openTuning(pathOf(file));
+            return;
+        case Kind::object:
+            return view.workshop.openFile(pathOf(opened[0]));
+        }
     }
 
 private:

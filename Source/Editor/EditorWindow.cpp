@@ -28,8 +28,8 @@ constexpr int busyHz = 25, restHz = 8, ticksToRest = 50;
 
 EditorWindow::EditorWindow(juce::AudioProcessor& audioProcessor, ProcessorView& processorView)
     : AudioProcessorEditor(audioProcessor), view(processorView), look(preferences.look()),
-      presets(view), object(view), controllers(view), browser(view.presets), recorder(view),
-      volume(parameterInfo(ParameterId::volume), view), keyboard(view) {
+      presets(view), object(view), controllers(view), browser(view.presets), samples(view),
+      recorder(view), volume(parameterInfo(ParameterId::volume), view), keyboard(view) {
     setLookAndFeel(&look);
     makePages();
     lookButton.onLook = [this](LookScheme scheme) { setLook(scheme); };
@@ -47,6 +47,7 @@ EditorWindow::EditorWindow(juce::AudioProcessor& audioProcessor, ProcessorView& 
               volume, keyboard);
     addChildComponent(controllers);
     addChildComponent(browser);
+    addChildComponent(samples);
     deck.setShowsUnits(preferences.showsUnits());
     deck.onUnits = [this] { preferences.setShowsUnits(deck.showsUnits()); };
     controllers.onClose = [this] { show(Middle::pages); };
@@ -56,6 +57,8 @@ EditorWindow::EditorWindow(juce::AudioProcessor& audioProcessor, ProcessorView& 
         browser.askToSave();
     };
     browser.onClose = [this] { setBrowsing(false); };
+    samples.onClose = [this] { show(Middle::pages); };
+    recorder.onSamples = [this] { show(samples.isVisible() ? Middle::pages : Middle::samples); };
     playPhrases();
     object.picture().addChildComponent(firstHints);
     addChildComponent(dropFrame);
@@ -158,11 +161,14 @@ void EditorWindow::show(Middle shown) {
     if (shown != Middle::browser)
         view.presets.keepAudition();
     browser.setVisible(shown == Middle::browser);
-    object.setVisible(shown != Middle::browser);
+    samples.setVisible(shown == Middle::samples);
+    object.setVisible(shown == Middle::pages || shown == Middle::controllers);
     deck.setVisible(shown == Middle::pages);
     controllers.setVisible(shown == Middle::controllers);
     if (shown == Middle::browser)
         browser.open();
+    else if (shown == Middle::samples)
+        samples.open();
     else if (shown == Middle::pages && isShowing() && juce::JUCEApplicationBase::isStandaloneApp())
         keyboard.takeFocus();
     presets.refresh();
@@ -172,6 +178,7 @@ bool EditorWindow::keyPressed(const juce::KeyPress& key) {
     if (key.isKeyCode(juce::KeyPress::tabKey))
         focusRing.tabPressed();
     return presets.handleKey(key) || (controllers.isVisible() && controllers.keyPressed(key)) ||
+           (samples.isVisible() && samples.keyPressed(key)) ||
            (juce::JUCEApplicationBase::isStandaloneApp() && keyboard.pressOctaveKey(key)) ||
            AudioProcessorEditor::keyPressed(key);
 }
@@ -197,6 +204,8 @@ void EditorWindow::timerCallback() {
     object.refresh();
     deck.refresh();
     recorder.refresh();
+    if (samples.isVisible())
+        samples.refresh();
     controllers.refresh();
     volume.refresh();
     keyboard.refresh();
@@ -245,22 +254,11 @@ void EditorWindow::fileDragExit(const juce::StringArray&) {
 void EditorWindow::filesDropped(const juce::StringArray& files, int, int) {
     dropFrame.hide();
     const DroppedFiles dropped(files, view);
-    using enum DroppedFiles::Kind;
-    switch (dropped.kind()) {
-    case unreadable:
-        return view.status.reportError(dropped.refusal());
-    case preset:
-        if (const auto opened = view.presets.openPresetFile(pathOf(dropped.toOpen()[0])); !opened)
-            view.status.reportError(opened.error().message);
-        return;
-    case tuning: // a scale and its mapping arrive together
-        for (const auto& file : dropped.toOpen())
-            view.tuning.openTuning(pathOf(file));
-        return showPage(tuningPage);
-    case object:
-        view.workshop.openFile(pathOf(dropped.toOpen()[0]));
-        return showPage(importPage);
-    }
+    dropped.open();
+    if (dropped.kind() == DroppedFiles::Kind::tuning)
+        showPage(tuningPage);
+    else if (dropped.kind() == DroppedFiles::Kind::object)
+        showPage(importPage);
 }
 
 void EditorWindow::resized() {
@@ -284,6 +282,7 @@ void EditorWindow::placeParts() {
     recorder.setBounds(line.removeFromRight(recorder.width()));
     status.setBounds(line.withTrimmedRight(4));
     browser.setBounds(area);
+    samples.setBounds(area);
     if (area.getHeight() < minimumHeightForBoth) {
         const int fitting = (area.getWidth() * 3 / 5) / DeckPage::minimumWidth;
         const int pages = std::clamp(fitting, 1, deck.pageCount());

@@ -23,6 +23,7 @@
 #include "Editor/PresetPhrase.h"
 #include "Editor/ProcessorView.h"
 #include "Editor/RecorderStrip.h"
+#include "Editor/SampleForm.h"
 #include "Editor/StatusBar.h"
 #include "Editor/WindowScale.h"
 
@@ -70,8 +71,9 @@ public:
     void filesDropped(const juce::StringArray& files, int x, int y) override;
 
 private:
-    /// The middle of the window shows the browser, or the picture with pages or controllers.
-    enum class Middle { pages, controllers, browser };
+    /// The middle of the window shows the browser, the export of samples, or the picture with pages
+    /// or controllers.
+    enum class Middle { pages, controllers, browser, samples };
 
     void show(Middle shown);
     void showPage(int page) {
@@ -96,6 +98,7 @@ private:
     PageDeck deck;
     ControllerList controllers;
     PresetBrowser browser;
+    SampleForm samples;
     StatusBar status;
     RecorderStrip recorder;
     IconButton silence{"Silence", icons::silence()};

@@ -92,6 +92,11 @@ juce::Path record() {
     return path;
 }
 
+juce::Path samples() { // keys, and an arrow that takes them out
+    return drawn("M.46 .3 L.1 .3 L.1 .9 L.78 .9 L.78 .64 M.33 .62 L.33 .88 M.55 .62 L.55 .88 "
+                 "M.58 .36 L.92 .36 M.76 .18 L.94 .36 L.76 .54");
+}
+
 juce::Path frame() { // corners around a dot
     auto path = drawn("M.34 .12 L.12 .12 L.12 .34 M.66 .12 L.88 .12 L.88 .34 "
                       "M.34 .88 L.12 .88 L.12 .66 M.66 .88 L.88 .88 L.88 .66");

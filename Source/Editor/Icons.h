@@ -17,6 +17,7 @@ juce::Path copy();
 juce::Path silence();
 juce::Path soundFile();
 juce::Path record();
+juce::Path samples();
 juce::Path frame();
 juce::Path folder();
 juce::Path sheet();

@@ -1,6 +1,7 @@
 #include "Editor/ModeText.h"
 
 #include "Editor/FigureText.h"
+#include "Editor/Utf8.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,6 +27,12 @@ juce::String secondsText(double seconds) {
 
 juce::String noteName(int midiNote) {
     return juce::MidiMessage::getMidiNoteName(midiNote, true, true, 4);
+}
+
+juce::String objectText(const InstrumentView::PlayedObject& played) {
+    const auto name = fromUtf8(played.object->name);
+    return played.lowestNote == played.highestNote ? noteName(played.lowestNote) + "  " + name
+                                                   : name;
 }
 
 juce::String noteText(double frequencyHz) {

@@ -1,6 +1,7 @@
-// Texts about modes: level, frequency, note, decay time and state.
+// Texts about objects and their modes: name, level, frequency, note, decay time and state.
 #pragma once
 
+#include "Editor/InstrumentView.h"
 #include "Editor/SoundView.h"
 
 #include <juce_core/juce_core.h>
@@ -19,6 +20,8 @@ juce::String frequencyText(double frequencyHz);
 juce::String secondsText(double seconds);
 /// "A4" for MIDI note 69.
 juce::String noteName(int midiNote);
+/// The name of an object, behind its note if one key alone plays it.
+juce::String objectText(const InstrumentView::PlayedObject& played);
 /// The nearest note and the deviation in cents: "A4 +3 ct", with A4 = 440 Hz. Empty outside the
 /// MIDI range.
 juce::String noteText(double frequencyHz);

@@ -93,19 +93,13 @@ private:
     static constexpr int barHeight = 26, lineHeight = 16, gap = 6;
     static constexpr int lastPlayedId = 1; // item number; the objects follow
 
-    static juce::String nameOf(const InstrumentView::PlayedObject& played) {
-        const auto name = fromUtf8(played.object->name);
-        return played.lowestNote == played.highestNote ? noteName(played.lowestNote) + "  " + name
-                                                       : name;
-    }
-
     void listObjects() {
         listedInstrument = view.instrument.instrumentNumber();
         objects.clear(juce::dontSendNotification);
         objects.addItem("Played last", lastPlayedId);
         int id = lastPlayedId;
         for (const auto& played : view.instrument.playedObjects())
-            objects.addItem(nameOf(played), ++id);
+            objects.addItem(objectText(played), ++id);
     }
     void modeShown() {
         describe();

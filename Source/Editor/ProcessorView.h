@@ -10,6 +10,7 @@
 #include "Editor/ParameterView.h"
 #include "Editor/PresetShelf.h"
 #include "Editor/RecorderView.h"
+#include "Editor/SampleView.h"
 #include "Editor/SoundVariants.h"
 #include "Editor/SoundView.h"
 #include "Editor/StageView.h"
@@ -34,6 +35,7 @@ struct ProcessorView {
     SoundVariants& variants;
     MidiLearnView& controllers;
     RecorderView& recorder;
+    SampleView& samples;
     StatusView& status;
 };
 

@@ -1,4 +1,4 @@
-// The output as sound files: buttons for the last seconds and for recordings of any length.
+// The sound as files: buttons for samples, for the last seconds and for recordings of any length.
 #pragma once
 
 #include "Editor/CaptureButton.h"
@@ -15,10 +15,11 @@ namespace idiophone {
 class RecorderStrip final : public juce::Component {
 public:
     explicit RecorderStrip(ProcessorView& processor)
-        : view(processor.recorder), last(processor.status,
-                                         soundCapture(processor.recorder),
-                                         "Last 30 seconds",
-                                         icons::soundFile()) {
+        : view(processor.recorder), exporting(processor.samples),
+          last(processor.status,
+               soundCapture(processor.recorder),
+               "Last 30 seconds",
+               icons::soundFile()) {
         view.keepLastSound();
         last.describe(
             "Last 30 seconds",
@@ -34,19 +35,23 @@ public:
             if (const auto file = complete(); file != juce::File())
                 file.revealToUser();
         };
-        showParts(*this, last, record);
+        samples.onClick = [this] { juce::NullCheckedInvocation::invoke(onSamples); };
+        showParts(*this, samples, last, record);
         addChildComponent(take);
         refresh();
     }
 
+    /// Called to open the export of samples, or to close it.
+    std::function<void()> onSamples;
     /// Called when `width` has changed.
     std::function<void()> onWidth;
 
     /// The width that it needs, in pixels.
-    int width() const { return 2 * button + gap + (take.isVisible() ? takeWidth : 0); }
+    int width() const { return 3 * button + gap + (take.isVisible() ? takeWidth : 0); }
 
     /// Shows the state of a recording: while it runs its time, then also the file.
     void refresh() {
+        refreshExport();
         const auto now = view.recording();
         const auto file = now.file.empty() ? juce::String() : textOf(now.file.filename());
         record.setToggleState(now.isRunning, juce::dontSendNotification);
@@ -79,6 +84,7 @@ public:
         };
         place(record, button); // stays under the mouse when the time appears
         place(last, button);
+        place(samples, button);
         if (take.isVisible())
             place(take, takeWidth);
     }
@@ -86,6 +92,17 @@ public:
 
 private:
     static constexpr int button = 28, takeWidth = 62, gap = 8;
+
+    void refreshExport() {
+        const auto now = exporting.sampleStatus();
+        samples.setToggleState(now.isExporting(), juce::dontSendNotification);
+        samples.describe("Export samples",
+                         now.isExporting()
+                             ? "Samples are being exported: " +
+                                   juce::String(juce::roundToInt(100 * now.progress)) + " %"
+                             : juce::String("Export samples: every key as files for a sampler, or "
+                                            "places of an object for a game"));
+    }
 
     /// Red while it records.
     void showColour() {
@@ -99,6 +116,8 @@ private:
     }
 
     RecorderView& view;
+    SampleView& exporting;
+    IconButton samples{"Export samples", icons::samples()};
     CaptureButton<IconButton> last;
     IconButton record{"Record", icons::record()};
     DragOutButton<juce::TextButton> take; ///< the recording that runs or was made last

@@ -74,7 +74,7 @@ public:
     void paint(juce::Graphics& g) override {
         auto area = getLocalBounds();
         const auto mark = area.removeFromRight(markWidth).toFloat().withSizeKeepingCentre(6, 6);
-        const auto meter = area.removeFromRight(meterWidth).toFloat().withSizeKeepingCentre(112, 6);
+        const auto meter = area.removeFromRight(meterWidth).toFloat().withSizeKeepingCentre(84, 6);
         const auto modes = area.removeFromRight(modesWidth).withTrimmedRight(12);
         const float filled = static_cast<float>(shownDecibels - silentDecibels) / -silentDecibels;
         g.setColour(colourOf(*this, LookColour::outline));
@@ -141,7 +141,7 @@ private:
                                      : delay + ", " + juce::String(shown.lateEvents) + " late";
     }
 
-    static constexpr int markWidth = 10, meterWidth = 116, modesWidth = 92;
+    static constexpr int markWidth = 10, meterWidth = 88, modesWidth = 92;
     static constexpr int sentenceUpdates = 100, errorUpdates = 250; ///< 4 s and 10 s in use
 
     StatusView::Status shown;

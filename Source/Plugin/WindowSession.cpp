@@ -12,26 +12,29 @@ WindowSession::WindowSession(SharedParts& shared, SoundSession& session)
       imports(shared, session, history, materials),
       materialFits(shared.parameters, session, imports, materials),
       tuning(shared, session, history), presets(session, history, imports, userSettingsFolder()),
-      recorder(shared, session), view{.parameters = edits,
-                                      .materials = materials,
-                                      .materialFits = materialFits,
-                                      .instrument = instrument,
-                                      .stage = stage,
-                                      .sound = modes,
-                                      .workshop = imports,
-                                      .tuning = tuning,
-                                      .presets = presets,
-                                      .history = history,
-                                      .variants = variants,
-                                      .controllers = controllers,
-                                      .recorder = recorder,
-                                      .status = session} {}
+      recorder(shared, session),
+      samples(shared, session, tuning), view{.parameters = edits,
+                                             .materials = materials,
+                                             .materialFits = materialFits,
+                                             .instrument = instrument,
+                                             .stage = stage,
+                                             .sound = modes,
+                                             .workshop = imports,
+                                             .tuning = tuning,
+                                             .presets = presets,
+                                             .history = history,
+                                             .variants = variants,
+                                             .controllers = controllers,
+                                             .recorder = recorder,
+                                             .samples = samples,
+                                             .status = session} {}
 
 void WindowSession::poll() {
     instrument.poll();
     imports.poll();
     materialFits.poll();
     recorder.poll();
+    samples.poll();
 }
 
 } // namespace idiophone

@@ -10,6 +10,7 @@
 #include "Plugin/ParameterEdits.h"
 #include "Plugin/PresetCollection.h"
 #include "Plugin/RecorderSession.h"
+#include "Plugin/SampleSession.h"
 #include "Plugin/SoundHistory.h"
 #include "Plugin/StageSession.h"
 #include "Plugin/TuningSession.h"
@@ -37,6 +38,7 @@ struct WindowSession {
     TuningSession tuning;
     PresetCollection presets;
     RecorderSession recorder;
+    SampleSession samples;
     ProcessorView view;
 };
 

@@ -13,13 +13,13 @@
 #include <mutex>
 #include <nlohmann/json.hpp>
 #include <utility>
+#include <variant>
 
 namespace idiophone {
 namespace {
 
-constexpr auto recordName = "samples.json";
 constexpr double attackSeconds = 0.25; // struck objects are loudest before
-constexpr double attackShare = 0.1;    // of the progress
+constexpr double attackShare = 0.02;   // of the progress
 
 /// Handles items on the team. Returns the error of the first item that failed. The owner's thread
 /// reports progress.
@@ -76,21 +76,32 @@ Result<double> gainFor(const SampledInstrument& sampled,
     return std::floor(10 * (headroomDecibels - 20 * std::log10(peak))) / 10;
 }
 
+/// Returns the slot that the jobs strike by hand, or 0 if they strike keys.
+std::size_t slotOf(std::span<const SampleJob> jobs) {
+    const auto* surface = std::get_if<SurfaceStrike>(&jobs.front().strike.by);
+    return surface != nullptr ? surface->slot : 0;
+}
+
 /// Writes the record of the settings. Fails if the folder has a different one.
 Result<void> keepRecord(const SampledInstrument& sampled,
+                        std::size_t slot,
                         const SampleExportSettings& settings,
                         double gainDecibels) {
     auto preset = sampled.preset;
     preset.parameters = sampled.values;
-    const nlohmann::ordered_json record{
-        {"format", "idiophone-samples"},
-        {"sample_rate_hz", sampled.sampleRateHz},
-        {"bit_depth", settings.bitDepth},
-        {"gain_db", gainDecibels},
-        {"tail_db", settings.tailDecibels},
-        {"longest_s", settings.longestSeconds},
-        {"preset", nlohmann::ordered_json::parse(encodePreset(preset))}};
-    const auto file = settings.folder / recordName;
+    nlohmann::ordered_json record{{"format", "idiophone-samples"},
+                                  {"sample_rate_hz", sampled.sampleRateHz},
+                                  {"bit_depth", settings.bitDepth},
+                                  {"gain_db", gainDecibels},
+                                  {"tail_db", settings.tailDecibels},
+                                  {"longest_s", settings.longestSeconds},
+                                  {"preset", nlohmann::ordered_json::parse(encodePreset(preset))}};
+    if (slot > 0)
+        record["slot"] = slot;
+    if (sampled.tuning != KeyTuning())
+        record["tuning"] = {{"semitones_from_equal", sampled.tuning.semitonesFromEqual},
+                            {"unmapped", sampled.tuning.unmapped.to_string()}};
+    const auto file = settings.folder / sampleRecordName;
     const auto text = record.dump(4) + "\n";
     std::error_code ignored;
     if (!std::filesystem::exists(file, ignored))
@@ -134,7 +145,7 @@ Result<ExportedSamples> exportSamples(const SampledInstrument& sampled,
     if (!gain)
         return tl::unexpected(gain.error());
     exported.gainDecibels = *gain;
-    if (auto kept = keepRecord(sampled, settings, *gain); !kept)
+    if (auto kept = keepRecord(sampled, slotOf(jobs), settings, *gain); !kept)
         return tl::unexpected(kept.error());
     std::vector<const SampleJob*> missing;
     std::error_code ignored;

@@ -30,6 +30,9 @@ struct SampleExportSettings {
 
 inline constexpr double headroomDecibels = -3;
 
+/// The record of the settings in a folder of samples.
+inline constexpr auto sampleRecordName = "samples.json";
+
 struct ExportedSamples {
     double gainDecibels = 0;
     std::size_t rendered = 0; ///< files that did not exist yet

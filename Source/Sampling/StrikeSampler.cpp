@@ -70,6 +70,7 @@ Result<StereoSamples> sampleStrike(const SampledInstrument& sampled,
     Player player(sampled.instrument, rate, sampled.preset.surface,
                   sampled.preset.seed + strike.turn, sampled.preset.matched());
     player.setSilencedModes(silencedModes(*sampled.instrument, sampled.preset.mutedModes, {}));
+    player.setTuning(sampled.tuning);
     player.setOffline(true);
     OutputStage output;
     output.prepare(rate, static_cast<int>(blockSize));

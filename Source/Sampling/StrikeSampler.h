@@ -1,6 +1,7 @@
 // Plays one strike of an instrument, as the plugin sounds, into memory.
 #pragma once
 
+#include "Instrument/KeyTuning.h"
 #include "Instrument/Player.h"
 #include "Object/Result.h"
 #include "Object/WorkControl.h"
@@ -18,6 +19,7 @@ struct SampledInstrument {
     Preset preset; ///< its surface, seed, muted modes and values to match
     ParameterValues values;
     double sampleRateHz = 48000;
+    KeyTuning tuning = {}; ///< of the keys
 };
 
 /// A key that is struck and held, or a place of an object.

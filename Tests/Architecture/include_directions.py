@@ -29,12 +29,12 @@ MODULES = {
               "Eigen/ boost/lockfree/ BulletCollision/ LinearMath/ btBulletDynamicsCommon.h nlohmann/"),
     "Output": ("Object Parameters", "juce_core/ juce_dsp/"),
     "Sampling": ("AudioFiles Output Instrument Synth Geometry Parameters Object",
-                 "juce_audio_basics/ nlohmann/"),
+                 "juce_audio_basics/ nlohmann/ ebur128.h"),
     "Editor": ("Parameters Object Geometry", "Eigen/ juce_ GL/ X11/"),
     "Plugin": ("Editor Sampling Output Scene Instrument Analysis Synth Geometry Parameters AudioFiles Object",
                "boost/lockfree/ juce_ nlohmann/ libMTSClient.h pluginterfaces/"),
     "Console": ("Sampling Output Scene Instrument Analysis Synth Geometry Parameters AudioFiles Object",
-                "juce_ CLI/ nlohmann/ ebur128.h mysofa.h"),
+                "juce_ CLI/ nlohmann/ mysofa.h"),
 }
 
 HEADER_ENDINGS = {".h", ".hpp"}

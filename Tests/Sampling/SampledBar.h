@@ -7,12 +7,12 @@
 namespace idiophone::test {
 
 /// Returns one key, 60, that strikes an object with these modes.
-inline SampledInstrument sampledBar(const std::vector<double>& frequenciesHz = {440, 1210}) {
+inline SampledInstrument sampledBar(const std::vector<double>& frequenciesHz = {440, 1210},
+                                    KeyMapKind kind = KeyMapKind::zones) {
     ObjectLibrary library;
     const auto object = library.add("bar", syntheticObject(frequenciesHz));
     Preset preset;
-    preset.keyMap = {
-        .kind = KeyMapKind::zones, .lowestNote = 60, .highestNote = 60, .object = "bar"};
+    preset.keyMap = {.kind = kind, .lowestNote = 60, .highestNote = 60, .object = "bar"};
     auto instrument = Instrument::build(preset.keyMap, library).value();
     return {.instrument = std::move(instrument),
             .preset = preset,

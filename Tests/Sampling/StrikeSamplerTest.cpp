@@ -68,6 +68,15 @@ TEST_CASE("A place is struck on the surface, as loud as the velocity says") {
     CHECK(hard > 2 * soft);
 }
 
+TEST_CASE("A key sounds in the instrument's tuning") {
+    auto bar = sampledBar({440, 1210}, KeyMapKind::scaled);
+    const auto equal = struck(bar, keyStrike(100));
+    bar.tuning.semitonesFromEqual[60] = 1;
+    CHECK_FALSE((struck(bar, keyStrike(100)).left == equal.left));
+    bar.tuning.unmapped.set(60);
+    CHECK(struck(bar, keyStrike(100)).peak() == 0);
+}
+
 TEST_CASE("Sampling a strike can be cancelled") {
     const std::atomic<bool> cancelled{true};
     const auto sound = sampleStrike(sampledBar(), keyStrike(100), -60, 60,

@@ -1,11 +1,9 @@
-// The strikes that `idiophone sample` renders: of a preset's keys, or of places of one object.
+// The options of `idiophone sample`, and the strikes that they mean.
 #pragma once
 
-#include "Sampling/SampleExport.h"
-#include "Sampling/SamplePlan.h"
+#include "Sampling/SampleTask.h"
 
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -24,14 +22,6 @@ struct SampleOptions {
     std::vector<std::string> assignments;
     unsigned threads = 0;
     bool json = false;
-};
-
-/// Strikes of an instrument, and the figures of the report that name each.
-struct SampleTask {
-    SampledInstrument sampled;
-    std::vector<SampleJob> jobs;
-    std::vector<nlohmann::ordered_json> names; ///< [jobs]
-    std::vector<PlannedSample> plan;           ///< [jobs] of keys; empty for places
 };
 
 /// Loads the preset, or for places the object, and plans its strikes. Warns on standard error of

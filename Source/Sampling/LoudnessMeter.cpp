@@ -1,4 +1,4 @@
-#include "Console/LoudnessMeter.h"
+#include "Sampling/LoudnessMeter.h"
 
 #include <algorithm>
 #include <cmath>
