@@ -30,6 +30,14 @@ std::string notesOn(const BodyModel& body, const SolveSettings& settings, const 
     return joinedSentences({body.notes, zeroModes, lowModes});
 }
 
+std::string noteOnClamps(const ModalObject& object) {
+    const auto held = object.clampedVertices.size();
+    if (held == 0)
+        return {};
+    return "Clamps hold " + std::to_string(held) + " of its " +
+           std::to_string(object.vertexCount()) + " vertices.";
+}
+
 /// Returns the part of each λ that grows with the square of the thickness. Compares λ with
 /// Rayleigh's quotient of the mode in a slightly thicker shell, in which the layers move apart as
 /// they turn together.
@@ -203,7 +211,8 @@ Result<ModalObject> solveBody(const BodyModel& body,
     object.provenance = {
         .source = settings.source,
         .software = "Idiophone " IDIOPHONE_VERSION,
-        .notes = joinedSentences({notesOn(body, settings, *modes), radiationNotes}),
+        .notes = joinedSentences(
+            {notesOn(body, settings, *modes), noteOnClamps(object), radiationNotes}),
         .analysisSeconds =
             std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(),
         .analysedVertices = body.surface.vertexCount(),

@@ -23,7 +23,7 @@ constexpr double lengthMetres = 0.2, widthMetres = 0.01, heightMetres = 0.005;
 constexpr std::array cantileverBetas{1.87510407, 4.69409113, 7.85475744};
 
 AnalysisSettings heldAt(std::initializer_list<const char*> clamps) {
-    AnalysisSettings settings{.name = "held", .material = referenceWood(0.3)};
+    AnalysisSettings settings{.name = "held", .source = "a test", .material = referenceWood(0.3)};
     settings.listeningDirections.clear();
     for (const char* text : clamps)
         settings.support.clamps.push_back(parseClamp(text).value());

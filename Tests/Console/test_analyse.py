@@ -176,6 +176,21 @@ class Analyse(ConsoleTest):
                       self.succeed("analyse", ball, *out, *options, "--thickness", 0.003).stderr)
         self.assertEqual(self.succeed("analyse", ball, *out, *options).stderr, "")
 
+    def test_a_clamp_holds_a_part(self):
+        tine = self.folder / "tine.obj"
+        self.succeed("mesh", "box", "--length", 0.06, "--width", 0.005, "--height", 0.001,
+                     "--vertices", 300, "-o", tine)
+        options = ("--max-frequency", 5000, "--clamp", "x < -0.02", "--support-resistance", 200)
+        report, info = self.analyse(tine, *options)
+        self.assertEqual(report["zero_modes"], 0)
+        self.assertGreater(info["clamped_vertices"], 0)
+        self.assertIn("Clamps hold", report["notes"])
+        # Steel of 5 cm beyond the clamp, 1 mm thick.
+        self.assertAlmostEqual(info["modes"][0]["frequency_hz"] / 326.2, 1, delta=0.02)
+        for region, saying in (("x<", "'x<' is no region"), ("x<-1", "hold no point")):
+            self.refuse("analyse", tine, "-o", self.folder / "t.modal", "--clamp", region,
+                        naming="clamp" if region == "x<" else "tine.obj", saying=saying)
+
     def test_file_names_can_have_spaces_and_umlauts(self):
         mesh, modal = self.folder / "eine Glocke, größer.obj", self.folder / "Glöckchen 2.modal"
         self.succeed("mesh", "bar", "--vertices", 60, "-o", mesh)
