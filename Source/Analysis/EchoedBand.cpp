@@ -18,7 +18,8 @@ using Eigen::VectorXd;
 using Complex = std::complex<double>;
 
 constexpr Index minimumSamples = 24, longestBand = 400;
-constexpr double leastNoise = 1e-8; // of the energy of the loudest sample
+constexpr double lowestCentre = 0.6; // in widths
+constexpr double leastNoise = 1e-8;  // of the energy of the loudest sample
 
 /// ∫ e^{xτ} dτ from 0 to t.
 Complex integral(const Complex& x, double t) {
@@ -49,7 +50,7 @@ EchoedBand::EchoedBand(std::span<const RecordedStrike> strikes,
     count = std::min(zoom.countIn(shortest), longestBand);
     step = zoom.stepSeconds();
     first = zoom.firstSeconds();
-    if (!isLongEnough())
+    if (!isUsable())
         return;
     for (std::size_t i = 0; i < kept.size(); ++i)
         poles(static_cast<Index>(i)) =
@@ -66,8 +67,8 @@ EchoedBand::EchoedBand(std::span<const RecordedStrike> strikes,
     }
 }
 
-bool EchoedBand::isLongEnough() const {
-    return count >= minimumSamples;
+bool EchoedBand::isUsable() const {
+    return count >= minimumSamples && centreHz > lowestCentre * widthHz;
 }
 
 double EchoedBand::fit(const RoomEchoes& room) {

@@ -31,8 +31,9 @@ public:
                std::span<const DampedSinusoid> sinusoids,
                const BandOfModes& band);
 
-    /// Returns false if the recordings are too short for the band's filter. Then do not fit.
-    bool isLongEnough() const;
+    /// Returns false if the recordings are too short for the band's filter, or if the band reaches
+    /// down to the negative frequencies of its modes. Then do not fit.
+    bool isUsable() const;
 
     /// Moves the poles to the most likely ones in this room, and removes modes that the echoes and
     /// the noise explain as well. Returns the logarithm of how likely the room is, but for a

@@ -92,7 +92,7 @@ RoomEchoes RoomSeparation::room(const WorkControl& control) const {
     for (std::size_t b = 0; b < judges && !control.isCancelled(); ++b) {
         control.report(static_cast<double>(b) / static_cast<double>(judges), "Separating the room");
         const EchoedBand band(strikes, rests, modes, bands[b].all);
-        for (std::size_t i = 0; band.isLongEnough() && i < rooms.size(); ++i)
+        for (std::size_t i = 0; band.isUsable() && i < rooms.size(); ++i)
             likelihoods[i] += EchoedBand(band).fit(rooms[i]);
     }
     const auto best = std::ranges::max_element(likelihoods) - likelihoods.begin();
@@ -106,7 +106,7 @@ std::vector<DecayPole> RoomSeparation::polesIn(const RoomEchoes& room,
         control.report(static_cast<double>(b) / static_cast<double>(bands.size()),
                        "Separating the room");
         EchoedBand separated(strikes, rests, modes, bands[b].all);
-        bool isBetter = separated.isLongEnough();
+        bool isBetter = separated.isUsable();
         if (isBetter) {
             separated.fit(room);
             isBetter = explainsEnough(separated, bands[b]);
