@@ -1,6 +1,7 @@
 #include "Analysis/BandPoles.h"
 
 #include "Analysis/BackwardElimination.h"
+#include "Analysis/ZoomedBand.h"
 
 #include <Eigen/Dense>
 #include <algorithm>
@@ -17,7 +18,6 @@ using Eigen::VectorXd;
 using Complex = std::complex<double>;
 
 constexpr double pi = std::numbers::pi;
-constexpr double samplesPerWidth = 1.8;
 constexpr Index longestBand = 320, minimumSamples = 24, widestHankel = 128, highestOrder = 60;
 // Minimum energy of a pole in the signal space. The first figure is relative to the noise, which
 // spreads in a Hankel matrix. The second is relative to the maximum energy, against rounding
@@ -29,84 +29,6 @@ constexpr double energyOverNoise = 10, energyOverNoiseEach = 4, energyInBand = 3
 // |z| of a new sample: a pole that loses more is gone before the filter has passed, and one that
 // grows by more is no steady tone.
 constexpr double fastest = 0.2, growth = 1.02;
-
-/// I₀ for |x| < 10 by its power series, summed from the smallest term. Not every standard library
-/// has std::cyl_bessel_i.
-double modifiedBessel0(double x) {
-    double sum = 1;
-    for (int k = 40; k > 0; --k)
-        sum = 1 + sum * (x * x / 4) / (k * k);
-    return sum;
-}
-
-/// A low-pass of finite length: level to half a width, −6 dB at 0.86 widths, −60 dB from 1.22 on.
-/// It is a tabulated windowed sinc, because the new samples lie anywhere between the old ones.
-class BandFilter {
-public:
-    explicit BandFilter(double widthHz) : reach(halfLength / widthHz) {
-        constexpr double cutoff = 0.86, kaiserBeta = 5.65;
-        for (std::size_t i = 0; i < table.size(); ++i) {
-            const double x = halfLength * static_cast<double>(i) / (steps - 1);
-            const double share = x / halfLength;
-            const double window =
-                modifiedBessel0(kaiserBeta * std::sqrt(std::max(0.0, 1 - share * share))) /
-                modifiedBessel0(kaiserBeta);
-            const double angle = 2 * pi * cutoff * x;
-            table[i] = 2 * cutoff * widthHz * window * (x > 0 ? std::sin(angle) / angle : 1);
-        }
-    }
-
-    double reachSeconds() const { return reach; }
-
-    double at(double seconds) const {
-        const double place = std::abs(seconds) / reach * (steps - 1);
-        const auto i = static_cast<std::size_t>(place);
-        if (i + 1 >= table.size())
-            return 0;
-        const double share = place - static_cast<double>(i);
-        return table[i] + share * (table[i + 1] - table[i]);
-    }
-
-private:
-    static constexpr double halfLength = 2.5; ///< in 1/width
-    static constexpr int steps = 4097;
-    double reach;
-    std::vector<double> table = std::vector<double>(steps);
-};
-
-/// Returns `count` new samples of a recording, shifted down by `centreHz`, filtered.
-VectorXcd zoomed(const DecayRecording& recording,
-                 const BandFilter& filter,
-                 double centreHz,
-                 double step,
-                 Index count) {
-    const double rate = recording.sampleRateHz, reach = filter.reachSeconds();
-    const auto length = std::min(
-        recording.samples.size(),
-        static_cast<std::size_t>((2 * reach + step * static_cast<double>(count)) * rate) + 1);
-    VectorXd cosines(length), sines(length);
-    const Complex turn = std::polar(1.0, -2 * pi * centreHz / rate);
-    Complex phase = 1;
-    for (std::size_t n = 0; n < length; ++n) {
-        cosines(n) = recording.samples[n] * phase.real();
-        sines(n) = recording.samples[n] * phase.imag();
-        phase *= turn;
-    }
-    VectorXcd result(count);
-    for (Index m = 0; m < count; ++m) {
-        const double instant = reach + step * static_cast<double>(m);
-        const auto first = static_cast<std::size_t>(std::max(0.0, (instant - reach) * rate));
-        const auto until = std::min(length, static_cast<std::size_t>((instant + reach) * rate) + 1);
-        double real = 0, imaginary = 0;
-        for (std::size_t n = first; n < until; ++n) {
-            const double weight = filter.at(static_cast<double>(n) / rate - instant) / rate;
-            real += weight * cosines(n);
-            imaginary += weight * sines(n);
-        }
-        result(m) = {real, imaginary};
-    }
-    return result;
-}
 
 /// Returns z of the exponentials z^m that the signals share. The number may be too high, but
 /// is seldom too low.
@@ -180,18 +102,16 @@ std::vector<Exponential> needed(const std::vector<VectorXcd>& signals,
 
 std::vector<BandPole>
 polesInBand(std::span<const DecayRecording> recordings, double centreHz, double widthHz) {
-    const double step = 1 / (samplesPerWidth * widthHz);
-    const BandFilter filter(widthHz);
+    const ZoomedBand band(centreHz, widthHz);
     double shortest = recordings.front().seconds();
     for (const auto& recording : recordings)
         shortest = std::min(shortest, recording.seconds());
-    const auto count = static_cast<Index>(
-        std::min((shortest - 2 * filter.reachSeconds()) / step, static_cast<double>(longestBand)));
+    const Index count = std::min(band.countIn(shortest), longestBand);
     if (count < minimumSamples)
         return {};
     std::vector<VectorXcd> signals;
     for (const auto& recording : recordings)
-        signals.push_back(zoomed(recording, filter, centreHz, step, count));
+        signals.push_back(band.of(recording, count));
     std::vector<Complex> exponentials;
     for (const Complex& z : commonExponentials(signals))
         if (std::abs(z) > fastest && std::abs(z) < growth)
@@ -200,12 +120,12 @@ polesInBand(std::span<const DecayRecording> recordings, double centreHz, double 
     if (exponentials.empty())
         return poles;
     for (const auto& [z, energy] : needed(signals, exponentials)) {
-        const Complex pole = std::log(z) / step;
+        const Complex pole = std::log(z) / band.stepSeconds();
         const double offsetHz = pole.imag() / (2 * pi);
         if (std::abs(offsetHz) <= 0.505 * widthHz)
             poles.push_back(
                 {.pole = {.frequencyHz = centreHz + offsetHz, .decayPerSecond = -pole.real()},
-                 .energy = energy * step});
+                 .energy = energy * band.stepSeconds()});
     }
     return poles;
 }

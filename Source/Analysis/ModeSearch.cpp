@@ -1,6 +1,7 @@
 #include "Analysis/ModeSearch.h"
 
 #include "Analysis/BandPoles.h"
+#include "Analysis/RoomSeparation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -50,8 +51,8 @@ ModeSearch::ModeSearch(std::span<const RecordedStrike> of, const WorkControl& wa
 
 Result<void> ModeSearch::run(std::size_t modeCount) {
     const JointFit nothing(recordings, {});
-    auto fit = withMore(nothing, narrowShare, control.part(0, 0.5));
-    fit = withMore(fit, wideShare, control.part(0.5, 0.9));
+    auto fit = withMore(nothing, narrowShare, control.part(0, 0.3));
+    fit = withMore(fit, wideShare, control.part(0.3, 0.5));
     if (control.isCancelled())
         return cancellation();
     fit.eliminate(floors(fit, steadyOnes(fit)), mostCandidates);
@@ -66,20 +67,41 @@ Result<void> ModeSearch::run(std::size_t modeCount) {
                 equal.row(i).setConstant(1e-60); // stays
         fit.eliminate(equal, modeCount + steadyCount);
     }
-    control.report(0.95, "Fitting the modes");
+    control.report(0.5, "Fitting the modes");
     if (control.isCancelled())
         return cancellation();
     fit.refine(2);
-    const auto sinusoids = fit.sinusoids();
-    const auto isSteadyNow = steadyOnes(fit);
-    for (std::size_t i = 0; i < sinusoids.size(); ++i)
-        (isSteadyNow[i] ? steady : modes).push_back(sinusoids[i]);
+    sort(fit);
+    if (auto separated = separateRoom(control.part(0.6, 1)); !separated)
+        return separated;
     // A tone may have turned out to be a mode after the selection.
     if (modes.size() > modeCount) {
         std::ranges::sort(modes, std::greater{}, energyOf);
         modes.resize(modeCount);
     }
     std::ranges::sort(modes, {}, [](const auto& mode) { return mode.pole.frequencyHz; });
+    return {};
+}
+
+/// Sets `modes` and `steady`.
+void ModeSearch::sort(const JointFit& fit) {
+    modes.clear();
+    steady.clear();
+    const auto sinusoids = fit.sinusoids();
+    const auto isSteady = steadyOnes(fit);
+    for (std::size_t i = 0; i < sinusoids.size(); ++i)
+        (isSteady[i] ? steady : modes).push_back(sinusoids[i]);
+}
+
+Result<void> ModeSearch::separateRoom(const WorkControl& watch) {
+    const RoomSeparation separation(strikes, modes, steady);
+    const auto room = separation.room(watch.part(0, 0.3));
+    auto poles = plausible(separation.polesIn(room, watch.part(0.3, 1)));
+    if (watch.isCancelled())
+        return cancellation();
+    for (const auto& tone : steady)
+        poles.push_back(tone.pole);
+    sort(JointFit(recordings, std::move(poles)));
     return {};
 }
 

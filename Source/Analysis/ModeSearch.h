@@ -24,6 +24,8 @@ public:
     std::size_t found = 0;              ///< modes before the strongest were selected
 
 private:
+    void sort(const JointFit& fit);
+    Result<void> separateRoom(const WorkControl& watch);
     JointFit withMore(const JointFit& fit, double share, const WorkControl& watch) const;
     std::vector<DecayPole>
     polesOf(std::span<const DecayRecording> rests, double share, const WorkControl& watch) const;

@@ -1,3 +1,4 @@
+#include "Analysis/BodyModel.h"
 #include "Analysis/MeasuredObject.h"
 #include "AudioFiles/AudioFileReader.h"
 #include "AudioFiles/AudioFileWriter.h"
@@ -69,8 +70,10 @@ Result<RecordedStrike> parseStrike(const std::string& text) {
     return strike;
 }
 
+/// `meshNotes` takes what is odd in the mesh.
 Result<MeasuredObjectSettings> settingsFrom(const FitOptions& options,
-                                            const std::vector<RecordedStrike>& strikes) {
+                                            const std::vector<RecordedStrike>& strikes,
+                                            std::string& meshNotes) {
     MeasuredObjectSettings settings;
     settings.name = options.name.empty() ? options.output.stem().string() : options.name;
     for (const auto& strike : strikes)
@@ -83,10 +86,11 @@ Result<MeasuredObjectSettings> settingsFrom(const FitOptions& options,
         settings.material = std::move(*material);
     }
     if (!options.mesh.empty()) {
-        auto mesh = readMesh(options.mesh);
-        if (!mesh)
-            return tl::unexpected(mesh.error());
-        settings.mesh = std::move(*mesh);
+        auto file = readMeshFile(options.mesh);
+        if (!file)
+            return tl::unexpected(file.error());
+        settings.mesh = std::move(file->mesh);
+        meshNotes = std::move(file->notes);
     }
     return settings;
 }
@@ -198,7 +202,8 @@ Result<void> fitAndWrite(const FitOptions& options) {
             return tl::unexpected(strike.error());
         strikes.push_back(std::move(*strike));
     }
-    const auto settings = settingsFrom(options, strikes);
+    std::string meshNotes;
+    const auto settings = settingsFrom(options, strikes, meshNotes);
     if (!settings)
         return tl::unexpected(settings.error());
     if (!options.resynthesis.empty() && strikes.size() != 1)
@@ -221,7 +226,7 @@ Result<void> fitAndWrite(const FitOptions& options) {
         return tl::unexpected(object.error());
     const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
     object->provenance.analysisSeconds = taken.count();
-    object->provenance.notes = notesOf(*fit, *object, options);
+    object->provenance.notes = joinedSentences({meshNotes, notesOf(*fit, *object, options)});
     if (auto written = writeModalObject(*object, options.output); !written)
         return written;
     if (!options.resynthesis.empty())

@@ -229,8 +229,8 @@ void addScene(CLI::App& program, Action& chosen) {
     auto* stems =
         command
             ->add_option("--stems", options->stemKind,
-                         "Also writes stems that sum to the mix: bodies, or contacts (impacts, and "
-                         "slides and rolls)")
+                         "Also writes stems that sum to the mix: bodies, or contacts (impacts, "
+                         "slides, rolls)")
             ->check(CLI::IsMember({"bodies", "contacts"}));
     auto* stemFolder =
         command

@@ -48,7 +48,7 @@ std::string nameOfBody(const SceneAssets& assets, const SceneSimulation& motion,
 std::vector<std::string>
 namesOfStems(const SceneAssets& assets, const SceneSimulation& motion, SceneStems stems) {
     if (stems == SceneStems::contacts)
-        return {"impacts", "slides-and-rolls"};
+        return {"impacts", "slides", "rolls"};
     std::vector<std::string> names;
     for (std::size_t slot = 0; stems == SceneStems::bodies && slot < motion.slots().size(); ++slot)
         names.push_back(nameOfBody(assets, motion, slot));

@@ -24,11 +24,13 @@ private:
     Clock::time_point start = Clock::now();
 };
 
-/// Returns the slots that sound: for stems of contacts each body twice, for impacts and for slides
-/// and rolls.
+/// The stems of contacts: impacts, slides and rolls.
+constexpr std::size_t contactKinds = 3;
+
+/// Returns the slots that sound: for stems of contacts each body once for each kind.
 std::vector<SynthesiserSlot> soundingSlots(const SceneSimulation& motion, SceneStems stems) {
     auto slots = motion.slots();
-    if (stems == SceneStems::contacts)
+    for (std::size_t kind = 1; stems == SceneStems::contacts && kind < contactKinds; ++kind)
         slots.insert(slots.end(), motion.slots().begin(), motion.slots().end());
     return slots;
 }
@@ -50,7 +52,7 @@ SceneRenderer::SceneRenderer(SceneSimulation& simulation,
     synth.setSettings(synthesisSettings(parameters));
     if (stems == SceneStems::none)
         return;
-    const std::size_t stemCount = stems == SceneStems::bodies ? slotsOfBodies : 2;
+    const std::size_t stemCount = stems == SceneStems::bodies ? slotsOfBodies : contactKinds;
     stemSamples.resize(stemCount * 2 * cellSamples);
     for (std::size_t stem = 0; stem < stemCount; ++stem) {
         const auto both = std::span(stemSamples).subspan(stem * 2 * cellSamples, 2 * cellSamples);
@@ -97,8 +99,9 @@ void SceneRenderer::soundCell() {
             for (auto& slot : touch.slots)
                 if (slot < slotsOfBodies)
                     slot += slotsOfBodies;
+    const std::size_t rollSlots = stemKind == SceneStems::contacts ? slotsOfBodies : 0;
     for (std::size_t voice = 0; voice < cell.touches.size(); ++voice)
-        sound.contacts.press(voice, cell.touches[voice], begun);
+        sound.contacts.press(voice, cell.touches[voice], begun, rollSlots);
     sound.crowded.strikeBefore(cellSamples, begun);
     if (stemKind == SceneStems::none)
         return sound.hear(outputs, cell.places, {left, right});

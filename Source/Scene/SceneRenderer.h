@@ -20,7 +20,7 @@ class WorkTeam;
 enum class SceneStems {
     none,
     bodies,  ///< one for each slot of the simulation
-    contacts ///< two: impacts, then slides and rolls, each heard from all bodies
+    contacts ///< three: impacts, slides, rolls, each heard from all bodies
 };
 
 /// While a cell sounds, the bodies move on by the next one. The samples do not depend on the team.
@@ -77,7 +77,7 @@ private:
     WorkTeam& team;
     SceneSimulation& motion; ///< of the owner's thread, like all fields about motion
     SceneStems stemKind;
-    std::size_t slotsOfBodies; ///< a second set follows for slides and rolls that are a stem
+    std::size_t slotsOfBodies; ///< two more sets follow for slides and rolls that are stems
     Synthesiser synth;         ///< of the thread that runs soundCell, like all fields about sound
     SceneSound sound;
     AlignedVector<float> samples;     ///< [slots, 64]

@@ -27,19 +27,36 @@ TouchVoices::TouchVoices(const SceneAssets& assets, double sampleRateHz, std::ui
 
 void TouchVoices::press(std::size_t index,
                         const TouchState& state,
-                        const BegunCell& cell) noexcept {
+                        const BegunCell& cell,
+                        std::size_t rollSlots) noexcept {
     auto& voice = voices[index];
-    alignas(64) std::array<float, cellSamples> newtons;
-    if (!render(voice, state, newtons))
+    alignas(64) std::array<float, cellSamples> sliding, rolling;
+    const auto [slides, rolls] = render(voice, state, sliding, rolling);
+    if (!slides && !rolls)
         return;
-    for (std::size_t side = 0; side < 2; ++side)
-        if (const auto slot = state.slots[side]; slot < cell.cellsOfSlots.size())
+    const auto apply = [&](ForceSamples newtons, std::size_t shift) {
+        for (std::size_t side = 0; side < 2; ++side) {
+            if (state.slots[side] >= cell.cellsOfSlots.size())
+                continue;
+            const std::size_t slot = state.slots[side] + shift;
             cell.synthesiser.applyForce(slot,
                                         {.contact = index,
                                          .start = {.points = {voice.last.points[side], {}}},
                                          .end = {.points = {state.points[side], {}}},
                                          .newtons = newtons},
                                         cell.cellsOfSlots[slot]);
+        }
+    };
+    if (rollSlots == 0) {
+        for (std::size_t i = 0; i < cellSamples; ++i)
+            sliding[i] += rolling[i];
+        apply(sliding, 0);
+    } else {
+        if (slides)
+            apply(sliding, 0);
+        if (rolls)
+            apply(rolling, rollSlots);
+    }
     voice.last = state;
 }
 
@@ -54,26 +71,23 @@ void TouchVoices::reset() noexcept {
         voice.last = {};
 }
 
-/// Renders the force of a voice in this cell. Returns false if it has none.
-bool TouchVoices::render(Voice& voice,
-                         const TouchState& state,
-                         std::span<float, cellSamples> newtons) noexcept {
+/// Renders both forces of a voice in this cell. One that does not sound is all zeros.
+TouchVoices::Sounding TouchVoices::render(Voice& voice,
+                                          const TouchState& state,
+                                          ForceSamples sliding,
+                                          ForceSamples rolling) noexcept {
     if (state.pair == 0)
-        return false;
+        return {};
     if (state.pair != voice.last.pair) {
         voice.surface = surfaceOfRole[state.soundRole];
         voice.slides[voice.surface].reset();
         voice.rolls[voice.surface].reset();
         voice.last = state;
     }
-    alignas(64) std::array<float, cellSamples> rolling;
-    const bool slides = voice.slides[voice.surface].render(
-        {state.slideMetresPerSecond, state.forceNewtons}, newtons);
-    const bool rolls =
-        voice.rolls[voice.surface].render({state.rollMetresPerSecond, state.forceNewtons}, rolling);
-    for (std::size_t i = 0; i < newtons.size(); ++i)
-        newtons[i] += rolling[i];
-    return slides || rolls;
+    const double force = state.forceNewtons;
+    return {
+        .slides = voice.slides[voice.surface].render({state.slideMetresPerSecond, force}, sliding),
+        .rolls = voice.rolls[voice.surface].render({state.rollMetresPerSecond, force}, rolling)};
 }
 
 } // namespace idiophone

@@ -20,8 +20,12 @@ public:
     TouchVoices(const SceneAssets& assets, double sampleRateHz, std::uint64_t seed);
 
     /// Sets a voice until the end of the current cell. The state's slots are the synthesiser's;
-    /// `noSlot` and unknown slots are skipped.
-    void press(std::size_t voice, const TouchState& state, const BegunCell& cell) noexcept;
+    /// `noSlot` and unknown slots are skipped. `rollSlots`: where rolls act, after the state's
+    /// slots; 0 lets slides and rolls act together.
+    void press(std::size_t voice,
+               const TouchState& state,
+               const BegunCell& cell,
+               std::size_t rollSlots = 0) noexcept;
 
     /// Fades the voice's force to 0 until the end of the current cell.
     void release(std::size_t voice, const BegunCell& cell) noexcept;
@@ -35,8 +39,15 @@ private:
         std::size_t surface = 0;
     };
 
-    bool
-    render(Voice& voice, const TouchState& state, std::span<float, cellSamples> newtons) noexcept;
+    using ForceSamples = std::span<float, cellSamples>;
+    struct Sounding {
+        bool slides = false, rolls = false;
+    };
+
+    Sounding render(Voice& voice,
+                    const TouchState& state,
+                    ForceSamples sliding,
+                    ForceSamples rolling) noexcept;
 
     std::vector<std::size_t> surfaceOfRole;
     std::array<Voice, TouchTracker::voiceCount> voices;

@@ -43,8 +43,8 @@ std::vector<Partial> pairedPartials() {
 
 class RoomRecording {
 public:
-    explicit RoomRecording(double quietSeconds, double echoGain = 2.5e-3)
-        : quiet(count(quietSeconds)), echoes(echoGain) {}
+    explicit RoomRecording(double quietSeconds, unsigned seed = 11)
+        : quiet(count(quietSeconds)), random(seed) {}
 
     static std::size_t count(double seconds) { return static_cast<std::size_t>(seconds * rate); }
 
@@ -73,8 +73,9 @@ private:
             value *= peak / highest;
     }
 
-    /// Adds 400 echoes at random times, which decay by 60 dB in 0.4 s and together lie at −37 dB.
+    /// Adds 400 echoes at random times, which decay by 60 dB in 0.4 s and together lie at −30 dB.
     void addRoom(std::vector<double>& sound) {
+        constexpr double echoes = 5.9e-3;
         const auto dry = sound;
         std::uniform_real_distribution<double> times(0.001, 0.4);
         for (int echo = 0; echo < 400; ++echo) {
@@ -102,8 +103,7 @@ private:
     }
 
     std::size_t quiet;
-    double echoes;
-    std::mt19937 random{11};
+    std::mt19937 random;
 };
 
 Result<RecordingFit> fitted(const std::vector<float>& samples, const WorkControl& control = {}) {
@@ -126,9 +126,11 @@ void checkAllFound(const RecordingFit& fit, const std::vector<Partial>& partials
 
 TEST_CASE("Modes and pairs 0.3 % apart are found in a room with rumble, hum and noise at -40 dB") {
     const auto partials = pairedPartials();
-    for (const double quietSeconds : {0.3, 0.002}) {
-        CAPTURE(quietSeconds);
-        const auto fit = fitted(RoomRecording(quietSeconds).samples(partials));
+    // In the second, third and fourth room, echoes look like more modes.
+    for (const auto& [quietSeconds, seed] :
+         {std::pair{0.3, 11u}, {0.3, 13u}, {0.002, 14u}, {0.002, 16u}}) {
+        CAPTURE(quietSeconds, seed);
+        const auto fit = fitted(RoomRecording(quietSeconds, seed).samples(partials));
         REQUIRE(fit);
         checkAllFound(*fit, partials);
         CHECK(fit->modes.size() < 2 * partials.size());
@@ -172,8 +174,7 @@ TEST_CASE("The modes alone sound like the recording, from the strike on and at i
 }
 
 TEST_CASE("A loud broadband contact does not become a mode") {
-    auto samples =
-        RoomRecording(0.3, 0).samples({{.frequencyHz = 700, .t60Seconds = 1, .gain = 1}});
+    auto samples = RoomRecording(0.3).samples({{.frequencyHz = 700, .t60Seconds = 1, .gain = 1}});
     std::mt19937 random(5);
     std::normal_distribution<float> noise(0, 0.3f);
     for (std::size_t n = RoomRecording::count(0.3); n < RoomRecording::count(0.31); ++n) {

@@ -162,6 +162,13 @@ class Fit(ConsoleTest):
         self.assertAlmostEqual(middle["loudest_modes"][0]["frequency_hz"], 300, delta=0.1)
         self.assertAlmostEqual(end["loudest_modes"][0]["frequency_hz"], 811, delta=0.2)
 
+    def test_what_is_odd_in_a_mesh_is_reported(self):
+        mesh = self.write("crossed.obj", "v 0 0 0\nv 0.4 0 0\nv 0.4 0.1 0\nv 0 0.3 0\n"
+                                         "f 1 2 3\nf 1 3 2 4\n")
+        path = self.write("r.wav", wav([partials(((300, 9, 0.4), (811, 15, 0.3)))]))
+        told = self.json("fit", f"{path}@0,0,0", "-o", self.folder / "r.modal", "--mesh", mesh)
+        self.assertIn("One polygon crosses itself", told["notes"])
+
     def test_bad_recordings_get_one_sentence(self):
         good = self.write("good.wav", wav([partials(((300, 9, 0.4),))]))
         output = self.folder / "out.modal"

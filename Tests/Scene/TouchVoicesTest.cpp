@@ -21,9 +21,9 @@ public:
           cells(cellsOfSlotsIn(samples)), voices(*assets, rateHz, 1) {}
 
     /// Renders the next cell under a state. Returns whether each slot sounds in it.
-    std::array<bool, 2> press(const TouchState& state) {
+    std::array<bool, 2> press(const TouchState& state, std::size_t rollSlots = 0) {
         synthesiser.beginCell(cells);
-        voices.press(0, state, {synthesiser, cells});
+        voices.press(0, state, {synthesiser, cells}, rollSlots);
         const auto sounds = [&](std::size_t slot) {
             return std::ranges::any_of(cells[slot][0], [](float x) { return x != 0; });
         };
@@ -67,6 +67,19 @@ TEST_CASE("A voice without a pair, without force or at rest applies no force") {
     state = sliding();
     state.slideMetresPerSecond = 0;
     CHECK(rig.press(state) == std::array{false, false});
+}
+
+TEST_CASE("Slides and rolls sound apart if rolls have slots of their own") {
+    auto slides = sliding();
+    slides.slots[1] = noSlot;
+    auto rolls = slides;
+    std::swap(rolls.slideMetresPerSecond, rolls.rollMetresPerSecond);
+    auto both = slides;
+    both.rollMetresPerSecond = both.slideMetresPerSecond;
+    CHECK(Rig().press(slides, 1) == std::array{true, false});
+    CHECK(Rig().press(rolls, 1) == std::array{false, true});
+    CHECK(Rig().press(both, 1) == std::array{true, true});
+    CHECK(Rig().press(both) == std::array{true, false});
 }
 
 TEST_CASE("After a reset, voices sound as they did at first") {
