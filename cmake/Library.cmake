@@ -32,8 +32,8 @@ install_modules(IdiophoneTargets
     HEADERS
         Object/DampingLaw Object/Material Object/MaterialFile Object/ModalObject Object/ModalObjectFile
         Object/OrthotropicElasticity Object/RadiationTable Object/Result Object/WorkControl
-        Synth/CellOutput Synth/ContactForce Synth/ForceCell Synth/LiveConditions Synth/ModalPole Synth/Reson
-        Synth/SlotStatus Synth/SoundingGroups Synth/Strike Synth/StrikePoints Synth/Surface Synth/SurfaceProfile
+        Synth/CellOutput Synth/ContactForce Synth/ForceCell Synth/HeardForce Synth/LiveConditions
+        Synth/ModalPole Synth/Reson Synth/SlotStatus Synth/SoundingGroups Synth/Strike Synth/StrikePoints Synth/Surface Synth/SurfaceProfile
         Synth/Synthesiser Synth/SynthesiserSlot Synth/SynthesisSettings Synth/TubeOpening)
 # Makes objects from meshes. This is a component of its own because it needs Eigen.
 install_modules(IdiophoneAnalysisTargets
@@ -41,7 +41,7 @@ install_modules(IdiophoneAnalysisTargets
     HEADERS
         Geometry/LengthUnit Geometry/Mesh Geometry/MeshReader Geometry/MeshRepair Geometry/ParametricMesh
         Geometry/ShapeMesh Geometry/SurfaceQuery
-        Analysis/AnalysedBand Analysis/AnalysisMethod Analysis/ModalAnalysis
+        Analysis/AnalysedBand Analysis/AnalysisMethod Analysis/Clamp Analysis/ModalAnalysis
         Analysis/Radiation)
 find_file(expected_header tl/expected.hpp HINTS "${expected_SOURCE_DIR}/include" REQUIRED)
 install(FILES "${expected_header}" DESTINATION "${headers}/tl" COMPONENT development)

@@ -55,6 +55,12 @@ bool isPlain(const ParameterInfo& info, ValueDisplay display) {
     return info.isPhysical && display == ValueDisplay::plain;
 }
 
+/// Hosts show the unit behind every text, also behind a name: "Off Hz".
+bool isNamed(std::string_view text, const char* name, const char* unit) {
+    return name != nullptr &&
+           (sameWord(text, name) || sameWord(text, std::string(name) + " " + unit));
+}
+
 } // namespace
 
 std::string formatParameter(const ParameterInfo& info, double value, ValueDisplay display) {
@@ -88,9 +94,9 @@ parseUnclamped(const ParameterInfo& info, std::string_view text, ValueDisplay di
     text = trimmed(text);
     if (info.scale == onOff && (sameWord(text, "on") || sameWord(text, "off")))
         return sameWord(text, "on") ? 1.0 : 0.0;
-    if (info.minimumName != nullptr && sameWord(text, info.minimumName))
+    if (isNamed(text, info.minimumName, info.unit))
         return info.minimum;
-    if (info.maximumName != nullptr && sameWord(text, info.maximumName))
+    if (isNamed(text, info.maximumName, info.unit))
         return info.maximum;
     const auto names = choiceNames(info.parameter);
     for (std::size_t i = 0; i < names.size(); ++i)

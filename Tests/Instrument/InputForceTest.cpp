@@ -178,6 +178,25 @@ TEST_CASE("Drive scales the sound, and the low cut takes low sounds out") {
     CHECK(loudness(hum) < humming / 50);
 }
 
+TEST_CASE("Drive and low cut move without a step") {
+    const auto moved = GENERATE(ParameterId::inputDrive, ParameterId::inputLowCut);
+    const auto differences = [&] {
+        auto values = open();
+        Player still(bars(), rateHz), moving(bars(), rateHz);
+        const auto input = noise(9600);
+        renderStereo(still, {}, 9600, 64, values, input);
+        renderStereo(moving, {}, 9600, 64, values, input);
+        const auto expected = renderStereo(still, {}, 9600, 64, values, input).left;
+        values.set(moved, moved == ParameterId::inputDrive ? 20 : 1000);
+        auto sound = renderStereo(moving, {}, 9600, 64, values, input).left;
+        for (std::size_t k = 0; k < sound.size(); ++k)
+            sound[k] -= expected[k];
+        return sound;
+    }();
+    CHECK(rms(std::span(differences).first(16)) < 0.1 * rms(std::span(differences).last(4800)));
+    CHECK(rms(std::span(differences).last(4800)) > 0);
+}
+
 TEST_CASE("After All Sound Off the input sounds on, and what rang before is gone") {
     const auto values = open();
     Player player(bars(), rateHz);
