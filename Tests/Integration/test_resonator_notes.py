@@ -2,7 +2,7 @@
 import dawdreamer
 import numpy
 
-from performance import SAMPLE_RATE, assert_sounds, strongest_hz
+from performance import SAMPLE_RATE, strongest_hz
 
 LOWEST_KEY_HZ, C6_KEY, C6_HZ = 349.23, 84, 1046.5  # of the xylophone that it opens with
 
@@ -22,11 +22,16 @@ def impulse_at(sample):
     return samples
 
 
+def rest(sound):
+    """Returns what rings longer than the overtones."""
+    return sound[:, SAMPLE_RATE // 4:]
+
+
 def test_the_lowest_key_resonates_before_any_note(vst3):
     engine, effect = effect_on(impulse_at(0), vst3)
     assert effect.get_latency_samples() == 0
     engine.render(2)
-    assert abs(strongest_hz(engine.get_audio()) / LOWEST_KEY_HZ - 1) < 0.01
+    assert abs(strongest_hz(rest(engine.get_audio())) / LOWEST_KEY_HZ - 1) < 0.01
 
 
 def test_a_note_strikes_and_chooses_the_key_that_resonates(vst3):
@@ -34,7 +39,7 @@ def test_a_note_strikes_and_chooses_the_key_that_resonates(vst3):
     effect.add_midi_note(C6_KEY, 100, 0.1, 0.2)
     engine.render(3)
     sound = engine.get_audio()
-    struck, pressed = sound[:, :SAMPLE_RATE], sound[:, SAMPLE_RATE:]
+    struck, pressed = rest(sound[:, :SAMPLE_RATE]), rest(sound[:, SAMPLE_RATE:])
     for part in (struck, pressed):
-        assert_sounds(part)
+        assert part.any()
         assert abs(strongest_hz(part) / C6_HZ - 1) < 0.01
