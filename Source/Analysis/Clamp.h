@@ -25,10 +25,10 @@ struct ClampSide {
 /// The part of space that lies on all of its sides, such as a box. It has at least one.
 using ClampRegion = std::vector<ClampSide>;
 
-/// What holds a body, and how much of its vibration it takes.
+/// The clamps of a body, and how much of its vibration they take.
 struct Support {
     std::vector<ClampRegion> clamps; ///< where the body does not move; none: it is free
-    /// What the clamps resist together, in N s/m, > 0. A support much heavier than the body takes
+    /// The resistance of all clamps together, in N s/m, > 0. A support much heavier than the body takes
     /// less the higher it is; without a number it takes nothing.
     std::optional<double> resistanceNsPerM;
 };

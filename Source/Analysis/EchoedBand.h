@@ -44,7 +44,7 @@ public:
     DecayPole pole(std::size_t number) const;                      ///< of `modes()[number]`
 
 private:
-    /// What one recording holds in the band.
+    /// One recording in the band.
     struct Strip {
         Eigen::VectorXcd samples;
         double noise = 0; ///< energy of a sample

@@ -8,7 +8,7 @@
 
 namespace idiophone {
 
-/// What was struck.
+/// The object that was struck.
 struct StruckObject {
     std::string name; ///< used in errors: "its modes are not those of cup.obj"
     Mesh mesh;        ///< in metres

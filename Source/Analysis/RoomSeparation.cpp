@@ -18,7 +18,7 @@ constexpr std::size_t mostModes = 8;                  // of a band
 constexpr double passedShare = 0.5, coreShare = 0.25; // of a band's width, from its centre
 /// A mode whose own band is wider than this many widths has decayed behind the filter.
 constexpr double widestMode = 2;
-/// What a band's modes may explain less in a room, relative to their energy.
+/// The most that a band's modes may lose in a room, relative to their energy.
 constexpr double unexplained = 2e-3;
 
 double energyOf(const DampedSinusoid& mode) {

@@ -86,7 +86,7 @@ public:
         refresh();
     }
 
-    /// What is said about a state.
+    /// Returns the sentence about a state.
     static juce::String sentenceOf(const SampleStatus& status) {
         const auto folder = textOf(status.folder);
         const auto samples = juce::String(status.samples) +

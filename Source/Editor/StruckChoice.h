@@ -23,7 +23,7 @@ struct StruckSize {
     double perSize = 1; ///< 2 for the diameter of a radius
     double first = 0;   ///< in metres
 };
-/// What can be struck.
+/// The kinds of objects that can be struck.
 struct StruckKind {
     const char* text;
     RecordedStrike::Struck struck;
@@ -120,7 +120,7 @@ public:
         showChoice();
     }
 
-    /// Whether all is known that the choice needs.
+    /// Returns whether the choice has all that it needs.
     bool isComplete() const { return chosen().struck != Struck::mesh || !meshFile.empty(); }
 
     /// Adds to a strike what was struck.

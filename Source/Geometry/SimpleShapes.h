@@ -17,7 +17,7 @@ struct ShapeSizes {
     double radiusMetres = 0.1;         ///< of a disc, icosphere, ring or hoop, and of a bowl's rim
     double sectionRadiusMetres = 0.01; ///< of a ring's cross-section; less than its radius
     double footRadiusMetres = 0;       ///< of a bowl's flat foot; 0: two fifths of the rim's
-    /// Of a bowl's wall, which makes it a closed body; 0: an open surface without thickness.
+    /// Thickness of a bowl's wall, which makes it a closed body; 0: an open surface without any.
     double thicknessMetres = 0;
     int vertexCount = 1000; ///< approximate, 12 to `maximumShapeVertices`
 };

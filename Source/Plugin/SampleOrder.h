@@ -1,4 +1,4 @@
-// What the window wants to be sampled: a sound with the settings of the export.
+// An order of the window: a sound to be sampled, with the settings of the export.
 #pragma once
 
 #include "Editor/SampleView.h"

@@ -28,7 +28,7 @@ public:
     void poll();
 
 private:
-    /// What an estimate or export depends on.
+    /// All that an estimate or export depends on.
     struct Subject {
         SampleSettings settings;
         int loadNumber = 0;
