@@ -28,8 +28,8 @@ using ClampRegion = std::vector<ClampSide>;
 /// The clamps of a body, and how much of its vibration they take.
 struct Support {
     std::vector<ClampRegion> clamps; ///< where the body does not move; none: it is free
-    /// The resistance of all clamps together, in N s/m, > 0. A support much heavier than the body takes
-    /// less the higher it is; without a number it takes nothing.
+    /// The resistance of all clamps together, in N s/m, > 0. The higher it is, the less a support
+    /// takes that is much heavier than the body. Nothing: a rigid support, which takes nothing.
     std::optional<double> resistanceNsPerM;
 };
 

@@ -153,7 +153,7 @@ EchoedBand::Evaluation EchoedBand::evaluate(const RoomEchoes& room) {
 double EchoedBand::whiten(MatrixXcd& columns, const Strip& strip, const RoomEchoes& room) const {
     const Index size = poles.size();
     const double density = 2 * room.decayPerSecond * room.energy;
-    // What the echoes before the first sample leave there, and what those of one step add.
+    // The covariance that earlier echoes leave at the first sample, and that each step adds.
     MatrixXcd covariance(size, size), added(size, size);
     for (Index i = 0; i < size; ++i)
         for (Index k = 0; k < size; ++k) {

@@ -1,4 +1,4 @@
-// A frequency band of a recording as a short complex signal. BandPoles and RoomEchoes use it.
+// A frequency band of a recording as a short complex signal. BandPoles and EchoedBand use it.
 #pragma once
 
 #include "Analysis/DampedSinusoid.h"

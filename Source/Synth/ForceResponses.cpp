@@ -179,7 +179,7 @@ void ForceResponses::add(const HeardForce& heard,
                          std::size_t count,
                          const CellOutput& cell) const noexcept {
     const CellImpulses impulses(force, output.sampleRateHz());
-    // What lies behind `from + count` of the convolution lacks later samples of the force.
+    // Beyond `from + count` the convolution lacks later samples of the force, so it is not added.
     const auto sounding = [&](const CellSound& start, const CellSound& end) {
         alignas(64) CellSound whole{};
         for (std::size_t c = 0; c < bank.channels(); ++c) {
