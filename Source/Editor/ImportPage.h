@@ -8,6 +8,7 @@
 #include "Editor/Look.h"
 #include "Editor/ObjectShortcuts.h"
 #include "Editor/ProcessorView.h"
+#include "Editor/ReportText.h"
 #include "Editor/Utf8.h"
 #include "Editor/WorkProgress.h"
 
@@ -46,12 +47,6 @@ public:
         file.setTitle("File");
         step.setTitle("Progress");
         measures.setTitle("Size and mass");
-        report.setMultiLine(true);
-        report.setReadOnly(true);
-        report.setCaretVisible(false);
-        report.setFont(Look::textFont());
-        report.setIndents(0, 2);
-        report.setTitle("What was made of the file");
         showParts(*this, open, file, step, measures, shortcuts, form, keys, report);
         addChildComponent(bar);
         shown = view.workshop.importStatus();
@@ -113,10 +108,6 @@ public:
         report.setBounds(area);
     }
     void lookAndFeelChanged() override {
-        using Editor = juce::TextEditor;
-        report.setColour(Editor::backgroundColourId, juce::Colours::transparentBlack);
-        report.setColour(Editor::outlineColourId, juce::Colours::transparentBlack);
-        report.setColour(Editor::focusedOutlineColourId, colourOf(*this, LookColour::outline));
         step.setColour(juce::Label::textColourId, colourOf(*this, LookColour::dimText));
         measures.setColour(juce::Label::textColourId, colourOf(*this, LookColour::text));
         keys.setColour(juce::Label::textColourId, colourOf(*this, LookColour::text));
@@ -159,14 +150,8 @@ private:
         cancel.setVisible(isWorking);
         again.setVisible(!isWorking);
         form.show(shown);
-        report.setColour(juce::TextEditor::textColourId,
-                         colourOf(*this, shown.stage == Stage::failed ? LookColour::error
-                                                                      : LookColour::dimText));
-        if (const auto text = words(); report.getText() != text) {
-            report.setText(text, false);
-            report.moveCaretToTop(false);
-        }
-        report.applyColourToAllText(report.findColour(juce::TextEditor::textColourId));
+        report.show(words(),
+                    shown.stage == Stage::failed ? LookColour::error : LookColour::dimText);
         bar.setVisible(isWorking);
         bar.show(shown.progress);
     }
@@ -194,7 +179,7 @@ private:
     TextLabel file, step, measures, keys;
     ObjectShortcutRow shortcuts;
     ImportForm form;
-    juce::TextEditor report;
+    ReportText report{"What was made of the file"};
     WorkBar bar;
 };
 

@@ -4,6 +4,7 @@
 #include "Editor/FileButton.h"
 #include "Editor/Look.h"
 #include "Editor/ProcessorView.h"
+#include "Editor/ReportText.h"
 #include "Editor/StruckChoice.h"
 #include "Editor/Utf8.h"
 #include "Editor/WorkProgress.h"
@@ -54,12 +55,6 @@ public:
         close.setTooltip("Back to the material (Escape)");
         close.onClick = [this] { juce::NullCheckedInvocation::invoke(onClose); };
         step.setTitle("Progress");
-        report.setTitle("What was found");
-        report.setMultiLine(true);
-        report.setReadOnly(true);
-        report.setCaretVisible(false);
-        report.setFont(Look::textFont());
-        report.setIndents(0, 2);
         struck.onChange = [this] { showActions(); };
         showParts(*this, file, open, struck, name, make, close, step, report);
         addChildComponent(cancel);
@@ -118,10 +113,6 @@ public:
         report.setBounds(area);
     }
     void lookAndFeelChanged() override {
-        using Editor = juce::TextEditor;
-        report.setColour(Editor::backgroundColourId, juce::Colours::transparentBlack);
-        report.setColour(Editor::outlineColourId, juce::Colours::transparentBlack);
-        report.setColour(Editor::focusedOutlineColourId, colourOf(*this, LookColour::outline));
         for (auto* label : {&labels[0], &labels[1], &labels[2], &file})
             label->setColour(juce::Label::textColourId, colourOf(*this, LookColour::text));
         step.setColour(juce::Label::textColourId, colourOf(*this, LookColour::dimText));
@@ -160,16 +151,9 @@ private:
                                                        : juce::String(),
                      juce::dontSendNotification);
         showActions();
-        report.setColour(juce::TextEditor::textColourId,
-                         colourOf(*this, shown.stage == Stage::failed ? LookColour::error
-                                                                      : LookColour::dimText));
-        const auto text =
-            shown.report.empty() && !isWorking ? juce::String(purpose) : fromUtf8(shown.report);
-        if (report.getText() != text) {
-            report.setText(text, false);
-            report.moveCaretToTop(false);
-        }
-        report.applyColourToAllText(report.findColour(juce::TextEditor::textColourId));
+        report.show(shown.report.empty() && !isWorking ? juce::String(purpose)
+                                                       : fromUtf8(shown.report),
+                    shown.stage == Stage::failed ? LookColour::error : LookColour::dimText);
     }
 
     MaterialFitView& view;
@@ -179,7 +163,8 @@ private:
     TextLabel file, step;
     FileButton open;
     StruckChoice struck;
-    juce::TextEditor name, report;
+    juce::TextEditor name;
+    ReportText report{"What was found"};
     juce::TextButton make{"Make"}, cancel{"Cancel"}, close{"Back"};
     WorkBar bar;
 };
