@@ -72,8 +72,8 @@ bool makesAnObject(std::uint32_t seed) {
 
 TEST_CASE("Hostile meshes give a valid object or a one-sentence error") {
     int objects = 0;
-    for (std::uint32_t seed = 0; seed < 60; ++seed)
+    for (std::uint32_t seed = 0; seed < 30; ++seed)
         objects += makesAnObject(seed) ? 1 : 0;
-    CHECK(objects >= 5);
-    CHECK(objects <= 50);
+    CHECK(objects >= 2);
+    CHECK(objects <= 25);
 }

@@ -1,4 +1,5 @@
-// Tests of the stored factory bars: all of them as stored, and one per octave analysed again.
+// Tests of the stored factory bars: all of them as stored, and one of each instrument analysed
+// again.
 #include "Analysis/FactoryObjects.h"
 #include "Analysis/FactoryBars.h"
 #include "Object/ModalObjectFile.h"
@@ -176,17 +177,21 @@ TEST_CASE("A tube makes a marimba's A3 decay clearly faster and 15 to 25 dB loud
     CHECK(tubed.levelDb - bare.levelDb < 25);
 }
 
-TEST_CASE("One bar per octave of each instrument, analysed again, equals the stored one") {
+TEST_CASE("One bar of each instrument and one shape, analysed again, equal the stored ones") {
+    // A bar of the upper half: low bars take minutes.
+    std::vector<std::string> names{"small-ring"};
     for (const auto& instrument : barInstruments())
-        for (int note = instrument.lowestNote; note <= instrument.highestNote; note += 12) {
-            const auto anew = makeFactoryObject(instrument.barName(note));
-            INFO(instrument.barName(note));
-            REQUIRE(anew);
-            const auto bar = stored(instrument.barName(note));
-            REQUIRE(anew->modeCount() == bar.modeCount());
-            for (std::size_t mode = 0; mode < bar.modeCount(); ++mode)
-                CHECK_THAT(bar.eigenvalues[mode], WithinRel(anew->eigenvalues[mode], 1e-6));
-            CHECK(bar.faces == anew->faces);
-            CHECK(bar.provenance.analysedVertices == anew->provenance.analysedVertices);
-        }
+        names.push_back(
+            instrument.barName((instrument.lowestNote + 3 * instrument.highestNote) / 4));
+    for (const auto& name : names) {
+        INFO(name);
+        const auto anew = makeFactoryObject(name);
+        REQUIRE(anew);
+        const auto object = stored(name);
+        REQUIRE(anew->modeCount() == object.modeCount());
+        for (std::size_t mode = 0; mode < object.modeCount(); ++mode)
+            CHECK_THAT(object.eigenvalues[mode], WithinRel(anew->eigenvalues[mode], 1e-6));
+        CHECK(object.faces == anew->faces);
+        CHECK(object.provenance.analysedVertices == anew->provenance.analysedVertices);
+    }
 }

@@ -1,3 +1,4 @@
+// Tests of the stored factory shapes against theory and measured instruments.
 #include "Analysis/BarTuning.h"
 #include "Analysis/FactoryObjects.h"
 #include "Object/ModalObjectFile.h"
@@ -7,6 +8,7 @@
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 #include <cmath>
+#include <filesystem>
 #include <numbers>
 #include <set>
 
@@ -64,14 +66,14 @@ void checkFile(const ModalObject& object, std::size_t maximumBytes) {
     CHECK(validated(object));
     CHECK(object.provenance.zeroModes == 6);
     CHECK_FALSE(object.provenance.source.empty());
-    CHECK(object.provenance.analysisSeconds > 0);
     CHECK((object.shapeVertexCount() >= 40 && object.shapeVertexCount() <= 240));
     CHECK_FALSE(object.radiation.empty());
     CHECK(encodeModalObject(object, ShapePrecision::half).size() <= maximumBytes);
 }
 
-ModalObject made(const std::string& name) {
-    auto object = makeFactoryObject(name);
+ModalObject stored(const std::string& name) {
+    auto object = readModalObject(std::filesystem::path(IDIOPHONE_SOURCE_DIR) / "Resources" /
+                                  "Objects" / (name + ".modal"));
     REQUIRE(object);
     CHECK(object->name == name);
     return std::move(*object);
@@ -102,19 +104,19 @@ double cylinderHz(const Material& material, double radiusMetres, double thicknes
 } // namespace
 
 TEST_CASE("The steel plate has Kirchhoff's modes within 1 %") {
-    const auto plate = made("plate");
+    const auto plate = stored("plate");
     checkPlate(plate, 0.30, 0.01);
     checkFile(plate, 330000);
 }
 
 TEST_CASE("The wooden table top has Kirchhoff's modes within 2 % (theory for ν = 0.3, wood 0.25)") {
-    const auto table = made("table");
+    const auto table = stored("table");
     checkPlate(table, 0.9, 0.02);
     checkFile(table, 220000);
 }
 
 TEST_CASE("The lowest pair of the steel ring is Hoppe's ring mode") {
-    const auto ring = made("ring");
+    const auto ring = stored("ring");
     const double speed = std::sqrt(ring.material.youngsModulusPa / ring.material.densityKgPerM3);
     const double hoppeHz = 2.68328 / (2 * pi) * 0.004 / std::sqrt(12.0) * speed / (0.07 * 0.07);
     CHECK_THAT(frequencyHz(ring, 0), WithinRel(hoppeHz, 0.01));
@@ -123,7 +125,7 @@ TEST_CASE("The lowest pair of the steel ring is Hoppe's ring mode") {
 }
 
 TEST_CASE("The handbell sounds C5 and a twelfth above it, each as a pair of modes") {
-    const auto bell = made("handbell");
+    const auto bell = stored("handbell");
     CHECK(std::abs(cents(frequencyHz(bell, 0), 523.2511)) < 3);
     CHECK(std::abs(cents(frequencyHz(bell, 2), 3 * frequencyHz(bell, 0))) < 3);
     CHECK(wavesAround(bell, 0, 0) == 2);
@@ -134,7 +136,7 @@ TEST_CASE("The handbell sounds C5 and a twelfth above it, each as a pair of mode
 }
 
 TEST_CASE("The glass bowl's first five pairs match a wine glass's within 7 %") {
-    const auto bowl = made("glass-bowl");
+    const auto bowl = stored("glass-bowl");
     // Published ratios of a wine glass. (0,1) lies between the third and fifth pair.
     const double ratios[] = {1, 2.32, 4.25, 6.63, 9.38};
     for (const double ratio : ratios) {
@@ -151,7 +153,7 @@ TEST_CASE("The glass bowl's first five pairs match a wine glass's within 7 %") {
 }
 
 TEST_CASE("The wok's lowest pairs have two, three and four waves around the rim") {
-    const auto wok = made("wok");
+    const auto wok = stored("wok");
     CHECK(wavesAround(wok, 0, 0.1) == 2);
     CHECK(wavesAround(wok, 2, 0.1) == 3);
     CHECK(wavesAround(wok, 4, 0.1) == 4);
@@ -162,7 +164,7 @@ TEST_CASE("The wok's lowest pairs have two, three and four waves around the rim"
 
 TEST_CASE(
     "The shell case's lowest mode lies between cylinders as thick as its mouth and as its wall") {
-    const auto shellCase = made("shell-case");
+    const auto shellCase = stored("shell-case");
     CHECK(frequencyHz(shellCase, 0) > cylinderHz(shellCase.material, 0.045, 0.0013));
     CHECK(frequencyHz(shellCase, 0) < cylinderHz(shellCase.material, 0.045, 0.002));
     CHECK(wavesAround(shellCase, 0, 0.292, 0.028) == 2);
@@ -172,7 +174,7 @@ TEST_CASE(
 }
 
 TEST_CASE("A tubular bell's fourth bending mode, a pair, is an octave above its note") {
-    const auto bell = made("tubular-bell-69");
+    const auto bell = stored("tubular-bell-69");
     std::size_t near = 0;
     for (std::size_t mode = 0; mode < bell.modeCount(); ++mode)
         near += std::abs(cents(dampedFrequencyHz(bell.eigenvalues[mode], bell.material), 880)) < 5;

@@ -22,26 +22,19 @@ class Tune(ConsoleTest):
         self.succeed("tune", "marimba", "-o", folder, *options)
         return folder
 
-    def test_two_tuned_bars_have_their_pitches_and_play_as_a_preset(self):
-        folder = self.tuned("--from", "60", "--to", "61", "--a4", "442")
-        for key in (60, 61):
+    def test_two_tuned_bars_have_their_pitches_and_are_as_loud_as_the_factorys_in_any_folder(self):
+        folder = self.tuned("--from", "83", "--to", "84", "--a4", "442")
+        for key in (83, 84):
             wanted = 442 * 2 ** ((key - 69) / 12)
             modes = self.json("info", folder / f"marimba-{key}.modal")["modes"]
             heard = (modes[0]["frequency_hz"] + modes[1]["frequency_hz"]) / 2  # shared with the tube
             self.assertLess(abs(1200 * math.log2(heard / wanted)), 1)
-        midi = self.write("note.mid", midi_file(note(0, 60)))
-        told = self.json("render", "--preset", folder / "marimba.json", "--midi", midi,
-                         "-o", self.folder / "note.wav", "--seconds", "1")
-        self.assertGreater(told["peak_dbfs"], -60)
-
-    def test_the_keyboard_is_as_loud_as_the_factorys_in_any_folder(self):
-        folder = self.tuned("--from", "60", "--to", "61")
         moved = self.folder / "elsewhere" / "Marimba of maple"
         moved.parent.mkdir()
         folder.rename(moved)
         told = self.json("presets", moved / "marimba.json")
         self.assertAlmostEqual(told["level_db"], told["matching_level_db"], delta=1)
-        midi = self.write("note.mid", midi_file(note(0, 60)))
+        midi = self.write("note.mid", midi_file(note(0, 84)))
         told = self.json("render", "--preset", moved / "marimba.json", "--midi", midi,
                          "-o", self.folder / "note.wav", "--seconds", "1")
         self.assertGreater(told["peak_dbfs"], -40)
@@ -65,12 +58,12 @@ class Tune(ConsoleTest):
         self.assertGreater(len(self.json("info", object)["modes"]), 1)
 
     def test_the_table_gives_the_measures_of_the_mesh(self):
-        folder = self.tuned("--from", "72", "--to", "72")
+        folder = self.tuned("--from", "84", "--to", "84")
         with (folder / "marimba.csv").open() as file:
             bar, = csv.DictReader(file)
         self.assertLess(abs(float(bar["miss_cents"])), 1)
         self.assertAlmostEqual(float(bar["second_ratio"]), 4, delta=0.01)
-        points, faces = obj_mesh(folder / "marimba-72.obj")
+        points, faces = obj_mesh(folder / "marimba-84.obj")
         for axis, name in enumerate(("length_mm", "width_mm", "height_mm")):
             values = [point[axis] for point in points]
             self.assertAlmostEqual(max(values) - min(values), float(bar[name]), delta=0.01)

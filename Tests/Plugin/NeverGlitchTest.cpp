@@ -144,7 +144,7 @@ TEST_CASE("Windows, presets, dropped meshes and undo during playback make no cli
 
 TEST_CASE("Every sample stays finite while a dropped mesh is analysed and played") {
     const auto mesh = testFolder() / "drop.obj";
-    REQUIRE(writeMesh(sheetMesh(0.3, 0.2, 300), mesh));
+    REQUIRE(writeMesh(sheetMesh(0.05, 0.035, 150), mesh));
     Processor processor;
     processor.prepareToPlay(rateHz, blockSize);
     Listener listener(processor);

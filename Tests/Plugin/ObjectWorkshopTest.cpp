@@ -122,15 +122,15 @@ TEST_CASE("A file without a usable object is refused in a sentence that names it
 
 TEST_CASE("A mesh is scaled to the longest side that is given, whatever its unit") {
     ObjectWorkshop workshop;
-    workshop.open(smallPlateFile("plate.obj", 1000), {.longestMetres = 0.3});
+    workshop.open(smallPlateFile("plate.obj", 1000), {.longestMetres = 0.05});
     const auto products = productsOf(workshop);
     REQUIRE_FALSE(products.empty());
     const auto status = workshop.status();
     CHECK(status.unit == "mm");
-    CHECK(std::abs(status.sidesMetres[0] - 0.3) < 1e-6);
-    CHECK(std::abs(status.sidesMetres[1] - 0.18) < 1e-6);
+    CHECK(std::abs(status.sidesMetres[0] - 0.05) < 1e-6);
+    CHECK(std::abs(status.sidesMetres[1] - 0.03) < 1e-6);
     CHECK(status.massKg == products.back().object->mass.massKg);
-    CHECK_THAT(status.notes, ContainsSubstring("Scaled to a longest side of 300 mm."));
+    CHECK_THAT(status.notes, ContainsSubstring("Scaled to a longest side of 50 mm."));
     workshop.analyseAgain({.longestMetres = 21});
     CHECK(productsOf(workshop).empty());
     CHECK(workshop.status().error == "plate.obj: The longest side must be between 1 mm and 20 m.");

@@ -66,7 +66,7 @@ inline double impulseVelocity(const ReferenceMode& mode, double seconds) {
 }
 
 /// Returns the velocity after a raised-cosine pulse of unit impulse, by 16-point Gauss-Legendre
-/// quadrature of the convolution on panels shorter than a radian. `extraDamping` multiplies the
+/// quadrature of the convolution on panels of at most four radians. `extraDamping` multiplies the
 /// response by e^{−δt}.
 inline double pulseVelocity(const ReferenceMode& mode,
                             double contactSeconds,
@@ -83,7 +83,7 @@ inline double pulseVelocity(const ReferenceMode& mode,
         return 0;
     const double omega = 2 * std::numbers::pi / contactSeconds;
     const double fastest = std::max(omega, std::sqrt(mode.stiffness) + mode.damping);
-    const int panels = 1 + static_cast<int>(until * fastest);
+    const int panels = 1 + static_cast<int>(until * fastest / 4);
     const double half = until / panels / 2;
     double sum = 0;
     for (int panel = 0; panel < panels; ++panel)
