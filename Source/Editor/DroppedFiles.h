@@ -1,10 +1,12 @@
 // Says what dropping files on the window does: which of them it opens, or why it opens none.
 #pragma once
 
+#include "Editor/ModeText.h"
 #include "Editor/ProcessorView.h"
 #include "Editor/Utf8.h"
 
 #include <juce_core/juce_core.h>
+#include <optional>
 #include <string>
 
 namespace idiophone {
@@ -15,9 +17,12 @@ class DroppedFiles {
 public:
     enum class Kind { unreadable, object, preset, tuning };
 
-    /// `paths` is not empty. Reads no file.
-    DroppedFiles(const juce::StringArray& paths, const ProcessorView& processor)
-        : all(paths), view(processor) {
+    /// `paths` is not empty. `midiNote` is the key under the mouse, if there is one; an object then
+    /// plays on that key only. Reads no file.
+    DroppedFiles(const juce::StringArray& paths,
+                 const ProcessorView& processor,
+                 std::optional<int> midiNote = {})
+        : all(paths), view(processor), key(midiNote) {
         for (const auto& path : paths) {
             const auto each = kindOf(path);
             if (opened.isEmpty() ? each != Kind::unreadable
@@ -42,6 +47,7 @@ public:
                 : common == Kind::preset ? "Drop to load the preset "
                                          : "Drop to play ") +
                names.joinIntoString(" and ") +
+               (common == Kind::object && key ? " on " + noteName(*key) : juce::String()) +
                (others == 0   ? juce::String()
                 : others == 1 ? ", without the other file"
                               : ", without the other " + juce::String(others) + " files");
@@ -69,7 +75,8 @@ public:
                 view.tuning.openTuning(pathOf(file));
             return;
         case Kind::object:
-            return view.workshop.openFile(pathOf(opened[0]));
+            return key ? view.workshop.openFileOnKey(pathOf(opened[0]), *key)
+                       : view.workshop.openFile(pathOf(opened[0]));
         }
     }
 
@@ -98,6 +105,7 @@ private:
 
     juce::StringArray all, opened;
     const ProcessorView& view;
+    std::optional<int> key;
     Kind common = Kind::unreadable;
 };
 

@@ -242,8 +242,8 @@ bool EditorWindow::isInterestedInFileDrag(const juce::StringArray& files) {
     return !files.isEmpty() && !DragFolder::contains(pathOf(files[0]));
 }
 
-void EditorWindow::fileDragEnter(const juce::StringArray& files, int, int) {
-    const DroppedFiles dropped(files, view);
+void EditorWindow::fileDragMove(const juce::StringArray& files, int x, int y) {
+    const DroppedFiles dropped(files, view, noteAt(x, y));
     dropFrame.show(dropped.offer(), dropped.kind() != DroppedFiles::Kind::unreadable);
 }
 
@@ -251,9 +251,9 @@ void EditorWindow::fileDragExit(const juce::StringArray&) {
     dropFrame.hide();
 }
 
-void EditorWindow::filesDropped(const juce::StringArray& files, int, int) {
+void EditorWindow::filesDropped(const juce::StringArray& files, int x, int y) {
     dropFrame.hide();
-    const DroppedFiles dropped(files, view);
+    const DroppedFiles dropped(files, view, noteAt(x, y));
     dropped.open();
     if (dropped.kind() == DroppedFiles::Kind::tuning)
         showPage(tuningPage);

@@ -63,10 +63,10 @@ public:
     void showControllers() override { show(Middle::controllers); }
 
     /// Accepts files that the workshop reads, presets, scales and keyboard mappings anywhere on the
-    /// window.
-    /// For other files the status gives the reason. Captures dragged from this program are ignored.
+    /// window; a file of an object over a key is for this key. For other files the status gives the
+    /// reason. Captures dragged from this program are ignored.
     bool isInterestedInFileDrag(const juce::StringArray& files) override;
-    void fileDragEnter(const juce::StringArray& files, int x, int y) override;
+    void fileDragMove(const juce::StringArray& files, int x, int y) override;
     void fileDragExit(const juce::StringArray& files) override;
     void filesDropped(const juce::StringArray& files, int x, int y) override;
 
@@ -86,6 +86,9 @@ private:
     void placeParts();
     void setBusy(bool busy);
     void colourSurroundings();
+    std::optional<int> noteAt(int x, int y) {
+        return keyboard.noteAt(keyboard.getLocalPoint(this, juce::Point(x, y)));
+    }
 
     ProcessorView& view;
     Preferences preferences;

@@ -64,6 +64,13 @@ public:
         octaveKey = letter;
         return true;
     }
+    /// The note of the key at a place of the panel, if there is one.
+    std::optional<int> noteAt(juce::Point<int> place) {
+        if (!getLocalBounds().contains(place))
+            return std::nullopt;
+        const int note = keyboard.getNoteAndVelocityAtPosition(place.toFloat()).note;
+        return note < 0 ? std::nullopt : std::optional(note);
+    }
     /// The note of the computer's first key, a C.
     int computerKeysNote() const { return baseNote; }
 

@@ -79,6 +79,9 @@ public:
     /// Makes an object from the file in the background, with the current settings, and plays it
     /// when it is ready. Cancels a running job. The status shows errors.
     virtual void openFile(const std::filesystem::path& file) = 0;
+    /// Does so for one key, 0 to 127: the sound that plays becomes a kit, in which the object also
+    /// sounds on that key.
+    virtual void openFileOnKey(const std::filesystem::path& file, int midiNote) = 0;
     /// Sets the settings for later files. If `ImportStatus::followsSettings`, also makes the object
     /// again. The status shows errors for settings out of range.
     virtual void setImportSettings(const ImportSettings& settings) = 0;

@@ -13,6 +13,7 @@ namespace {
 using enum ParameterId;
 
 constexpr double silencingSeconds = 0.02;    // T60 of All Sound Off
+constexpr double chokingSeconds = 0.06;      // T60 of a hand that grips
 constexpr float gainFractionPerCell = 0.15f; // of the distance to the goal: 10 ms
 
 std::vector<SynthesiserSlot> copySlots(const Instrument& instrument) {
@@ -31,8 +32,11 @@ CellRenderer::CellRenderer(const Instrument& played,
       synth(copySlots(played), sampleRateHz, cellStrategy->hasMallets() ? 2 : 1),
       strategy(std::move(cellStrategy)), held(contacts), hand(scrapingHand), input(soundIn),
       motor(cellSamples / sampleRateHz), slotTouched(synth.slotCount(), false),
-      slotHeld(synth.slotCount(), false), slotPressed(synth.slotCount(), 0),
-      slotDamping(synth.slotCount(), 0) {
+      slotHeld(synth.slotCount(), false), slotChoked(synth.slotCount(), false),
+      slotPressed(synth.slotCount(), 0), slotDamping(synth.slotCount(), 0) {
+    for (std::size_t slot = 0; slot < synth.slotCount(); ++slot)
+        if (const auto* part = played.part(slot))
+            synth.setMaterial(slot, materialOfPart(*part, *played.slots()[slot].object));
     strategy->layOut(cell, synth.slotCount());
     strategy->layOut(remains, synth.slotCount());
 }
@@ -167,22 +171,37 @@ void CellRenderer::updateDampers(const ParameterValues& values, const KeyState& 
     for (std::size_t note = 0; note < heldKeys.size(); ++note) {
         if (!heldKeys[note])
             continue;
-        const int key = instrument.key(static_cast<int>(note)).slot;
-        if (key < 0)
-            continue;
-        const auto slot = static_cast<std::size_t>(key);
-        slotHeld[slot] = true;
-        if (pressureDamps)
-            slotPressed[slot] = std::max(slotPressed[slot], keys.pressure(note));
+        for (const Key& key : instrument.keysOf(static_cast<int>(note))) {
+            if (key.slot < 0)
+                continue;
+            const auto slot = static_cast<std::size_t>(key.slot);
+            slotHeld[slot] = true;
+            if (pressureDamps)
+                slotPressed[slot] = std::max(slotPressed[slot], keys.pressure(note));
+        }
     }
     const double released = decayPerSecond(values[releaseTime]);
     const double silencing = decayPerSecond(silencingSeconds);
     for (std::size_t slot = 0; slot < slotHeld.size(); ++slot) {
         const double fraction = slotHeld[slot] ? slotPressed[slot] * slotPressed[slot] : 1;
-        const double damping = silenced ? silencing : fraction * released;
+        const double damping = silenced           ? silencing
+                               : slotChoked[slot] ? decayPerSecond(chokingSeconds)
+                                                  : fraction * released;
         if (std::exchange(slotDamping[slot], damping) != damping)
             synth.setDamping(slot, damping);
     }
+}
+
+void CellRenderer::choke(int note, int velocity) {
+    const auto struck = instrument.keysOf(note);
+    for (const Key& key : struck)
+        if (key.part != nullptr && key.part->chokeGroup > 0 && key.takes(velocity))
+            for (std::size_t slot = 0; slot < slotChoked.size(); ++slot)
+                if (instrument.part(slot)->chokeGroup == key.part->chokeGroup)
+                    slotChoked[slot] = true;
+    for (const Key& key : struck)
+        if (key.slot >= 0 && key.takes(velocity))
+            slotChoked[static_cast<std::size_t>(key.slot)] = false;
 }
 
 void CellRenderer::liftHands() {
@@ -213,6 +232,7 @@ void CellRenderer::reset() {
     held.forgetAll();
     input.reset();
     silenced = hasRemains = false;
+    slotChoked.assign(slotChoked.size(), false);
 }
 
 bool CellRenderer::silent() const {

@@ -61,6 +61,9 @@ public:
     void touch(std::size_t slot, bool isTouched) { slotTouched[slot] = isTouched; }
     void liftHands();
 
+    /// Damps the choke groups of a note's keys, except the keys that the note strikes.
+    void choke(int note, int velocity);
+
     void silence() { silenced = true; } ///< damps all sound until `endSilence`
     bool isSilenced() const { return silenced; }
     /// Call before the first strike or contact after `silence`. The strike lifts the damper. Fades
@@ -96,6 +99,7 @@ private:
     std::int64_t index = -1;                 ///< of the newest cell
     float gainAtStart = 1, gainAtEnd = 1;    ///< of the newest cell; linear in between
     std::vector<bool> slotTouched, slotHeld; ///< [slots]
+    std::vector<bool> slotChoked;            ///< [slots]
     std::vector<float> slotPressed;          ///< [slots] maximum pressure of its keys
     std::vector<double> slotDamping;         ///< [slots] set last
 };

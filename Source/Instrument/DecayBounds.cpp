@@ -145,8 +145,9 @@ DecayBounds decayBounds(const Instrument& instrument, RingingKeys keys) {
     const auto slots = instrument.slots();
     std::vector<bool> isResized(slots.size(), false);
     for (int note = 0; note < 128; ++note)
-        if (const auto& key = instrument.key(note); key.slot >= 0 && !key.isOwn)
-            isResized[static_cast<std::size_t>(key.slot)] = true;
+        for (const Key& key : instrument.keysOf(note))
+            if (key.slot >= 0 && !key.isOwn)
+                isResized[static_cast<std::size_t>(key.slot)] = true;
     for (std::size_t index = 0; index < slots.size(); ++index) {
         const auto& slot = slots[index];
         const auto& object = *slot.object;
@@ -213,12 +214,12 @@ double slowestDecay(const DecayBounds& bounds,
 
 double semitonesBelowEqual(const Instrument& instrument, const KeyTuning& tuning) {
     double below = 0;
-    if (!instrument.keysHaveObjects())
-        return below;
     for (int note = 0; note < KeyTuning::notes; ++note)
-        if (const auto index = static_cast<std::size_t>(note);
-            instrument.key(note).slot >= 0 && !tuning.unmapped[index])
-            below = std::max(below, -tuning.semitonesFromEqual[index]);
+        for (const Key& key : instrument.keysOf(note))
+            if (const auto index = static_cast<std::size_t>(note);
+                key.slot >= 0 && instrument.followsKey(static_cast<std::size_t>(key.slot)) &&
+                !tuning.unmapped[index])
+                below = std::max(below, -tuning.semitonesFromEqual[index]);
     return below;
 }
 

@@ -2,32 +2,21 @@
 // the place to strike. It is immutable, so any number of players share it.
 #pragma once
 
-#include "Instrument/KeyMallet.h"
+#include "Instrument/Key.h"
 #include "Instrument/LowestModes.h"
 #include "Instrument/ObjectLibrary.h"
 #include "Instrument/Preset.h"
 #include "Instrument/Stage.h"
-#include "Instrument/StrikeStrip.h"
 #include "Synth/Synthesiser.h"
 
 #include <array>
 #include <cstdint>
-#include <map>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
 namespace idiophone {
-
-/// The object, place and mallet of a MIDI note.
-struct Key {
-    int slot = -1;                            ///< −1: the note is silent
-    std::shared_ptr<const StrikeStrip> strip; ///< the object's; null if the note is silent
-    double along = 0.5;                       ///< place on the strip, 0 to 1
-    KeyMallet mallet = {};                    ///< difference from the chosen mallet
-    /// False if the preset has no object for the key, so that the key plays a neighbour's.
-    bool isOwn = true;
-};
 
 /// Maximum of modes of all slots together. Each slot has its own bank, with half a kilobyte per
 /// mode. Without this limit, a small file on 128 keys could use any amount of memory.
@@ -65,16 +54,30 @@ public:
 
     const KeyMap& keyMap() const { return map; }
     std::span<const SynthesiserSlot> slots() const { return synthesiserSlots; }
-    const Key& key(int midiNote) const { return keys[static_cast<std::size_t>(midiNote & 127)]; }
+    /// Returns all that a note plays: one key, or in a kit one for each part. Without an object it
+    /// is a silent key.
+    std::span<const Key> keysOf(int midiNote) const {
+        const auto note = static_cast<std::size_t>(midiNote & 127);
+        return std::span(keys).subspan(firstKeys[note], firstKeys[note + 1] - firstKeys[note]);
+    }
+    /// Returns the first of them, which stands for the note where one object must.
+    const Key& key(int midiNote) const { return keysOf(midiNote).front(); }
     /// Returns the mallet for strikes on a slot without a key: its key's, if it has one.
     const KeyMallet& mallet(std::size_t slot) const { return mallets[slot]; }
+    /// Returns the kit's part that plays the slot, or null.
+    const KitPart* part(std::size_t slot) const { return parts[slot]; }
+    /// Returns the object's name in the key map; empty on a stage.
+    const std::string& objectName(std::size_t slot) const { return slotNames[slot]; }
     const LowestModes& lowestModes(std::size_t slot) const { return lowestModesOfSlots[slot]; }
     /// Returns whether a slot and all vertices of a point on its object exist.
     bool has(std::size_t slot, const StrikePoint& point) const;
 
     /// Returns the stage whose bodies the notes move in place of mallets, or null.
     const std::shared_ptr<const Stage>& stage() const { return ownStage; }
-    /// Returns whether no two keys play the same object.
+    /// Returns whether the slot has its key's pitch. Otherwise several keys share it, or it is a
+    /// zone's.
+    bool followsKey(std::size_t slot) const { return followKeys[slot]; }
+    /// Returns whether all keys' objects have their keys' pitches.
     bool keysHaveObjects() const;
     /// Returns whether the preset has its own object for the note.
     bool hasOwn(int midiNote) const { return key(midiNote).slot >= 0 && key(midiNote).isOwn; }
@@ -82,19 +85,19 @@ public:
 private:
     explicit Instrument(KeyMap keyMap);
 
-    Result<void> buildBars(ObjectLibrary& library);
-    Result<void> buildSingleObject(ObjectLibrary& library);
-    void voice();
-    void addResizedKeys();
-    std::shared_ptr<const StrikeStrip> stripOf(const ModalObject& object);
+    Result<void> addMap(ObjectLibrary& library);
+    Result<void> addParts(ObjectLibrary& library);
     void describeSlots();
 
     std::uint64_t serial;
     KeyMap map;
     std::vector<SynthesiserSlot> synthesiserSlots;
-    std::map<const ModalObject*, std::shared_ptr<const StrikeStrip>> strips;
-    std::array<Key, 128> keys;
+    std::vector<std::string> slotNames;          ///< [slots]
+    std::vector<Key> keys;                       ///< by note
+    std::array<std::size_t, 129> firstKeys{};    ///< [notes + 1] indices into keys
     std::vector<KeyMallet> mallets;              ///< [slots]
+    std::vector<const KitPart*> parts;           ///< [slots]
+    std::vector<bool> followKeys;                ///< [slots]
     std::vector<LowestModes> lowestModesOfSlots; ///< [slots]
     std::shared_ptr<const Stage> ownStage;
 };

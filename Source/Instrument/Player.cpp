@@ -52,14 +52,14 @@ Player::Player(std::shared_ptr<const Instrument> instrument,
            sharedSurfaceProfile(surface, sampleRateHz),
            seed,
            handStrengths({playedInstrument, surface, sampleRateHz}, own)),
-      inputForce(*playedInstrument, sampleRateHz, own, HandScrape::firstFreeForce), keys(held),
-      slotTuning(*playedInstrument, cellSamples / sampleRateHz), scheduler(*playedInstrument, seed),
-      renderer(*playedInstrument,
-               sampleRateHz,
-               cellStrategy(performance.get()),
-               held,
-               hand,
-               inputForce) {
+      inputForce(*playedInstrument, sampleRateHz, own, HandScrape::firstFreeForce),
+      keys(held), slotTuning(*playedInstrument, cellSamples / sampleRateHz),
+      scheduler(*playedInstrument, seed), renderer(*playedInstrument,
+                                                   sampleRateHz,
+                                                   cellStrategy(performance.get()),
+                                                   held,
+                                                   hand,
+                                                   inputForce) {
     if (!performance)
         loudness = std::make_shared<MatchedGain>(
             LoudnessMatch(Phrase(playedInstrument, surface, sampleRateHz), own));
@@ -144,6 +144,7 @@ void Player::follow(const MidiEvent& event) {
         slotTuning.noteOn(note);
         playedResizedKeys = playedResizedKeys || !playedInstrument->hasOwn(note);
         playedLast = static_cast<std::size_t>(playedInstrument->key(note).slot);
+        renderer.choke(note, event.second());
         renderer.endSilence(glide.values(), keys);
         inputForce.choose(note);
         if (!performance && !strikes(glide.values()))
@@ -194,8 +195,10 @@ void Player::strike(std::span<const MidiEvent> notes) {
                 *performance, note,
                 std::max(1, static_cast<int>(std::lround(keys.softness() * velocity))));
         else if (strikes(values))
-            scheduler.strikeKey(playedInstrument->key(note), velocity,
-                                held.controllers(event.channel()).place, moment);
+            for (const Key& key : playedInstrument->keysOf(note))
+                if (key.takes(velocity))
+                    scheduler.strikeKey(key, velocity, held.controllers(event.channel()).place,
+                                        moment);
     };
     std::ranges::for_each(lateNotes, strikeNote);
     lateNotes.clear();

@@ -55,6 +55,10 @@ Result<Preset> readPresetFile(const std::filesystem::path& file) {
 }
 
 KeyMap withObjectsBeside(KeyMap keyMap, const std::filesystem::path& presetFile) {
+    for (auto& part : keyMap.parts)
+        part.keyMap = withObjectsBeside(std::move(part.keyMap), presetFile);
+    if (keyMap.kind == KeyMapKind::kit)
+        return keyMap;
     if (factoryObject(keyMap.objectFor(keyMap.lowestNote)))
         return keyMap;
     keyMap.object = localName(keyMap.object);

@@ -73,6 +73,22 @@ withCustom(ParameterValues values, const FigureChoice& choice, const Material* o
     return values;
 }
 
+ParameterValues withPart(ParameterValues values, const KitPart& part) {
+    if (part.material)
+        values.set(material, *part.material);
+    if (part.mallet)
+        values.set(mallet, *part.mallet);
+    return values;
+}
+
+std::optional<LiveMaterial> materialOfPart(const KitPart& part, const ModalObject& object) {
+    if (!part.material)
+        return std::nullopt;
+    ParameterValues values;
+    values.set(material, *part.material);
+    return liveMaterial(contactMaterial(values, object.material));
+}
+
 bool hasLiveThickness(std::span<const SynthesiserSlot> slots) {
     return std::ranges::any_of(slots,
                                [](const auto& slot) { return slot.object->hasLiveThickness(); });

@@ -1,6 +1,7 @@
 // Converts parameters to settings of the synthesiser.
 #pragma once
 
+#include "Instrument/KeyMap.h"
 #include "Object/Mallet.h"
 #include "Object/Material.h"
 #include "Parameters/ParameterTable.h"
@@ -54,6 +55,13 @@ bool hasPitch(std::span<const SynthesiserSlot> slots);
 /// Returns the values with that material as the custom one; ParameterValues::set clamps the
 /// figures. The values do not include its Poisson ratio and contact figures. Any thread.
 ParameterValues withCustomMaterial(ParameterValues values, const Material& material);
+
+/// Returns the values with the material and the mallet of a kit's part. Any thread.
+ParameterValues withPart(ParameterValues values, const KitPart& part);
+
+/// Returns the material that a part gives an object, or nothing if the part follows the parameters.
+/// Any thread.
+std::optional<LiveMaterial> materialOfPart(const KitPart& part, const ModalObject& object);
 
 /// Returns the synthesiser's settings for the values. Any thread.
 SynthesisSettings synthesisSettings(const ParameterValues& values);

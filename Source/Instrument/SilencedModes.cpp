@@ -29,6 +29,8 @@ std::string modeSetKey(const Instrument& instrument, std::size_t slot) {
                 return std::to_string(note);
     if (map.kind == KeyMapKind::scene)
         return slots[slot].object->name;
+    if (map.kind == KeyMapKind::kit)
+        return instrument.objectName(slot);
     return "all";
 }
 

@@ -17,14 +17,19 @@ constexpr double smallestStep = 1e-3; // in semitones; a smaller step is not hea
 SlotTuning::SlotTuning(const Instrument& playedInstrument, double secondsPerCell)
     : instrument(playedInstrument), glideShare(ParameterGlide::fractionPerCell(secondsPerCell)),
       keysHaveObjects(instrument.keysHaveObjects()), slots(instrument.slots().size()) {
-    if (keysHaveObjects)
-        for (int note = 0; note < KeyTuning::notes; ++note)
-            noteOn(note);
+    for (int note = 0; note < KeyTuning::notes; ++note)
+        for (const Key& key : instrument.keysOf(note))
+            if (followsKey(key))
+                slots[static_cast<std::size_t>(key.slot)].note = note;
+}
+
+bool SlotTuning::followsKey(const Key& key) const noexcept {
+    return key.slot >= 0 && instrument.followsKey(static_cast<std::size_t>(key.slot));
 }
 
 bool SlotTuning::sounds(int note) const noexcept {
-    return instrument.key(note).slot >= 0 &&
-           !(keysHaveObjects && tuning.unmapped[static_cast<std::size_t>(note)]);
+    const Key& key = instrument.key(note);
+    return key.slot >= 0 && !(followsKey(key) && tuning.unmapped[static_cast<std::size_t>(note)]);
 }
 
 double SlotTuning::semitonesBelowEqual() const noexcept {
@@ -37,11 +42,12 @@ double SlotTuning::semitonesBelowEqual() const noexcept {
 void SlotTuning::noteOn(int note) noexcept {
     if (instrument.stage() && !keysHaveObjects)
         return; // the note has no slot
-    if (const int key = instrument.key(note).slot; key >= 0) {
-        auto& slot = slots[static_cast<std::size_t>(key)];
-        slot.note = note;
-        slot.bendsAtOnce = true;
-    }
+    for (const Key& key : instrument.keysOf(note))
+        if (key.slot >= 0) {
+            auto& slot = slots[static_cast<std::size_t>(key.slot)];
+            slot.note = note;
+            slot.bendsAtOnce = true;
+        }
 }
 
 void SlotTuning::apply(const PitchBend& bend, Synthesiser& synthesiser) noexcept {
@@ -61,7 +67,7 @@ void SlotTuning::apply(std::size_t slot, const PitchBend& bend, Synthesiser& syn
     if (note >= 0) {
         goal += bend.ownSemitones(note);
         if (const auto index = static_cast<std::size_t>(note);
-            keysHaveObjects && !tuning.unmapped[index])
+            instrument.followsKey(slot) && !tuning.unmapped[index])
             tuned = tuning.semitonesFromEqual[index];
     }
     const double distance = goal - bent;

@@ -15,8 +15,8 @@ namespace idiophone {
 /// Constructed and destroyed off the audio thread; the rest is for the audio thread and neither
 /// allocates, locks nor throws. The instrument must outlive it.
 ///
-/// If keys have objects of their own (bars, scaled), the objects follow their keys. An object that
-/// keys share (zones) keeps its pitch in any tuning and follows the bend of the last note.
+/// An object with a key of its own (bars, scaled) follows the key. An object that keys share
+/// (zones) keeps its pitch in any tuning and follows the bend of the last note.
 ///
 /// Bends glide as parameters do (ParameterGlide.h), because wheels send steps. A new note takes its
 /// bend at once.
@@ -45,6 +45,7 @@ private:
         double semitones = 0; ///< last value sent to the synthesiser
     };
 
+    bool followsKey(const Key& key) const noexcept;
     void apply(std::size_t slot, const PitchBend& bend, Synthesiser& synthesiser) noexcept;
 
     const Instrument& instrument;

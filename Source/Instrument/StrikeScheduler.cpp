@@ -55,9 +55,11 @@ void StrikeScheduler::strike(std::size_t slot,
     struckLast = velocity;
     const auto& struck = instrument.slots()[slot];
     const auto& synthesiser = moment.cell.synthesiser;
-    auto softened = moment.values;
-    softened.set(malletSpeed, moment.softness * moment.values[malletSpeed]);
-    const auto whole = malletStrike(point, velocity, mallet, softened, struck);
+    auto values = moment.values;
+    values.set(malletSpeed, moment.softness * values[malletSpeed]);
+    if (const auto* part = instrument.part(slot))
+        values = withPart(values, *part);
+    const auto whole = malletStrike(point, velocity, mallet, values, struck);
     auto train = contactTrain(whole, mallet.scale, moment.values[chatter], number);
     if (moment.values[modalPulse] != 0) {
         const auto settings = synthesisSettings(moment.values);

@@ -1,10 +1,12 @@
 #include "Plugin/ImportSession.h"
 
+#include "Editor/ModeText.h"
 #include "Geometry/ObjectMesh.h"
 #include "Instrument/SingleObjectMap.h"
 #include "Object/Material.h"
 #include "Object/OneLine.h"
 #include "Plugin/ImportSummary.h"
+#include "Plugin/KitSound.h"
 #include "Plugin/OwnSlots.h"
 #include "Plugin/WithinMemory.h"
 
@@ -12,15 +14,16 @@
 #include <utility>
 
 namespace idiophone {
-
 void ImportSession::begin(int originOfJob) {
     history.keepAudition(); // analysing an auditioned sound keeps it
     origin = originOfJob;
+    keyOfJob.reset();
     failureShown = false;
 }
 
-void ImportSession::openFile(const std::filesystem::path& file) {
+void ImportSession::open(const std::filesystem::path& file, std::optional<int> midiNote) {
     begin(session.origin());
+    keyOfJob = midiNote;
     importSettings.longestMetres = 0; // a new file has its own size
     workshop.open(file, importSettings);
 }
@@ -111,7 +114,10 @@ void ImportSession::poll() {
     if (const auto product = workshop.takeProduct()) {
         const auto played = withinMemory(
             [&]() -> Result<void> {
-                play(*product);
+                if (keyOfJob)
+                    putOnKey(*product, *keyOfJob);
+                else
+                    play(*product);
                 return {};
             },
             oneLine(product->object->name));
@@ -146,6 +152,25 @@ void ImportSession::play(const ObjectWorkshop::Product& product) {
     importedIsPreview = product.isPreview;
     if (!product.isFirst && now.sound.instrument != nullptr)
         renewHistory(*now.sound.instrument->slots().front().object, *sound);
+}
+
+/// Waits for the whole object: a preview would be a second step to undo.
+void ImportSession::putOnKey(const ObjectWorkshop::Product& product, int midiNote) {
+    if (product.isPreview)
+        return;
+    history.keepAudition();
+    const auto now = session.loaded();
+    if (now.origin != origin)
+        return;
+    const auto key = noteName(midiNote).toStdString();
+    const auto& name = product.object->name;
+    const auto sound =
+        withObjectOnKey(now.sound, midiNote, product.object, product.objectName, session.rateHz());
+    if (!sound)
+        return session.reportError(name + " cannot be put on " + key + ": " +
+                                   sound.error().message + ".");
+    history.record("Put " + name + " on " + key, [&] { playInstead(now, *sound); });
+    origin = -1; // the mesh is not the whole sound, so settings do not follow it
 }
 
 /// Replaces the preview by the whole object in all undo steps, with their own key maps.

@@ -30,7 +30,10 @@ public:
         return matches(file, objectFiles);
     }
     std::string openPatterns() const override { return objectFiles; }
-    void openFile(const std::filesystem::path& file) override;
+    void openFile(const std::filesystem::path& file) override { open(file, std::nullopt); }
+    void openFileOnKey(const std::filesystem::path& file, int midiNote) override {
+        open(file, midiNote);
+    }
     bool canAnalyseAgain() const override;
     void setImportSettings(const ImportSettings& settings) override;
     void analyseAgain() override;
@@ -47,10 +50,12 @@ public:
 
 private:
     void begin(int originOfJob);
+    void open(const std::filesystem::path& file, std::optional<int> midiNote);
     bool followsSettings() const { return origin == session.origin() && workshop.hasMesh(); }
     std::shared_ptr<const ModalObject> foreignObject() const;
     ImportSettings settingsInForce() const;
     void play(const ObjectWorkshop::Product& product);
+    void putOnKey(const ObjectWorkshop::Product& product, int midiNote);
     void renewHistory(const ModalObject& preview, const Sound& whole);
     void playMapped(const SoundSession::Loaded& now, const KeyMap& map, const std::string& step);
     std::optional<int> playInstead(const SoundSession::Loaded& now, const Sound& wanted);
@@ -62,6 +67,7 @@ private:
     ObjectWorkshop workshop;
     ImportSettings importSettings; ///< settings given for opened files
     int origin = -1; ///< SoundSession::origin that the workshop's job began from or led to
+    std::optional<int> keyOfJob; ///< the key that gets the job's object; otherwise all keys do
     bool failureShown = true;
     std::weak_ptr<const ModalObject> imported; ///< the last product that played
     bool importedIsPreview = false;

@@ -43,11 +43,12 @@ std::vector<InstrumentView::PlayedObject> InstrumentSession::playedObjects() con
                             .lowestNote = 127,
                             .highestNote = 0};
         for (int note = 0; note < 128; ++note)
-            if (playing->hasOwn(note) &&
-                slots[static_cast<std::size_t>(playing->key(note).slot)].object == played.object) {
-                played.lowestNote = std::min(played.lowestNote, note);
-                played.highestNote = std::max(played.highestNote, note);
-            }
+            for (const Key& key : playing->keysOf(note))
+                if (key.slot >= 0 && key.isOwn &&
+                    slots[static_cast<std::size_t>(key.slot)].object == played.object) {
+                    played.lowestNote = std::min(played.lowestNote, note);
+                    played.highestNote = std::max(played.highestNote, note);
+                }
         objects.push_back(std::move(played));
     }
     return objects;
@@ -63,10 +64,11 @@ std::vector<std::array<double, 3>> InstrumentSession::struckPlaces(std::size_t i
         return places;
     const auto& object = *playing->slots()[slots[index]].object;
     for (int note = 0; note < 128; ++note) {
-        const auto& key = playing->key(note);
-        if (key.slot != static_cast<int>(slots[index]))
+        const auto keys = playing->keysOf(note);
+        const auto found = std::ranges::find(keys, static_cast<int>(slots[index]), &Key::slot);
+        if (found == keys.end())
             continue;
-        const auto& strip = *key.strip;
+        const auto& strip = *found->strip;
         for (int along = 0; along < strip.alongCount; ++along)
             places.push_back(strikePointMetres(
                 object,

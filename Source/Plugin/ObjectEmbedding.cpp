@@ -99,9 +99,8 @@ bool isGiven(const std::string& name, const std::vector<EmbeddedObject>& objects
 /// probed, because anybody may have written the state.
 std::optional<std::string> firstInNetwork(const KeyMap& keyMap,
                                           const std::vector<EmbeddedObject>& objects) {
-    for (int note = keyMap.lowestNote; note <= keyMap.highestNote; ++note)
-        if (const auto name = keyMap.objectFor(note);
-            leadsIntoNetwork(name) && (keyMap.kind == KeyMapKind::scene || !isGiven(name, objects)))
+    for (const auto& name : objectNames(keyMap))
+        if (leadsIntoNetwork(name) && (keyMap.kind == KeyMapKind::scene || !isGiven(name, objects)))
             return shown(name);
     return std::nullopt;
 }
@@ -124,15 +123,13 @@ std::size_t largestFileBytes(const ModalObject& object) {
 std::vector<ForeignObject> foreignObjects(const Instrument& instrument) {
     std::vector<ForeignObject> objects;
     std::set<std::string> known;
-    const auto& map = instrument.keyMap();
-    if (map.kind == KeyMapKind::scene)
+    if (instrument.keyMap().kind == KeyMapKind::scene)
         return objects; // a scene names its objects itself
-    for (int note = map.lowestNote; note <= map.highestNote; ++note) {
-        const auto slot = static_cast<std::size_t>(instrument.key(note).slot);
-        const auto name = map.objectFor(note);
-        if (instrument.hasOwn(note) && !factoryObject(name) && known.insert(name).second)
-            objects.push_back({.name = name, .object = instrument.slots()[slot].object});
-    }
+    const auto slots = instrument.slots();
+    for (std::size_t slot = 0; slot < slots.size(); ++slot)
+        if (const auto& name = instrument.objectName(slot);
+            !factoryObject(name) && known.insert(name).second)
+            objects.push_back({.name = name, .object = slots[slot].object});
     return objects;
 }
 
@@ -194,11 +191,9 @@ Result<std::shared_ptr<const Instrument>> rebuilt(const Instrument& from, const 
         ObjectLibrary library(ObjectLibrary::shared());
         if (keyMap.kind == KeyMapKind::scene)
             return buildInstrument(keyMap, library);
-        const auto& map = from.keyMap();
-        for (int note = map.lowestNote; note <= map.highestNote; ++note)
-            if (from.hasOwn(note))
-                library.add(map.objectFor(note),
-                            from.slots()[static_cast<std::size_t>(from.key(note).slot)].object);
+        const auto slots = from.slots();
+        for (std::size_t slot = 0; slot < slots.size(); ++slot)
+            library.add(from.objectName(slot), slots[slot].object);
         return buildInstrument(keyMap, library);
     });
 }
@@ -215,6 +210,11 @@ std::optional<std::string> firstMissing(const KeyMap& keyMap,
         const auto scene = readSceneFile(file); // building reports a damaged one
         return scene ? firstMissingIn(*scene) : std::nullopt;
     }
+    for (const auto& part : keyMap.parts)
+        if (auto missing = firstMissing(part.keyMap, objects))
+            return missing;
+    if (keyMap.kind == KeyMapKind::kit)
+        return std::nullopt;
     // Only the lowest key must have an object of its own.
     const auto name = keyMap.objectFor(keyMap.lowestNote);
     const bool isThere = isGiven(name, objects) || factoryObject(name) || isFile(name);

@@ -20,17 +20,19 @@ namespace {
 
 using Bytes = std::vector<std::byte>;
 
-/// Returns the .modal files of all notes, by object name; none if all are factory objects.
-std::map<std::string, Bytes> filesOf(const Instrument& instrument) {
+/// Returns the .modal files of all notes of a map that is no kit, by object name; none if all are
+/// factory objects.
+std::map<std::string, Bytes> filesOf(const KeyMap& map, const std::vector<ForeignObject>& foreign) {
     std::map<std::string, Bytes> files;
-    for (const auto& [name, object] : foreignObjects(instrument))
-        files.emplace(name, modalFile(*object));
+    const auto names = objectNames(map);
+    for (const auto& [name, object] : foreign)
+        if (std::ranges::find(names, name) != names.end())
+            files.emplace(name, modalFile(*object));
     if (files.empty())
         return files;
-    const auto& map = instrument.keyMap();
-    for (int note = map.lowestNote; note <= map.highestNote; ++note)
-        if (const auto factory = factoryObject(map.objectFor(note)))
-            files.try_emplace(map.objectFor(note), factory->begin(), factory->end());
+    for (const auto& name : names)
+        if (const auto factory = factoryObject(name))
+            files.try_emplace(name, factory->begin(), factory->end());
     return files;
 }
 
@@ -52,13 +54,17 @@ bool holds(const juce::File& file, const Bytes& bytes) {
     return file.loadFileAsData(present) && present.matches(bytes.data(), bytes.size());
 }
 
-/// Builds an instrument with the objects of `found` under the names of `keyMap`.
-Result<std::shared_ptr<const Instrument>> buildWith(const KeyMap& keyMap, const KeyMap& found) {
-    if (found.object == keyMap.object)
-        return buildInstrument(keyMap, ObjectLibrary::shared());
-    // A library in which the names of `keyMap` mean these objects; the objects stay shared.
-    ObjectLibrary own(ObjectLibrary::shared());
-    std::map<std::string, std::shared_ptr<const ModalObject>> kept;
+using KeptObjects = std::map<std::string, std::shared_ptr<const ModalObject>>;
+
+/// Adds the objects of `found` to a library under the names of `keyMap`, and keeps them alive.
+Result<void>
+addObjects(const KeyMap& keyMap, const KeyMap& found, ObjectLibrary& own, KeptObjects& kept) {
+    for (std::size_t part = 0; part < keyMap.parts.size(); ++part)
+        if (auto added = addObjects(keyMap.parts[part].keyMap, found.parts[part].keyMap, own, kept);
+            !added)
+            return added;
+    if (keyMap.kind == KeyMapKind::kit)
+        return {};
     for (int note = keyMap.lowestNote; note <= keyMap.highestNote; ++note) {
         const auto name = keyMap.objectFor(note);
         if (kept.contains(name) || factoryObject(name))
@@ -71,7 +77,19 @@ Result<std::shared_ptr<const Instrument>> buildWith(const KeyMap& keyMap, const 
         own.add(name, *object);
         kept.emplace(name, std::move(*object));
     }
-    return buildInstrument(keyMap, own);
+    return {};
+}
+
+/// Builds an instrument with the objects of `found` under the names of `keyMap`.
+Result<std::shared_ptr<const Instrument>> buildWith(const KeyMap& keyMap, const KeyMap& found) {
+    if (found == keyMap)
+        return buildInstrument(keyMap, ObjectLibrary::shared());
+    // A library in which the names of `keyMap` mean these objects; the objects stay shared.
+    ObjectLibrary own(ObjectLibrary::shared());
+    KeptObjects kept;
+    return addObjects(keyMap, found, own, kept).and_then([&] {
+        return buildInstrument(keyMap, own);
+    });
 }
 
 Result<PresetInstrument> buildFound(const KeyMap& keyMap, const juce::File& presetFile) {
@@ -95,11 +113,11 @@ Result<PresetInstrument> buildFound(const KeyMap& keyMap, const juce::File& pres
         });
 }
 
-} // namespace
-
-Result<KeyMap>
-writePresetObjects(const KeyMap& keyMap, const Instrument& instrument, const juce::File& folder) {
-    const auto files = filesOf(instrument);
+/// Writes the objects of a map that is no kit.
+Result<KeyMap> writeObjects(const KeyMap& keyMap,
+                            const std::vector<ForeignObject>& foreign,
+                            const juce::File& folder) {
+    const auto files = filesOf(keyMap, foreign);
     if (files.empty())
         return keyMap;
     auto hash = contentHash({});
@@ -131,6 +149,23 @@ writePresetObjects(const KeyMap& keyMap, const Instrument& instrument, const juc
             continue;
         if (auto written = writeWhole(fileOf(note), bytesOf(note)); !written)
             return tl::unexpected(written.error());
+    }
+    return stored;
+}
+
+} // namespace
+
+Result<KeyMap>
+writePresetObjects(const KeyMap& keyMap, const Instrument& instrument, const juce::File& folder) {
+    const auto foreign = foreignObjects(instrument);
+    if (keyMap.kind != KeyMapKind::kit)
+        return writeObjects(keyMap, foreign, folder);
+    auto stored = keyMap;
+    for (auto& part : stored.parts) {
+        auto written = writeObjects(part.keyMap, foreign, folder);
+        if (!written)
+            return tl::unexpected(written.error());
+        part.keyMap = std::move(*written);
     }
     return stored;
 }

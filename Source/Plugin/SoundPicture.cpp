@@ -47,11 +47,12 @@ void SoundPicture::show(PictureSubject next) {
     for (std::size_t slot = 0; slot < slots.size(); ++slot)
         modesOfSlot[slot] = static_cast<std::int32_t>(slots[slot].object->modeCount());
     for (int note = 127; note >= 0; --note)
-        if (const int slot = instrument.key(note).slot; slot >= 0) {
-            const auto index = static_cast<std::size_t>(slot);
-            isOfOneKey[index] = noteOfSlot[index] < 0;
-            noteOfSlot[index] = note;
-        }
+        for (const Key& played : instrument.keysOf(note))
+            if (played.slot >= 0) {
+                const auto index = static_cast<std::size_t>(played.slot);
+                isOfOneKey[index] = noteOfSlot[index] < 0;
+                noteOfSlot[index] = note;
+            }
 }
 
 /// Prepares the constant data of a slot's object.

@@ -29,8 +29,9 @@ std::vector<int> notesOf(const Instrument& instrument) {
     std::vector<int> notes(slots.size(), -1);
     if (instrument.keysHaveObjects())
         for (int note = 127; note >= 0; --note)
-            if (const int slot = instrument.key(note).slot; slot >= 0)
-                notes[static_cast<std::size_t>(slot)] = note;
+            for (const Key& key : instrument.keysOf(note))
+                if (key.slot >= 0)
+                    notes[static_cast<std::size_t>(key.slot)] = note;
     int next = firstObjectNote;
     for (const auto own : ownSlots(instrument)) {
         if (notes[own] >= 0)

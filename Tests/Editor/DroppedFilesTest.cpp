@@ -32,6 +32,10 @@ TEST_CASE("Before a drop, the window says which files it opens or why it opens n
     CHECK(offer({"/a/My bell.json"}) == "Drop to load the preset My bell");
     CHECK(offer({juce::File::getSpecialLocation(juce::File::tempDirectory).getFullPathName()}) ==
           "Idiophone opens files, not folders");
+    CHECK(DroppedFiles({"/a/cup.stl"}, processor.view(), 61).offer() ==
+          "Drop to play cup.stl on C#4");
+    CHECK(DroppedFiles({"/a/My bell.json"}, processor.view(), 61).offer() ==
+          "Drop to load the preset My bell");
 }
 
 TEST_CASE("The frame shows during a drag only, and an unreadable drop is refused in the status") {
@@ -44,12 +48,15 @@ TEST_CASE("The frame shows during a drag only, and an unreadable drop is refused
     });
     REQUIRE(frame != nullptr);
     CHECK_FALSE(frame->isVisible());
-    window.fileDragEnter({"/a/teapot.obj"}, 5, 5);
+    window.fileDragMove({"/a/teapot.obj"}, 5, 5);
     CHECK(frame->isVisible());
     CHECK(frame->shownSentence() == "Drop to play teapot.obj");
+    // A key lies near the window's lower left corner.
+    window.fileDragMove({"/a/teapot.obj"}, 30, window.getHeight() - 30);
+    CHECK(frame->shownSentence().startsWith("Drop to play teapot.obj on C"));
     window.fileDragExit({"/a/teapot.obj"});
     CHECK_FALSE(frame->isVisible());
-    window.fileDragEnter({"/a/letter.docx"}, 5, 5);
+    window.fileDragMove({"/a/letter.docx"}, 5, 5);
     CHECK(frame->shownSentence() == "Idiophone cannot read .docx");
     window.filesDropped({"/a/letter.docx"}, 5, 5);
     CHECK_FALSE(frame->isVisible());

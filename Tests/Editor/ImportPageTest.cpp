@@ -276,7 +276,7 @@ TEST_CASE("Files can be dropped anywhere on the window; unreadable files are rep
     const auto file = juce::String(smallPlateFile("plate.obj", 1).string());
     window.setSize(1180, 860);
     CHECK(window.isInterestedInFileDrag({"song.mid", file}));
-    window.fileDragEnter({file}, 10, 10);
+    window.fileDragMove({file}, 10, 10);
     window.fileDragExit({file});
     CHECK(processor.view().workshop.importStatus().stage == ImportStage::none);
     window.filesDropped({"song.mid", file}, 10, 10);

@@ -63,6 +63,47 @@ TEST_CASE("A preset written and read back is equal") {
     CHECK(encodePreset(*back) == encodePreset(preset));
 }
 
+TEST_CASE("A kit written and read back is equal") {
+    Preset preset = example();
+    preset.keyMap = {.kind = KeyMapKind::kit, .lowestNote = 127, .highestNote = 0, .object = {}};
+    addPart(preset.keyMap, {.keyMap = example().keyMap,
+                            .lowestVelocity = 10,
+                            .highestVelocity = 90,
+                            .material = firstLibraryMaterial,
+                            .mallet = firstRackMallet,
+                            .levelDb = -3.5,
+                            .chokeGroup = 2});
+    addPart(
+        preset.keyMap,
+        {.keyMap = {
+             .kind = KeyMapKind::zones, .lowestNote = 36, .highestNote = 36, .object = "plate"}});
+    const auto back = parsePreset(encodePreset(preset), "kit.json");
+    REQUIRE(back);
+    CHECK(*back == preset);
+    CHECK(back->keyMap.lowestNote == 36);
+    CHECK(back->keyMap.highestNote == 80);
+    CHECK(objectNames(back->keyMap) == std::vector<std::string>{"/a/bowl.modal", "plate"});
+}
+
+TEST_CASE("A kit with a fault is refused by a sentence that names its place") {
+    const auto refuse = [](const std::string& parts, const std::string& sentence) {
+        checkRefused(head + R"("keyMap":{"kind":"kit","parts":)" + parts + "}}", sentence);
+    };
+    const std::string part =
+        R"({"keyMap":{"kind":"zones","lowestNote":60,"highestNote":61,"object":"plate"})";
+    refuse("[]", "keyMap.parts are not 1 to 128");
+    refuse("[" + part + "}," + part + "}," + part + "}]",
+           "keyMap.parts are more than 2 on key 60 at velocity 1");
+    refuse("[" + part + R"(,"highestVelocity":0}])",
+           "keyMap.parts[0].highestVelocity is not between 1 and 127");
+    refuse("[" + part + R"(,"material":"Cheese"}])",
+           "keyMap.parts[0].material is 'Cheese', which is no choice of 'Material'");
+    refuse("[" + part + R"(,"material":"Custom"}])",
+           "keyMap.parts[0].material is 'Custom', but the custom figures belong to all parts");
+    refuse(R"([{"keyMap":{"kind":"kit","parts":[)" + part + "}]}}]",
+           "keyMap.parts have a scene or a kit among them");
+}
+
 TEST_CASE("Parameters are read as displayed text, and unknown parameters are kept") {
     const auto preset = parsePreset(
         head + map + R"(,"parameters":{"material":"Glass","young":"70 GPa","x9":1}})", "x.json");
@@ -129,7 +170,8 @@ TEST_CASE("An invalid key map is refused with its fault and the fault's place") 
     };
     const std::string open = map.substr(map.find('{'), map.size() - map.find('{') - 1);
     refuse("3", "keyMap lacks 'kind'");
-    refuse(R"({"kind":"rows"})", "keyMap.kind is 'rows' and none of bars, zones, scaled and scene");
+    refuse(R"({"kind":"rows"})",
+           "keyMap.kind is 'rows' and none of bars, zones, scaled, scene and kit");
     refuse(R"({"kind":"bars","lowestNote":9,"highestNote":3,"object":"x"})",
            "keyMap.highestNote is not between 9 and 127");
     refuse(R"({"kind":"bars","lowestNote":60.7,"highestNote":70,"object":"x"})",
@@ -191,7 +233,7 @@ TEST_CASE("A surface nested half a million deep is refused without exhausting th
 
 TEST_CASE("Text of a preset fits on one line in the error that quotes it") {
     checkRefused(head + R"("keyMap":{"kind":"two\nlines"}})",
-                 "keyMap.kind is 'two?lines' and none of bars, zones, scaled and scene");
+                 "keyMap.kind is 'two?lines' and none of bars, zones, scaled, scene and kit");
     checkRefused(head + map + R"(,"mutedModes":{"two\nlines":7}})",
                  "mutedModes.two?lines is not a list");
 }
