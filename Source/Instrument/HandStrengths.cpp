@@ -1,10 +1,10 @@
 #include "Instrument/HandStrengths.h"
 
 #include "Instrument/HeldContacts.h"
+#include "Instrument/KeysBetween.h"
 #include "Instrument/PhrasePrediction.h"
 
 #include <cmath>
-#include <map>
 
 namespace idiophone {
 namespace {
@@ -19,19 +19,6 @@ ParameterValues scraping(ParameterValues values) {
          {ParameterId::contactForce, ParameterId::contactSpeed, ParameterId::roughness})
         values.set(figure, parameterInfo(figure).defaultValue);
     return values;
-}
-
-/// Interpolates between the known keys; beyond them takes the nearest. At least one must be known.
-double between(const std::map<int, double>& known, int note) {
-    const auto above = known.lower_bound(note);
-    if (above == known.begin())
-        return above->second;
-    if (above == known.end())
-        return known.rbegin()->second;
-    const auto below = std::prev(above);
-    const double share =
-        static_cast<double>(note - below->first) / static_cast<double>(above->first - below->first);
-    return below->second + share * (above->second - below->second);
 }
 
 } // namespace
@@ -57,10 +44,11 @@ std::vector<double> handStrengths(const Phrase& phrase, const ParameterValues& o
     // An object that several keys play has the mean over them.
     std::vector<double> sums(strengths.size(), 0), keys(strengths.size(), 0);
     for (int note = 0; note < 128; ++note)
-        if (const int slot = instrument.key(note).slot; slot >= 0) {
-            sums[static_cast<std::size_t>(slot)] += between(weakerDb, note);
-            keys[static_cast<std::size_t>(slot)] += 1;
-        }
+        for (const Key& key : instrument.keysOf(note))
+            if (key.slot >= 0) {
+                sums[static_cast<std::size_t>(key.slot)] += valueBetweenKeys(weakerDb, note);
+                keys[static_cast<std::size_t>(key.slot)] += 1;
+            }
     for (std::size_t slot = 0; slot < strengths.size(); ++slot)
         if (keys[slot] > 0)
             strengths[slot] = std::pow(10, (sums[slot] / keys[slot] + scrapeConstantDb) / 20);

@@ -12,7 +12,6 @@ namespace {
 using enum ParameterId;
 
 constexpr int middleC = 60;
-constexpr double secondsOfHardestBlow = 1e-3;
 constexpr double loudestSample = 1000;  // 60 dB above full scale
 constexpr double faintestSample = 1e-9; // 180 dB below full scale
 
@@ -53,10 +52,10 @@ bool InputForce::LowCut::isFaint() const noexcept {
 
 InputForce::InputForce(const Instrument& played,
                        double sampleRateHz,
-                       const ParameterValues& ownValues,
+                       const std::array<double, 128>& newtonsOfFullScale,
                        std::size_t contactOfForce)
-    : instrument(played), sampleRate(sampleRateHz), own(ownValues), contact(contactOfForce),
-      note(keyNearMiddleC(played)) {}
+    : instrument(played), sampleRate(sampleRateHz), newtonsOfKeys(newtonsOfFullScale),
+      contact(contactOfForce), note(keyNearMiddleC(played)) {}
 
 void InputForce::choose(int chosen) noexcept {
     if (instrument.key(chosen).slot >= 0)
@@ -83,7 +82,8 @@ void InputForce::beginCell(const ParameterValues& values) noexcept {
         const bool isFirst = noteNow < 0;
         if (note != std::exchange(noteNow, note))
             changeKey(values);
-        gain = fullScaleNewtons * std::pow(10, values[inputDrive] / 20);
+        gain = newtonsOfKeys[static_cast<std::size_t>(noteNow)] *
+               std::pow(10, values[inputDrive] / 20);
         if (isFirst)
             gainBefore = gain;
     }
@@ -100,13 +100,6 @@ void InputForce::beginCell(const ParameterValues& values) noexcept {
 void InputForce::changeKey(const ParameterValues& values) noexcept {
     const auto& key = instrument.key(noteNow);
     place.jumpTo(key, aimedPlace(key.along, values));
-    // The strength is that of the preset, whatever mallet is chosen meanwhile.
-    const auto at = aimedPlace(key.along, own);
-    const auto hardest =
-        malletStrike(key.strip->between(at.along, at.across).point, 127, key.mallet, own,
-                     instrument.slots()[static_cast<std::size_t>(key.slot)]);
-    const auto& impulse = hardest.impulseNewtonSeconds;
-    fullScaleNewtons = std::hypot(impulse[0], impulse[1], impulse[2]) / secondsOfHardestBlow;
 }
 
 std::optional<std::size_t>

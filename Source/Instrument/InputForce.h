@@ -17,13 +17,12 @@ namespace idiophone {
 /// nor throws. The instrument must outlive it. It acts on one key's object at a time. Each sample
 /// is an impulse, as of a strike, so nothing is late: the samples need not be known in advance.
 ///
-/// At a drive of 0 dB, full scale for a millisecond has the impulse of the key's strike at velocity
-/// 127, under the preset's own values.
+/// At a drive of 0 dB, full scale presses with a key's newtons (InputStrengths.h).
 class InputForce {
 public:
     InputForce(const Instrument& instrument,
                double sampleRateHz,
-               const ParameterValues& own,
+               const std::array<double, 128>& newtonsOfFullScale, // [notes]
                std::size_t contactOfForce);
 
     /// Chooses the key from the next cell on; at first, the key nearest to middle C. Does nothing
@@ -80,13 +79,12 @@ private:
 
     const Instrument& instrument;
     double sampleRate;
-    ParameterValues own;
+    std::array<double, 128> newtonsOfKeys;
     std::size_t contact;
     int note = -1;    ///< of the chosen key; −1: none plays an object
     int noteNow = -1; ///< of the key in this cell
     bool isConnected = false;
     LowCut lowCut;
-    double fullScaleNewtons = 0;
     double gainBefore = 0, gain = 0; ///< in newtons, at the cell's start and end
     StripGlide place;
     ForcePlace start, end;

@@ -4,8 +4,6 @@
 #include "Instrument/MalletStrike.h"
 #include "Instrument/RollCoupling.h"
 #include "Instrument/SettingsOfParameters.h"
-#include "Synth/Listening.h"
-#include "Synth/PointShapes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -29,11 +27,9 @@ predictedLoudness(const Phrase& phrase, const ParameterValues& values, int wheel
 PhrasePrediction::PhrasePrediction(const Phrase& played,
                                    const ParameterValues& values,
                                    int wheelPosition) noexcept
-    : phrase(played), parameters(values), wheel(wheelPosition) {
+    : phrase(played), presetValues(values), parameters(values), wheel(wheelPosition) {
     while (beginObject()) {
-        const std::size_t modes = slot().object->modeCount();
-        for (nextMode = 0; nextMode < modes; nextMode += chunk)
-            addModes(std::min(chunk, modes - nextMode));
+        addModes();
         endObject();
     }
 }
@@ -65,12 +61,10 @@ bool PhrasePrediction::beginObject() noexcept {
     endNote = firstNote + 1;
     while (endNote < notes.size() && notes[endNote].key.slot == notes[firstNote].key.slot)
         ++endNote;
+    const auto* part = notes[firstNote].key.part;
+    parameters = part != nullptr ? withPart(presetValues, *part) : presetValues;
     const auto settings = synthesisSettings(parameters);
-    conditions = liveConditions(slot(), settings);
-    thicknessRatio = slot().object->hasLiveThickness() ? settings.thicknessRatio : 1;
-    conditions.gainRatio /= thicknessRatio;
-    conditions.radiationGainRatio /= thicknessRatio;
-    listening = slot().object->radiation.empty() ? 0 : settings.radiation;
+    hearing = SlotHearing(slot(), settings);
     // If several notes share the object, the next key holds it, so that it rings on.
     const bool rings = parameters[letRing] != 0 || endNote - firstNote > 1;
     release = rings ? 0 : decayPerSecond(parameters[releaseTime]);
@@ -87,12 +81,15 @@ void PhrasePrediction::beginStrikes() noexcept {
     for (std::size_t note = firstNote; note < endNote; ++note) {
         const auto& noteKey = phrase.notes[note].key;
         const auto place = aimedPlace(noteKey.along, parameters);
-        points[note] = noteKey.strip->between(place.along, place.across).point;
-        pushes[note] = listeningDirection(points[note]);
+        auto& [point, push] = points[note];
+        point = noteKey.strip->between(place.along, place.across).point;
+        push = listeningDirection(point);
     }
-    const auto modes = lowestModes().atThickness(thicknessRatio).moved(conditions.frequencyRatio());
+    const auto modes = lowestModes()
+                           .atThickness(hearing.thicknessRatio)
+                           .moved(hearing.conditions.frequencyRatio());
     const auto strikeOf = [&](std::size_t note, int velocity) {
-        return malletStrike(points[note], velocity, phrase.notes[note].key.mallet, parameters,
+        return malletStrike(points[note].point, velocity, phrase.notes[note].key.mallet, parameters,
                             slot());
     };
     const auto trainOf = [&](const Strike& strike, std::size_t note) {
@@ -132,7 +129,8 @@ void PhrasePrediction::beginStrikes() noexcept {
 
 RigidClick PhrasePrediction::clickOf(const Strike& strike) const noexcept {
     const auto& body = phrase.notes[firstNote].rigidBody;
-    if (!(listening > 0) || !(body.massKg > 0))
+    const auto& conditions = hearing.conditions;
+    if (!(hearing.farShare > 0) || !(body.massKg > 0))
         return {};
     const double size = conditions.radiationGainRatio / conditions.gainRatio;
     const auto& directions = slot().object->radiation.directions;
@@ -140,7 +138,7 @@ RigidClick PhrasePrediction::clickOf(const Strike& strike) const noexcept {
     auto click = rigidClick(body, strike.impulseNewtonSeconds, strike.durationSeconds, size,
                             phrase.sampleRateHz, {directions[0], directions[right]});
     for (double& channel : click.pascalMetres)
-        channel *= listening * conditions.radiationGainRatio * size * size;
+        channel *= hearing.farShare * conditions.radiationGainRatio * size * size;
     return click;
 }
 
@@ -167,9 +165,9 @@ void PhrasePrediction::beginForce(const SynthesisSettings& settings) noexcept {
         const auto& noteKey = phrase.notes[note].key;
         const auto aimed = aimedPlace(noteKey.along, parameters);
         const auto place = noteKey.strip->between(aimed.along, aimed.across);
-        points[note] = place.point;
-        pushes[note] = draggedForce(place.point, place.direction, friction).direction;
-        for (float& component : pushes[note])
+        points[note] = {place.point,
+                        draggedForce(place.point, place.direction, friction).direction};
+        for (float& component : points[note].push)
             component *= static_cast<float>(forceScale(noteKey.mallet));
     }
     const bool rolls = static_cast<int>(parameters[contact]) == rollContact;
@@ -197,37 +195,15 @@ void PhrasePrediction::endObject() noexcept {
     }
 }
 
-/// Adds the next `count` modes of the object, at most `chunk`.
-void PhrasePrediction::addModes(std::size_t count) noexcept {
-    const auto& object = *slot().object;
-    std::array<std::array<float, chunk>, PhraseMeter::notes> struck, heard;
-    for (std::size_t note = firstNote; note < endNote; ++note)
-        projectShapes(pointShapes(object, points[note], nextMode), pushes[note],
-                      listeningDirection(points[note]), count, struck[note].data(),
-                      heard[note].data());
-    std::array<std::array<std::complex<float>, chunk>, 2> radiated{};
-    if (listening > 0)
-        for (std::size_t channel = 0; channel < radiated.size(); ++channel)
-            object.radiation.weightsAt(std::min(channel, object.radiation.directions.size() - 1),
-                                       conditions.radiationRatio,
-                                       std::span(radiated[channel]).first(count), nextMode);
-    const auto near = static_cast<float>(contactMicrophonePascals * conditions.gainRatio);
-    const auto far = static_cast<float>(conditions.radiationGainRatio);
-    for (std::size_t i = 0; i < count; ++i) {
-        const auto pole = conditions.law.pole(object.eigenvalueAt(nextMode + i, thicknessRatio),
-                                              object.damping(nextMode + i));
-        if (!soundsAt(pole, phrase.sampleRateHz))
-            continue;
-        RingingMode<levels> mode{.omega = dampedFrequency(pole),
-                                 .decay = std::max(pole.damping / 2, slowestDecay)};
-        for (std::size_t note = firstNote; note < endNote; ++note)
-            for (std::size_t channel = 0; channel < radiated.size(); ++channel)
-                mode.residues[note][channel] = phasorBetween(
-                    near * struck[note][i] * heard[note][i] *
-                        (object.gains.empty() ? 1.0f : object.gains[nextMode + i]),
-                    far * struck[note][i] * radiated[channel][i], static_cast<float>(listening));
-        addMode(mode, pole);
-    }
+void PhrasePrediction::addModes() noexcept {
+    forEachHeardMode<PhraseMeter::notes>(
+        *slot().object, hearing, std::span(points).subspan(firstNote, endNote - firstNote),
+        phrase.sampleRateHz, [&](const ModalPole& pole, const auto& residues) {
+            RingingMode<levels> mode{.omega = dampedFrequency(pole),
+                                     .decay = std::max(pole.damping / 2, slowestDecay)};
+            std::copy_n(residues.begin(), endNote - firstNote, mode.residues.begin() + firstNote);
+            addMode(mode, pole);
+        });
 }
 
 void PhrasePrediction::addMode(RingingMode<levels>& mode, const ModalPole& pole) noexcept {

@@ -1,6 +1,7 @@
 // Predicts how loud an instrument plays a phrase, from its modes only. LoudnessMatch.h uses it.
 #pragma once
 
+#include "Instrument/HeardModes.h"
 #include "Instrument/HeldContacts.h"
 #include "Instrument/HeldForceSpectrum.h"
 #include "Instrument/NearModes.h"
@@ -9,7 +10,6 @@
 #include "Instrument/StiffMotion.h"
 #include "Instrument/StrikeSpectrum.h"
 #include "Parameters/ParameterTable.h"
-#include "Synth/LiveConditions.h"
 
 #include <array>
 #include <complex>
@@ -36,7 +36,6 @@ public:
     Loudness lufs() const noexcept;
 
 private:
-    static constexpr std::size_t chunk = 16;
     static constexpr std::size_t levels = velocities.size();
 
     bool beginObject() noexcept;
@@ -45,26 +44,23 @@ private:
     void addClick(const RingingMode<levels>& mode, double weighting) noexcept;
     void beginForce(const SynthesisSettings& settings) noexcept;
     void endObject() noexcept;
-    void addModes(std::size_t count) noexcept;
+    void addModes() noexcept;
     void addMode(RingingMode<levels>& mode, const ModalPole& pole) noexcept;
     const SynthesiserSlot& slot() const noexcept;
     const LowestModes& lowestModes() const noexcept;
 
     const Phrase& phrase;
-    ParameterValues parameters;
+    ParameterValues presetValues;
+    ParameterValues parameters; ///< with the material and mallet of the object's part
     int wheel = 0;
     std::array<PhraseMeter, levels> meters;
 
     // The object being processed.
     std::size_t firstNote = 0, endNote = 0; ///< the notes that play this object
-    std::size_t nextMode = 0;
-    LiveConditions conditions;
-    double thicknessRatio = 1;
-    double listening = 0; ///< share of the far sound, 0 to 1
-    double release = 0;   ///< [1/s]
-    bool held = false;    ///< scraped or rolled
-    std::array<StrikePoint, PhraseMeter::notes> points;
-    std::array<std::array<float, 3>, PhraseMeter::notes> pushes{}; ///< force direction per 1 Ns
+    SlotHearing hearing;
+    double release = 0; ///< [1/s]
+    bool held = false;  ///< scraped or rolled
+    std::array<PushedPoint, PhraseMeter::notes> points;
     // Keys that share an object strike it at places that yield differently. For all velocities the
     // prediction uses the middle note's strike. At the middle velocity it adds how the other notes
     // differ from it.

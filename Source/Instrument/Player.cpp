@@ -1,6 +1,7 @@
 #include "Instrument/Player.h"
 
 #include "Instrument/HandStrengths.h"
+#include "Instrument/InputStrengths.h"
 #include "Instrument/MidiControllers.h"
 #include "Instrument/SettingsOfParameters.h"
 #include "Instrument/SharedSurfaceProfile.h"
@@ -52,7 +53,10 @@ Player::Player(std::shared_ptr<const Instrument> instrument,
            sharedSurfaceProfile(surface, sampleRateHz),
            seed,
            handStrengths({playedInstrument, surface, sampleRateHz}, own)),
-      inputForce(*playedInstrument, sampleRateHz, own, HandScrape::firstFreeForce),
+      inputForce(*playedInstrument,
+                 sampleRateHz,
+                 inputStrengths({playedInstrument, surface, sampleRateHz}, own),
+                 HandScrape::firstFreeForce),
       keys(held), slotTuning(*playedInstrument, cellSamples / sampleRateHz),
       scheduler(*playedInstrument, seed), renderer(*playedInstrument,
                                                    sampleRateHz,

@@ -1,8 +1,11 @@
 // Tests sound that comes in and presses on an object.
 #include "Instrument/InputForce.h"
+#include "Instrument/InputStrengths.h"
 #include "Instrument/MalletStrike.h"
 #include "Instrument/Player.h"
 #include "Instrument/SettingsOfParameters.h"
+#include "IntegratedLufs.h"
+#include "Support/KeyedPresets.h"
 #include "Support/Level.h"
 #include "Support/RenderNotes.h"
 #include "TestInstruments.h"
@@ -12,6 +15,7 @@
 #include <catch2/generators/catch_generators.hpp>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numbers>
 #include <random>
 
@@ -69,8 +73,10 @@ TEST_CASE("An impulse in sounds as a strike by an impulse does, within -100 dB")
     const auto point = key.strip->between(key.along, 0).point;
     auto strike = malletStrike(point, 127, key.mallet, values, instrument->slots()[slot]);
     strike.durationSeconds = 0;
-    for (float& newtonSeconds : strike.impulseNewtonSeconds)
-        newtonSeconds *= static_cast<float>(1 / (1e-3 * rateHz));
+    const double newtons = inputStrengths({instrument, {}, rateHz}, values)[60];
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        strike.impulseNewtonSeconds[axis] =
+            static_cast<float>(-newtons / rateHz * static_cast<double>(point.normal[axis]));
     Synthesiser synthesiser({instrument->slots().begin(), instrument->slots().end()}, rateHz, 2);
     synthesiser.setSettings(synthesisSettings(values));
     float difference = 0;
@@ -86,6 +92,24 @@ TEST_CASE("An impulse in sounds as a strike by an impulse does, within -100 dB")
     CHECK(peak(sound.left) > 0);
     CHECK(difference < 1e-5f * peak(sound.left));
     CHECK(std::ranges::all_of(std::span(sound.left).first(at), [](float x) { return x == 0; }));
+}
+
+TEST_CASE("Noise comes out of every factory preset about as loud as it goes in") {
+    constexpr std::size_t samples = 48000;
+    const auto input = noise(samples);
+    std::map<double, std::string> gainsDb;
+    for (const auto& preset : keyedFactoryPresets()) {
+        const auto instrument = Instrument::build(preset.keyMap, ObjectLibrary::shared()).value();
+        Player player(instrument, rateHz, preset.surface, preset.seed, preset.parameters);
+        const auto sound = renderStereo(player, {}, samples, 512, preset.parameters, input);
+        const double powers = std::pow(10, integratedLufs(sound.left, 1, rateHz) / 10) +
+                              std::pow(10, integratedLufs(sound.right, 1, rateHz) / 10);
+        gainsDb[10 * std::log10(powers / 2) + preset.parameters[ParameterId::level] -
+                integratedLufs(input, 1, rateHz)] = preset.name;
+    }
+    CAPTURE(gainsDb.begin()->second, gainsDb.rbegin()->second);
+    CHECK(gainsDb.begin()->first > -6);
+    CHECK(gainsDb.rbegin()->first < 6);
 }
 
 TEST_CASE("Input, notes and the strike position sound the same in blocks of any size") {
