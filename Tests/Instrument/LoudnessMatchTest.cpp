@@ -20,6 +20,7 @@
 #include <memory>
 #include <numeric>
 #include <optional>
+#include <ranges>
 
 using namespace idiophone;
 using namespace idiophone::test;
@@ -29,6 +30,16 @@ using Catch::Approx;
 namespace {
 
 constexpr double sampleRateHz = 48000;
+
+/// Returns one preset of each kind of body: all of them would take minutes.
+auto presetsOfBodies() {
+    return keyedFactoryPresets() | std::views::filter([](const Preset& preset) {
+               constexpr std::array names{"Rosewood Xylophone", "Marimba", "Steel Plate",
+                                          "Steel Ring",         "Stones",  "Tubular Bells",
+                                          "Handbell",           "Wok",     "Wooden Table"};
+               return std::ranges::find(names, preset.name) != names.end();
+           });
+}
 
 /// Returns the gain in dB for these values with "match loudness" on.
 double gainOf(const LoudnessMatch& match, const ParameterValues& now) {
@@ -207,7 +218,7 @@ TEST_CASE(
     "Matched strikes of another material are within 4.4 LU at velocity 100, 6 at 127, 6.5 at 40") {
     // At low velocities long contacts leave stiff materials fainter.
     constexpr std::array<double, PhrasePrediction::velocities.size()> mostLu{6.5, 4.4, 6};
-    for (const auto& preset : keyedFactoryPresets())
+    for (const auto& preset : presetsOfBodies())
         for (std::size_t level = 0; level < mostLu.size(); ++level) {
             const int velocity = PhrasePrediction::velocities[level];
             INFO(preset.name << ", velocity " << velocity);
@@ -222,7 +233,7 @@ TEST_CASE("Matched strikes of another mallet are within 3.1 LU at velocity 100, 
     constexpr double unbounded = std::numeric_limits<double>::infinity();
     constexpr std::array<double, PhrasePrediction::velocities.size()> mostLu{unbounded, 3.1, 7};
     constexpr std::array<double, PhrasePrediction::velocities.size()> mostOffLu{4, 1.8, 1.8};
-    for (const auto& preset : keyedFactoryPresets())
+    for (const auto& preset : presetsOfBodies())
         for (std::size_t level = 0; level < mostLu.size(); ++level) {
             const int velocity = PhrasePrediction::velocities[level];
             INFO(preset.name << ", velocity " << velocity);
@@ -255,7 +266,7 @@ TEST_CASE("The gain is the mean over velocities, within 1.5 dB of the middle one
 }
 
 TEST_CASE("Matched scrapes of another material are within 2 LU in the mean over the surface") {
-    for (const auto& preset : keyedFactoryPresets()) {
+    for (const auto& preset : presetsOfBodies()) {
         INFO(preset.name);
         const auto worst = worstOf(materialGrid, preset, scrapeContact, 16, 100);
         CHECK(worst.matched < 2);
@@ -264,7 +275,7 @@ TEST_CASE("Matched scrapes of another material are within 2 LU in the mean over 
 }
 
 TEST_CASE("Matched rolls of another material are within 2.3 LU in the mean over the surface") {
-    for (const auto& preset : keyedFactoryPresets()) {
+    for (const auto& preset : presetsOfBodies()) {
         INFO(preset.name);
         const auto worst = worstOf(materialGrid, preset, rollContact, 16, 100);
         CHECK(worst.matched < 2.3);
