@@ -6,6 +6,7 @@ from the rack that is built into it: `./dev pages`.
 """
 import json
 import pathlib
+import re
 import subprocess
 import sys
 
@@ -28,10 +29,12 @@ PRESETS = """# Presets
 
 The factory's, by their program numbers. Many hosts show the first as 1. Keys are MIDI notes, 60 the C in the middle. Where
 each key has an object of its own, other keys from 21 to 108 play the nearest one, [resized](../presets.md#keys-without-an-object).
-[Here](../presets.md) is what a preset file holds. This page is made by `./dev pages`.
+The name of a preset leads to its sound: six notes, or three where keys are held, at a peak of −3 dBFS.
+[Here](../presets.md) is what a preset file holds. This page is made by `./dev pages`, the sounds by
+`docs/make_preset_sounds.py`, the pictures by `docs/make_preset_pictures.sh`.
 
-| program | preset | keys | what it is |
-|---|---|---|---|
+| program | | preset | keys | what it is |
+|---|---|---|---|---|
 """
 MALLETS = """# Mallets
 
@@ -63,10 +66,16 @@ def parameters_page(parameters):
                                 for group, rows in groups.items())
 
 
+def file_name(preset):
+    """The name of a preset's picture and sound, without ending."""
+    return re.sub("[^a-z0-9]", "-", preset["name"].lower())
+
+
 def preset_row(preset):
-    keys = preset["keyMap"]
-    return (f"| {preset['program']} | {preset['name']} | {keys['lowestNote']} to {keys['highestNote']} | "
-            f"{preset['description']} |\n")
+    keys, name = preset["keyMap"], preset["name"]
+    return (f"| {preset['program']} | ![{name}](../../Resources/Pictures/{file_name(preset)}.png) | "
+            f"[{name}](sounds/presets/{file_name(preset)}.ogg) | "
+            f"{keys['lowestNote']} to {keys['highestNote']} | {preset['description']} |\n")
 
 
 def presets_page(presets):
