@@ -3,6 +3,7 @@
 #include "Plugin/KitSound.h"
 #include "Instrument/PhrasePrediction.h"
 #include "Object/ModalObjectFile.h"
+#include "Plugin/FactoryPrograms.h"
 #include "Plugin/Processor.h"
 #include "Support/ImportedFiles.h"
 #include "Support/SyntheticObject.h"
