@@ -251,6 +251,8 @@ Result<void> Instrument::buildSingleObject(ObjectLibrary& library) {
         return tl::unexpected(object.error());
     const double referenceHz =
         map.referenceNote >= 0 ? midiNoteHz(map.referenceNote) : modeHz(**object, 0);
+    // A fork's prongs swing to one side in a lower mode than that of its pitch.
+    const std::size_t pitched = modeNear(**object, referenceHz).value_or(0);
     for (int note = map.lowestNote; note <= map.highestNote; ++note) {
         auto& key = keys[static_cast<std::size_t>(note)];
         if (map.kind == KeyMapKind::zones) {
@@ -266,7 +268,7 @@ Result<void> Instrument::buildSingleObject(ObjectLibrary& library) {
                .mallet = {.scale = sizeRatio}};
         synthesiserSlots.push_back({.object = *object,
                                     .sizeRatio = sizeRatio,
-                                    .pitch = pitchMode(**object, 0, sizeRatio)});
+                                    .pitch = pitchMode(**object, pitched, sizeRatio)});
     }
     if (map.kind == KeyMapKind::zones)
         synthesiserSlots.push_back({.object = *object, .sizeRatio = 1});
