@@ -2,22 +2,25 @@
 
 #include "Analysis/BodyModel.h"
 #include "Analysis/Eigensolver.h"
+#include "Analysis/HeldBody.h"
 #include "Analysis/QuadraticTetrahedra.h"
+#include "Analysis/TubeMouth.h"
 #include "Geometry/ObjectMesh.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <complex>
-#include <numbers>
+#include <utility>
 
 namespace idiophone {
 namespace {
 
 constexpr int maximumCorrections = 10;
 
-BodyModel bodyOf(const BarSpecification& bar, const SolidBar& solid) {
+BodyModel bodyOf(const BarSpecification& bar, const UndercutBar& shape, const SolidBar& solid) {
     BodyModel body;
+    if (bar.held)
+        body.support = supportOf(*bar.held, shape);
     body.surface = solid.surface;
     body.model =
         quadraticTetrahedra(solid.elements, elasticLaw(bar.material), bar.material.densityKgPerM3);
@@ -62,12 +65,17 @@ double targetHz(const PartialTargets& targets, int partial) {
 }
 
 /// Returns the lowest bending partials, as many as there are targets.
-Result<std::vector<double>>
-lowestPartialsHz(const BarSpecification& bar, const SolidBar& solid, const WorkControl& control) {
+Result<std::vector<double>> lowestPartialsHz(const BarSpecification& bar,
+                                             const UndercutBar& shape,
+                                             const WorkControl& control) {
     const int count = bar.targets.count();
-    const auto body = bodyOf(bar, solid);
-    const auto modes = solveModes(body.model, {.highestHz = 1.3 * targetHz(bar.targets, count - 1)},
-                                  control.quiet());
+    const SolidBar solid = solidBar(shape);
+    const auto body = bodyOf(bar, shape, solid);
+    const auto held = heldRows(body);
+    if (!held)
+        return failure(held.error().message);
+    const auto modes = solveHeldModes(
+        body.model, *held, {.highestHz = 1.3 * targetHz(bar.targets, count - 1)}, control.quiet());
     if (!modes)
         return failure(modes.error().message);
     std::vector<double> partials;
@@ -106,45 +114,11 @@ Result<ModalObject> withOutline(ModalObject object, const BarOutline& outline) {
     setMesh(object, outline.mesh);
     for (std::size_t k = 0; k < object.shapeVertices.size(); ++k)
         object.shapeVertices[k] = static_cast<std::int32_t>(k);
+    const auto held = std::exchange(object.clampedVertices, {});
+    for (std::size_t k = 0; k < outline.surfaceVertices.size(); ++k)
+        if (std::ranges::binary_search(held, outline.surfaceVertices[k]))
+            object.clampedVertices.push_back(static_cast<std::int32_t>(k));
     return validated(std::move(object));
-}
-
-/// The centre of the tube's mouth; the bar's top is z = 0.
-Eigen::Vector3d mouthMetres(const UndercutBar& shape, const Tube& tube) {
-    return {tube.offsetMetres, 0, -shape.heightMetres - tube.gapMetres};
-}
-
-/// Quadrature points on a disc, exact to the fifth degree (Abramowitz & Stegun 1964, 25.4.61). The
-/// centre has weight 1/4 and each of the six points around it 1/8.
-std::vector<Eigen::Vector3d> mouthPoints(const Eigen::Vector3d& centre, double radiusMetres) {
-    std::vector<Eigen::Vector3d> points{centre};
-    for (int k = 0; k < 6; ++k) {
-        const double angle = k * std::numbers::pi / 3, radius = radiusMetres * std::sqrt(2.0 / 3);
-        points.emplace_back(centre + radius * Eigen::Vector3d(std::cos(angle), std::sin(angle), 0));
-    }
-    return points;
-}
-
-/// The ratio by which a closed tube raises the mean pressure over its mouth. It is a fit to
-/// boundary elements of bar and tube together, incompressible, for bars of 15 to 39 cm and gaps of
-/// 10 to 30 mm. The error is within 7 % for radius/gap of 0.6 to 1.9 (docs/decisions/0019).
-double blockedOverFree(const UndercutBar& shape, const Tube& tube) {
-    const double underMiddleMetres =
-        shape.heightMetres - heightMetresAt(shape, tube.offsetMetres) + tube.gapMetres;
-    return 1.22 + 0.165 * tube.radiusMetres / underMiddleMetres;
-}
-
-/// [M] the blocked pressure of each mode, averaged over the mouth, per acceleration.
-std::vector<double> mouthKgPerM2(double blockedOverFree,
-                                 const Eigen::MatrixXcd& pressures,
-                                 const std::vector<double>& eigenvalues) {
-    std::vector<double> result;
-    for (Eigen::Index mode = 0; mode < pressures.cols(); ++mode) {
-        const std::complex<double> mean =
-            pressures(0, mode) / 4.0 + pressures.col(mode).tail(pressures.rows() - 1).sum() / 8.0;
-        result.push_back(blockedOverFree * mean.imag() / std::sqrt(eigenvalues[mode]));
-    }
-    return result;
 }
 
 std::array<double, 3> fromCentre(const Eigen::Vector3d& point, const ModalObject& object) {
@@ -160,7 +134,7 @@ analysed(const BarSpecification& bar, const UndercutBar& shape, const WorkContro
         bar.tube ? mouthMetres(shape, *bar.tube) : Eigen::Vector3d::Zero();
     Eigen::MatrixXcd mouthPressures;
     auto object =
-        solveBody(bodyOf(bar, solid),
+        solveBody(bodyOf(bar, shape, solid),
                   {.name = bar.name,
                    .source = bar.source,
                    .maxFrequencyHz = bar.maxFrequencyHz,
@@ -199,12 +173,37 @@ double estimatedLengthMetres(const BarSpecification& bar) {
     return std::sqrt(1.02792 * bar.shape.heightMetres * speed * share / bar.targets.fundamentalHz);
 }
 
+/// Tunes the length of a bar that is held at one end.
+Result<TunedBar> tuneHeld(const BarSpecification& bar, const WorkControl& control) {
+    if (bar.targets.count() > 1)
+        return failure("a bar that is held at one end has only its fundamental tuned");
+    UndercutBar shape = bar.shape;
+    if (shape.lengthMetres == 0)
+        shape.lengthMetres = estimatedLengthMetres(*bar.held, shape, beamMaterial(bar.material),
+                                                   bar.targets.fundamentalHz);
+    for (int step = 0; step < maximumCorrections; ++step) {
+        control.report(0.06 * step, "Tuning the bar");
+        shape = withBridge(shape, *bar.held);
+        const auto partials = lowestPartialsHz(bar, shape, control);
+        if (!partials)
+            return failure(partials.error().message);
+        const double ratio = partials->front() / bar.targets.fundamentalHz;
+        if (std::abs(cents(partials->front(), bar.targets.fundamentalHz)) <
+            fundamentalToleranceCents)
+            return analysed(bar, shape, control);
+        shape.lengthMetres *= std::sqrt(ratio);
+    }
+    return failure("its fundamental does not settle");
+}
+
 Result<TunedBar> tune(const BarSpecification& bar, const WorkControl& control) {
     if (const auto material = validated(bar.material); !material)
         return failure(material.error().message);
     if (!(bar.targets.fundamentalHz >= 20) ||
         !(targetHz(bar.targets, bar.targets.count() - 1) * 1.3 <= bar.maxFrequencyHz))
         return failure("its partials must lie between 20 Hz and three quarters of its band");
+    if (bar.held)
+        return tuneHeld(bar, control);
     UndercutBar shape = bar.shape;
     if (shape.lengthMetres == 0)
         shape.lengthMetres = estimatedLengthMetres(bar);
@@ -215,7 +214,7 @@ Result<TunedBar> tune(const BarSpecification& bar, const WorkControl& control) {
         if (!arch)
             return failure(arch.error().message);
         shape = *arch;
-        const auto partials = lowestPartialsHz(bar, solidBar(shape), control);
+        const auto partials = lowestPartialsHz(bar, shape, control);
         if (!partials)
             return failure(partials.error().message);
         if (!correct(bar.targets, *partials, asked))

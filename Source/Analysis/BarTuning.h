@@ -3,6 +3,7 @@
 #pragma once
 
 #include "Analysis/CordSupport.h"
+#include "Analysis/HeldEnd.h"
 #include "Analysis/Pitch.h"
 #include "Analysis/SolidBar.h"
 #include "Analysis/Tube.h"
@@ -25,6 +26,8 @@ struct BarSpecification {
     /// Empty if the material's loss was measured on an instrument and includes the cords.
     std::optional<CordSupport> cords = {};
     std::optional<Tube> tube = {};
+    /// Empty for a free bar. A held bar is uniform, and only its fundamental has a target.
+    std::optional<HeldEnd> held = {};
 };
 
 struct TunedBar {

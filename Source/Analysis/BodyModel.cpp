@@ -3,6 +3,7 @@
 #include "Analysis/Eigensolver.h"
 #include "Analysis/HeldBody.h"
 #include "Analysis/Radiation.h"
+#include "Analysis/Soundboard.h"
 #include "Analysis/TwoLayerShell.h"
 #include "Geometry/ObjectMesh.h"
 
@@ -109,7 +110,8 @@ void storeModes(const Eigen::VectorXd& eigenvalues,
     object.eigenvalues.assign(eigenvalues.begin(), eigenvalues.end());
 }
 
-/// Stores which vertices are held, and what the support takes.
+/// Stores which vertices are held, what the support takes, and what its board radiates. The object
+/// has a mass, and the radiation of its own surface or none.
 void storeSupport(const BodyModel& body,
                   const std::vector<bool>& held,
                   const Modes& modes,
@@ -117,11 +119,22 @@ void storeSupport(const BodyModel& body,
     if (held.empty())
         return;
     const int rows = body.kind == ModelKind::twoLayers ? 6 : 3;
+    Eigen::Vector3d place = Eigen::Vector3d::Zero();
     for (int vertex = 0; vertex < body.surface.vertexCount(); ++vertex)
-        if (held[static_cast<std::size_t>(rows * vertex)])
+        if (held[static_cast<std::size_t>(rows * vertex)]) {
             object.clampedVertices.push_back(vertex);
-    if (const auto& resistance = body.support.resistanceNsPerM)
-        object.extraDecaysPerSecond = supportDecays(body.model, held, modes, *resistance);
+            place += body.surface.vertices.row(vertex);
+        }
+    place /= std::max<double>(1, static_cast<double>(object.clampedVertices.size()));
+    const auto& [clamps, resistance, board] = body.support;
+    if (!resistance && !board)
+        return;
+    const auto forces = supportForces(body.model, held, modes);
+    if (resistance)
+        object.extraDecaysPerSecond = supportDecays(forces, modes.eigenvalues, *resistance);
+    if (board && !object.radiation.empty())
+        addBoard(object.radiation, modes.eigenvalues, forces.row(2),
+                 place - Eigen::Vector3d(object.mass.centreMetres.data()), *board);
 }
 
 /// [3N×M] displacements of the surface for shapes of the model.
@@ -163,8 +176,7 @@ Result<ModalObject> solveBody(const BodyModel& body,
                              .maximumModes = settings.maximumModes,
                              .threads = settings.threads};
     const auto solving = control.part(0, modesShare);
-    const auto modes = held->empty() ? solveModes(body.model, band, solving)
-                                     : solveHeldModes(body.model, *held, band, solving);
+    const auto modes = solveHeldModes(body.model, *held, band, solving);
     if (!modes)
         return tl::unexpected(modes.error());
     if (modes->eigenvalues.size() == 0)
@@ -186,7 +198,6 @@ Result<ModalObject> solveBody(const BodyModel& body,
     if (body.kind == ModelKind::twoLayers)
         object.bending = bendingParts(body, modes->eigenvalues, modes->shapes);
     setMesh(object, body.surface);
-    storeSupport(body, *held, *modes, object);
     object.mass = massPropertiesOf(body.model, body.pointsMetres);
     std::string radiationNotes;
     if (!settings.listeningDirections.empty()) {
@@ -208,6 +219,7 @@ Result<ModalObject> solveBody(const BodyModel& body,
         if (nearPressures != nullptr)
             *nearPressures = std::move(radiation->nearPressures);
     }
+    storeSupport(body, *held, *modes, object);
     object.provenance = {
         .source = settings.source,
         .software = "Idiophone " IDIOPHONE_VERSION,

@@ -33,6 +33,14 @@ bool parseSide(std::string_view text, ClampSide& side) {
 
 } // namespace
 
+Result<void> validate(const Support& support) {
+    if (!(support.resistanceNsPerM.value_or(1) > 0))
+        return failure("The support's resistance must be a positive number of N s/m.");
+    if (!(support.boardKgPerM2.value_or(1) > 0))
+        return failure("The board's mass must be a positive number of kg/m².");
+    return {};
+}
+
 Result<ClampRegion> parseClamp(std::string_view text) {
     const std::string bare = withoutBlanks(text);
     ClampRegion region;

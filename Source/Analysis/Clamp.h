@@ -27,11 +27,17 @@ using ClampRegion = std::vector<ClampSide>;
 
 /// The clamps of a body, and how much of its vibration they take.
 struct Support {
-    std::vector<ClampRegion> clamps; ///< where the body does not move; none: it is free
+    std::vector<ClampRegion> clamps = {}; ///< where the body does not move; none: it is free
     /// The resistance of all clamps together, in N s/m, > 0. The higher it is, the less a support
     /// takes that is much heavier than the body. Nothing: a rigid support, which takes nothing.
-    std::optional<double> resistanceNsPerM;
+    std::optional<double> resistanceNsPerM = {};
+    /// The mass of a large board in kg/m², > 0, that carries the clamps and lies at right angles to
+    /// z. It radiates the sound of the force on the clamps. Nothing: the support is silent.
+    std::optional<double> boardKgPerM2 = {};
 };
+
+/// Error, one sentence: a figure is not positive.
+Result<void> validate(const Support& support);
 
 /// Reads a region in metres: "x<0.02", or "x>0.1, z<0". The error is the end of a sentence that
 /// begins with the text.

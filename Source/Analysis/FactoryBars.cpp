@@ -1,5 +1,7 @@
 #include "Analysis/FactoryBars.h"
 
+#include "Analysis/FactoryTines.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -135,12 +137,54 @@ BarSpecification stoneBar(double frequencyHz, double share) {
             .material = *findMaterial("Slate")};
 }
 
-constexpr std::array<BarInstrument, 6> instruments{{{"xylophone", 65, 108, rosewoodBar},
-                                                    {"padauk-xylophone", 65, 108, padaukBar},
-                                                    {"marimba", 45, 96, marimbaBar},
-                                                    {"vibraphone", 53, 89, vibraphoneBar},
-                                                    {"glockenspiel", 79, 108, glockenspielBar},
-                                                    {"stones", 72, 96, stoneBar}}};
+/// Thin bars on strips of felt.
+BarSpecification toyBar(double frequencyHz, double share) {
+    return {.source = "steel bar after toy glockenspiels, uniform, on felt",
+            .shape =
+                start({.widthMetres = {0.020, 0.020}, .heightMetres = {0.0025, 0.0025}}, share, 1),
+            .targets = {.fundamentalHz = frequencyHz},
+            .material = *findMaterial("Mild steel"),
+            .cords = CordSupport{.resistanceNsPerM = 0.6}};
+}
+
+/// A thick slab on pins and cushions, over a trough, which sounds as a tube under each slab.
+BarSpecification saronBar(double frequencyHz, double share) {
+    return {.source = "bronze slab after the saron, uniform, over its trough",
+            .shape =
+                start({.widthMetres = {0.060, 0.045}, .heightMetres = {0.012, 0.014}}, share, 1),
+            .targets = {.fundamentalHz = frequencyHz},
+            .material = *findMaterial("Bell bronze"),
+            .maxFrequencyHz = 14000,
+            .cords = CordSupport{.resistanceNsPerM = 8},
+            .tube = Tube{.frequencyHz = frequencyHz, .radiusMetres = 0.02}};
+}
+
+/// A thin bar on cords over a tube of bamboo or tin.
+BarSpecification genderBar(double frequencyHz, double share) {
+    return {
+        .source = "bronze bar after the gender, uniform, over a tube",
+        .shape = start({.widthMetres = {0.055, 0.040}, .heightMetres = {0.003, 0.003}}, share, 1),
+        .targets = {.fundamentalHz = frequencyHz},
+        .material = *findMaterial("Bell bronze"),
+        .maxFrequencyHz = 7000,
+        .cords = CordSupport{.resistanceNsPerM = 1, .spreadOverLength = 0.02},
+        .tube = Tube{.frequencyHz = frequencyHz, .radiusMetres = std::lerp(0.025, 0.018, share)}};
+}
+
+constexpr std::array<BarInstrument, 14> instruments{{{"xylophone", 65, 108, rosewoodBar},
+                                                     {"padauk-xylophone", 65, 108, padaukBar},
+                                                     {"marimba", 45, 96, marimbaBar},
+                                                     {"vibraphone", 53, 89, vibraphoneBar},
+                                                     {"glockenspiel", 79, 108, glockenspielBar},
+                                                     {"stones", 72, 96, stoneBar},
+                                                     {"toy-glockenspiel", 84, 100, toyBar},
+                                                     {"saron", 72, 86, saronBar},
+                                                     {"gender", 55, 67, genderBar},
+                                                     {"kalimba", 60, 84, kalimbaTine},
+                                                     {"music-box", 72, 96, musicBoxTooth},
+                                                     {"steel-tongue", 60, 60, steelTongue},
+                                                     {"wooden-tongue", 48, 48, woodenTongue},
+                                                     {"jaw-harp", 45, 45, jawHarpReed}}};
 
 } // namespace
 

@@ -1,9 +1,10 @@
 #include "Analysis/FactoryObjects.h"
 
 #include "Analysis/FactoryBars.h"
+#include "Analysis/FactoryRods.h"
+#include "Analysis/FactoryTubes.h"
 #include "Analysis/ModalAnalysis.h"
 #include "Analysis/SolidShell.h"
-#include "Analysis/TubeTuning.h"
 #include "Geometry/ParametricMesh.h"
 #include "Geometry/SpreadVertices.h"
 #include "Geometry/TurnedSections.h"
@@ -235,22 +236,6 @@ Result<ModalObject> analysedTurned(const Shape& shape, const WorkControl& contro
     return object;
 }
 
-constexpr int lowestTubularBell = 60, highestTubularBell = 77; // MIDI, as written
-
-std::string tubularBellName(int note) {
-    return "tubular-bell-" + std::to_string(note);
-}
-
-Result<ModalObject> makeTubularBell(int note, const WorkControl& control) {
-    return tuneTube({.name = tubularBellName(note),
-                     .source = "generated brass tube, 38 x 1.5 mm as symphonic chimes; mode 4 an "
-                               "octave above its note",
-                     .noteFrequencyHz = noteFrequencyHz(note),
-                     .material = *findMaterial("Brass")},
-                    control)
-        .map([](TunedTube tube) { return std::move(tube.object); });
-}
-
 } // namespace
 
 std::vector<std::string> factoryObjectNames() {
@@ -260,8 +245,8 @@ std::vector<std::string> factoryObjectNames() {
             names.push_back(instrument.barName(note));
     for (const auto& shape : shapes)
         names.emplace_back(shape.name);
-    for (int note = lowestTubularBell; note <= highestTubularBell; ++note)
-        names.push_back(tubularBellName(note));
+    for (const auto& more : {factoryTubeNames(), factoryRodNames()})
+        names.insert(names.end(), more.begin(), more.end());
     return names;
 }
 
@@ -275,9 +260,10 @@ Result<ModalObject> makeFactoryObject(const std::string& name, const WorkControl
         shape != std::end(shapes))
         return shape->mesh != nullptr ? analysedMesh(*shape, control)
                                       : analysedTurned(*shape, control);
-    for (int note = lowestTubularBell; note <= highestTubularBell; ++note)
-        if (tubularBellName(note) == name)
-            return makeTubularBell(note, control);
+    if (auto tube = makeFactoryTube(name, control))
+        return std::move(*tube);
+    if (auto rod = makeFactoryRod(name, control))
+        return std::move(*rod);
     return failure("there is no factory object '" + name + "'");
 }
 

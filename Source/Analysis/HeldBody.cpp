@@ -59,6 +59,8 @@ Result<Modes> solveHeldModes(const VibrationModel& model,
                              const std::vector<bool>& held,
                              const FrequencyBand& band,
                              const WorkControl& control) {
+    if (held.empty())
+        return solveModes(model, band, control);
     const auto numbers = numbersOfFreeRows(held);
     const auto free = static_cast<Index>(std::ranges::count(held, false));
     const VibrationModel moving{.stiffness = freePart(model.stiffness, numbers, free),
@@ -75,22 +77,26 @@ Result<Modes> solveHeldModes(const VibrationModel& model,
     return modes;
 }
 
-std::vector<double> supportDecays(const VibrationModel& model,
-                                  const std::vector<bool>& held,
-                                  const Modes& modes,
-                                  double resistanceNsPerM) {
+Eigen::Matrix3Xd
+supportForces(const VibrationModel& model, const std::vector<bool>& held, const Modes& modes) {
     const auto stiffness = model.stiffness.selfadjointView<Eigen::Lower>();
     const auto mass = model.mass.selfadjointView<Eigen::Lower>();
-    const Eigen::MatrixXd forces =
+    const Eigen::MatrixXd ofRows =
         stiffness * modes.shapes - mass * modes.shapes * modes.eigenvalues.asDiagonal();
+    Eigen::Matrix3Xd forces = Eigen::Matrix3Xd::Zero(3, modes.shapes.cols());
+    for (Index row = 0; row < ofRows.rows(); ++row)
+        if (held[static_cast<std::size_t>(row)])
+            forces.row(row % 3) += ofRows.row(row);
+    return forces;
+}
+
+std::vector<double> supportDecays(const Eigen::Matrix3Xd& forces,
+                                  const Eigen::VectorXd& eigenvalues,
+                                  double resistanceNsPerM) {
     std::vector<double> decays;
-    for (Index mode = 0; mode < modes.shapes.cols(); ++mode) {
-        Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-        for (Index row = 0; row < forces.rows(); ++row)
-            if (held[static_cast<std::size_t>(row)])
-                sum(row % 3) += forces(row, mode);
-        decays.push_back(sum.squaredNorm() / (2 * resistanceNsPerM * modes.eigenvalues(mode)));
-    }
+    for (Index mode = 0; mode < forces.cols(); ++mode)
+        decays.push_back(forces.col(mode).squaredNorm() /
+                         (2 * resistanceNsPerM * eigenvalues(mode)));
     return decays;
 }
 

@@ -14,19 +14,22 @@ namespace idiophone {
 /// point, or all.
 Result<std::vector<bool>> heldRows(const BodyModel& body);
 
-/// As `solveModes`, for a model whose held rows [n] do not move. Their shapes are 0.
+/// As `solveModes`, for a model whose held rows [n] do not move. Their shapes are 0. Without held
+/// rows the model is free.
 Result<Modes> solveHeldModes(const VibrationModel& model,
                              const std::vector<bool>& held,
                              const FrequencyBand& band,
                              const WorkControl& control = {});
 
-/// Returns the decay rates [M] that a resistance R of the support adds: α = |F|²/(2 R ω²), with the
-/// force F = Σ (K − λM) φ over the held rows, in N for a modal amplitude of 1 m √kg. The power that
-/// reaches a support much heavier than the body is |F|²/(2R). The three rows of each point follow
-/// each other.
-std::vector<double> supportDecays(const VibrationModel& model,
-                                  const std::vector<bool>& held,
-                                  const Modes& modes,
+/// Returns the force of the support on the body in each mode, in N for a modal amplitude of
+/// 1 m √kg: F = Σ (K − λM) φ over the held rows. The three rows of each point follow each other.
+Eigen::Matrix3Xd
+supportForces(const VibrationModel& model, const std::vector<bool>& held, const Modes& modes);
+
+/// Returns the decay rates [M] that a resistance R of the support adds: α = |F|²/(2 R ω²). The
+/// power that reaches a support much heavier than the body is |F|²/(2R).
+std::vector<double> supportDecays(const Eigen::Matrix3Xd& forces,
+                                  const Eigen::VectorXd& eigenvalues,
                                   double resistanceNsPerM);
 
 } // namespace idiophone

@@ -277,8 +277,8 @@ Result<void> validate(const AnalysisSettings& settings) {
         return failure("The limit on the number of modes must be positive.");
     if (settings.elementBudget < 1)
         return failure("The number of elements must be positive.");
-    if (!(settings.support.resistanceNsPerM.value_or(1) > 0))
-        return failure("The support's resistance must be a positive number of N s/m.");
+    if (const auto support = validate(settings.support); !support)
+        return support;
     return validated(settings.material).map([](const Material&) {});
 }
 

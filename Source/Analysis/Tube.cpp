@@ -1,6 +1,7 @@
 #include "Analysis/Tube.h"
 
 #include "Analysis/Air.h"
+#include "Analysis/Monopole.h"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
@@ -22,17 +23,6 @@ constexpr double minimumSharedGain = 1e-3;
 
 double waveNumber(double omega) {
     return omega / speedOfSoundMetresPerSecond;
-}
-
-/// Returns the far pressure in one direction of a flow of 1 m³/s out of the mouth.
-Complex monopole(double omega,
-                 const std::array<float, 3>& direction,
-                 const std::array<double, 3>& placeMetres) {
-    double along = 0;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-        along += static_cast<double>(direction[axis]) * placeMetres[axis];
-    return Complex(0, omega * airDensityKgPerM3) / (4 * pi) *
-           std::polar(1.0, waveNumber(omega) * along);
 }
 
 /// One mode of the new object.

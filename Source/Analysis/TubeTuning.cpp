@@ -9,6 +9,8 @@
 #include "Geometry/ParametricMesh.h"
 #include "Geometry/SpreadVertices.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -21,14 +23,16 @@ constexpr double toleranceCents = 0.1;
 // The number of rows is the same for every length, so that the pitch is a smooth function of the
 // length. Twice as many rows would shorten the tubes by 0.5 % and keep the ratios of the modes. The
 // lighter mesh has every eighth row with every other vertex.
-constexpr int around = 20, rows = 240, rowsOfOne = 8;
+constexpr int around = 20, rowsOfOne = 8;
+constexpr std::array betaLengths{4.73004075,  7.85320462,  10.99560784,
+                                 14.13716549, 17.27875966, 20.42035225}; // of a free beam
 
 double meanRadius(const TubeSpecification& tube) {
     return (tube.outerDiameterMetres - tube.wallMetres) / 2;
 }
 
 Mesh midSurface(const TubeSpecification& tube, double lengthMetres) {
-    return hoopMesh(meanRadius(tube), lengthMetres, around, rows);
+    return hoopMesh(meanRadius(tube), lengthMetres, around, tube.rows);
 }
 
 /// Returns whether a mode bends the tube like a beam: most of its motion moves whole sections
@@ -45,7 +49,8 @@ bool isBending(const Eigen::Ref<const Eigen::VectorXd>& middle,
     return share > 0.6;
 }
 
-/// Returns λ of bending modes 1 to 6, each the mean of a pair.
+/// Returns λ of bending modes 1 to 6, each the mean of a pair; 0 for those above `highestHz`. There
+/// are at least two above the tuned mode.
 Result<std::array<double, 6>> bendingEigenvalues(const TubeSpecification& tube,
                                                  double lengthMetres,
                                                  double highestHz,
@@ -63,10 +68,11 @@ Result<std::array<double, 6>> bendingEigenvalues(const TubeSpecification& tube,
         if (isBending(shapes.col(mode), vertexMasses))
             bending.push_back(modes->eigenvalues(mode));
     std::array<double, 6> pairs{};
-    if (bending.size() < 2 * pairs.size())
-        return failure("The tube \"" + tube.name + "\" has no six bending modes below " +
-                       std::to_string(std::lround(highestHz)) + " Hz.");
-    for (std::size_t pair = 0; pair < pairs.size(); ++pair)
+    const auto needed = static_cast<std::size_t>(tube.tunedMode) + 2;
+    if (bending.size() < 2 * needed)
+        return failure("The tube \"" + tube.name + "\" has no " + std::to_string(needed) +
+                       " bending modes below " + std::to_string(std::lround(highestHz)) + " Hz.");
+    for (std::size_t pair = 0; pair < std::min(bending.size() / 2, pairs.size()); ++pair)
         pairs[pair] = (bending[2 * pair] + bending[2 * pair + 1]) / 2;
     return pairs;
 }
@@ -138,23 +144,25 @@ analysedTube(const TubeSpecification& tube, double lengthMetres, const WorkContr
     if (!radiation)
         return failure(radiation.error().message);
     object->radiation = std::move(radiation->table);
-    const Mesh lighter = hoopMesh(meanRadius(tube), lengthMetres, around / 2, rows / rowsOfOne);
+    const Mesh lighter =
+        hoopMesh(meanRadius(tube), lengthMetres, around / 2, tube.rows / rowsOfOne);
     return withLighterMesh(*object, lighter, struckVertices(lighter, tube));
 }
 
 bool isUsable(const TubeSpecification& tube) {
     return tube.noteFrequencyHz >= 20 && tube.wallMetres > 0 &&
            tube.outerDiameterMetres > 4 * tube.wallMetres && tube.shapeVertexCount >= 1 &&
+           (tube.tunedMode == 1 || tube.tunedMode == 4) &&
            tube.maxFrequencyHz > 5 * tube.noteFrequencyHz;
 }
 
 } // namespace
 
-double slenderTubeLengthMetres(const TubeSpecification& tube, double modeFourHz) {
-    constexpr double betaL = 14.137165491257464; // of a free beam's mode 4
+double slenderTubeLengthMetres(const TubeSpecification& tube, double modeHz) {
+    const double betaL = betaLengths[static_cast<std::size_t>(tube.tunedMode) - 1];
     const double gyration = meanRadius(tube) / std::sqrt(2.0);
     const double speed = std::sqrt(tube.material.youngsModulusPa / tube.material.densityKgPerM3);
-    return betaL * std::sqrt(gyration * speed / (2 * pi * modeFourHz));
+    return betaL * std::sqrt(gyration * speed / (2 * pi * modeHz));
 }
 
 Result<TunedTube> tuneTube(const TubeSpecification& tube, const WorkControl& control) {
@@ -164,7 +172,9 @@ Result<TunedTube> tuneTube(const TubeSpecification& tube, const WorkControl& con
         return failure("The tube \"" + tube.name +
                        "\" needs a note of 20 Hz or more, a wall thinner than a quarter of its "
                        "diameter and a band of more than five times its note.");
-    const double targetHz = 2 * tube.noteFrequencyHz;
+    const auto tuned = static_cast<std::size_t>(tube.tunedMode) - 1;
+    const double targetHz = (tube.tunedMode == 4 ? 2 : 1) * tube.noteFrequencyHz;
+    const double highest = 1.1 * std::pow(betaLengths[tuned + 2] / betaLengths[tuned], 2);
     TunedTube result;
     result.lengthMetres = slenderTubeLengthMetres(tube, targetHz);
     double slope = -2; // d log f / d log L of a slender tube
@@ -172,12 +182,13 @@ Result<TunedTube> tuneTube(const TubeSpecification& tube, const WorkControl& con
     for (int step = 0; step < 12; ++step) {
         control.report(0.03 * step, "Tuning the tube");
         const auto bending =
-            bendingEigenvalues(tube, result.lengthMetres, 2.3 * targetHz, control.quiet());
+            bendingEigenvalues(tube, result.lengthMetres, highest * targetHz, control.quiet());
         if (!bending)
             return failure(bending.error().message);
         for (std::size_t mode = 0; mode < bending->size(); ++mode)
-            result.bendingHz[mode] = dampedFrequencyHz((*bending)[mode], tube.material);
-        const double miss = cents(result.bendingHz[3], targetHz);
+            result.bendingHz[mode] =
+                (*bending)[mode] > 0 ? dampedFrequencyHz((*bending)[mode], tube.material) : 0;
+        const double miss = cents(result.bendingHz[tuned], targetHz);
         if (std::abs(miss) <= toleranceCents) {
             auto object = analysedTube(tube, result.lengthMetres, control);
             if (!object)

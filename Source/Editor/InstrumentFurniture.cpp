@@ -4,6 +4,7 @@
 #include "Editor/ObjectStand.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 namespace idiophone {
@@ -24,6 +25,24 @@ float tubeMetresOf(const InstrumentView::PlayedObject& played, float radius) {
                                 endCorrection * radius,
                             radius);
     return 0;
+}
+
+/// Whether an object is long, round and upright, as a chime that hangs.
+bool isTube(const SceneObject& object) {
+    constexpr float slenderness = 5;
+    return object.form == Form::turned && object.halfExtent[2] > slenderness * object.halfExtent[0];
+}
+
+/// Returns the box of the vertices of a single object that are held; empty if it is free.
+Eigen::AlignedBox3f clampOf(const ModalObject& object, const ObjectScene& scene) {
+    Eigen::AlignedBox3f box;
+    for (const auto vertex : object.clampedVertices) {
+        const float* at = &object.vertices[3 * static_cast<std::size_t>(vertex)];
+        box.extend(
+            vectorOf(scene.placeOf(0, {static_cast<double>(at[0]), static_cast<double>(at[1]),
+                                       static_cast<double>(at[2])})));
+    }
+    return box;
 }
 
 /// Returns the bars that lie along y on a stage, from left to right.
@@ -61,9 +80,14 @@ InstrumentFurniture::InstrumentFurniture(const std::vector<InstrumentView::Playe
         addForStage(played, scene, bodies);
     else if (objects.size() > 1)
         addForKeyboard(played, scene);
+    else if (!scene.empty() && isTube(objects.front()))
+        floor = addChimeFrame(
+            built, std::array{KeyboardBar{.middle = vectorOf(objects.front().middle),
+                                          .half = vectorOf(objects.front().halfExtent)}});
     else if (!scene.empty())
         floor = addStand(built, objects.front(), scene.vertices(),
-                         appearanceOf(played.front().object->material).finish);
+                         appearanceOf(played.front().object->material).finish,
+                         clampOf(*played.front().object, scene));
     addMallet();
 }
 
@@ -99,8 +123,12 @@ void InstrumentFurniture::addForKeyboard(const std::vector<InstrumentView::Playe
     }
     if (bars.empty())
         return;
-    floor = bars.front().half.z() > bars.front().half.y() ? addChimeFrame(built, bars)
-                                                          : addKeyboardFrame(built, bars);
+    if (!played.front().object->clampedVertices.empty())
+        floor = addTineBoard(built, bars);
+    else if (bars.front().half.z() > bars.front().half.y())
+        floor = addChimeFrame(built, bars);
+    else
+        floor = addKeyboardFrame(built, bars);
 }
 
 void InstrumentFurniture::addForStage(const std::vector<InstrumentView::PlayedObject>& played,

@@ -201,4 +201,28 @@ float addChimeFrame(FurnitureParts& parts, std::span<const KeyboardBar> chimes) 
     return floor;
 }
 
+float addTineBoard(FurnitureParts& parts, std::span<const KeyboardBar> tines) {
+    const float unit = unitOf(tines);
+    Eigen::AlignedBox3f box;
+    for (const auto& tine : tines) {
+        box.extend(Vector(tine.middle - tine.half));
+        box.extend(Vector(tine.middle + tine.half));
+    }
+    const float length = box.sizes().y(), left = box.min().x() - 2 * unit,
+                right = box.max().x() + 2 * unit;
+    // Blocks from one side to the other between two places along the tines and two heights.
+    const auto addBlock = [&](float near, float far, float bottom, float top) {
+        const float y = (near + far) / 2, z = (bottom + top) / 2;
+        parts.addBeam({left, y, z}, {right, y, z}, far - near, top - bottom);
+    };
+    const float under = box.min().z(), over = box.max().z(), end = box.max().y();
+    const float board = under - 2.5f * unit, floor = board - 2 * unit;
+    addBlock(end - 0.03f * length, end + 0.12f * length, board, under);
+    addBlock(end - 0.02f * length, end + 0.10f * length, over, over + 0.8f * unit);
+    parts.finish(blackSteel);
+    addBlock(box.min().y() - 0.08f * length, end + 0.3f * length, floor, board);
+    parts.finish(walnut);
+    return floor;
+}
+
 } // namespace idiophone

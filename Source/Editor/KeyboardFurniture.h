@@ -1,5 +1,5 @@
-// The frames of instruments with a keyboard: rails, cords, posts and tubes under bars, and the rack
-// of chimes.
+// The frames of instruments with a keyboard: rails, cords, posts and tubes under bars, the rack of
+// chimes, and the board of tines.
 #pragma once
 
 #include "Editor/FurnitureParts.h"
@@ -21,5 +21,9 @@ float addKeyboardFrame(FurnitureParts& parts, std::span<const KeyboardBar> bars)
 
 /// Adds the rack of at least one chime. Returns the height of the floor.
 float addChimeFrame(FurnitureParts& parts, std::span<const KeyboardBar> chimes);
+
+/// Adds the board under at least one tine, and the block that holds the far ends. Returns the
+/// height of the floor.
+float addTineBoard(FurnitureParts& parts, std::span<const KeyboardBar> tines);
 
 } // namespace idiophone

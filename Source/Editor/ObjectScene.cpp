@@ -29,10 +29,11 @@ Eigen::AlignedBox3d boxOf(const ModalObject& object) {
 
 /// Lays the bars out as on a mallet instrument. They lie along y, with naturals in a row and
 /// accidentals behind and above them in the gaps. An object that is higher than long, such as a
-/// chime, hangs by its upper end.
+/// chime, hangs by its upper end. Tines, which are held, form one row like the teeth of a comb,
+/// with their far ends at y = 0.
 std::vector<ObjectScene::Placement>
 ObjectScene::keyboardOf(const std::vector<InstrumentView::PlayedObject>& played) {
-    constexpr double gapMetres = 0.006, overlap = 0.9;
+    constexpr double gapMetres = 0.006, overlap = 0.9, combColumn = 3.2; // in widths of a tine
     // Turn the bar's x axis to the scene's y.
     const Eigen::Matrix3d turned{{0, -1, 0}, {1, 0, 0}, {0, 0, 1}};
     std::vector<Eigen::AlignedBox3d> boxes;
@@ -43,7 +44,9 @@ ObjectScene::keyboardOf(const std::vector<InstrumentView::PlayedObject>& played)
         tallest = std::max(tallest, sizeRatio * boxes.back().sizes().z());
     }
     std::vector<Placement> result;
-    const double column = widest + gapMetres;
+    const bool isComb = std::ranges::all_of(
+        played, [](const auto& one) { return !one.object->clampedVertices.empty(); });
+    const double column = isComb ? combColumn * widest : widest + gapMetres;
     double x = 0, naturalLength = 0;
     for (std::size_t i = 0; i < played.size(); ++i) {
         const double length = played[i].sizeRatio * boxes[i].sizes().x();
@@ -52,18 +55,19 @@ ObjectScene::keyboardOf(const std::vector<InstrumentView::PlayedObject>& played)
         Placement placement{.pivot = boxes[i].center(),
                             .axes = turned,
                             .scale = played[i].sizeRatio,
-                            .isBehind = behind};
+                            .isBehind = behind && !isComb};
+        const double across = behind ? x - column / 2 : x;
         if (height > length) {
-            placement.origin << (behind ? x - column / 2 : x), (behind ? column : 0), -height / 2;
-            x += behind ? 0 : column;
+            placement.origin << across, (behind ? column : 0), -height / 2;
+        } else if (isComb) {
+            placement.origin << across, -length / 2, 0;
         } else if (behind) {
-            placement.origin << x - column / 2, overlap * (naturalLength + length) / 2,
-                1.5 * tallest;
+            placement.origin << across, overlap * (naturalLength + length) / 2, 1.5 * tallest;
         } else {
-            placement.origin << x, 0, 0;
+            placement.origin << across, 0, 0;
             naturalLength = length;
-            x += column;
         }
+        x += behind ? 0 : column;
         placement.nearest = placement.origin.y() - length / 2;
         placement.farthest = placement.origin.y() + length / 2;
         result.push_back(placement);

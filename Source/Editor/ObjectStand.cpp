@@ -80,6 +80,31 @@ float addPegs(FurnitureParts& parts, const Vector& middle, const Vector& half, b
     return floor;
 }
 
+constexpr Appearance walnut{Finish::wood, {0.34f, 0.20f, 0.12f}};
+
+/// Whether something is held, and it is less than half as long as the object.
+bool isSmall(const Eigen::AlignedBox3f& clamp, const Vector& half) {
+    return !clamp.isEmpty() && clamp.diagonal().norm() < half.norm();
+}
+
+/// A post on a board holds what is clamped.
+float addPost(FurnitureParts& parts,
+              const Vector& middle,
+              const Vector& half,
+              const Eigen::AlignedBox3f& clamp) {
+    const float pad = 0.06f * half.norm(), floor = middle.z() - half.z() - 0.4f * half.norm();
+    const Vector at = clamp.center(), size = clamp.sizes() + Vector::Constant(2 * pad);
+    const float board = floor + pad;
+    parts.addBeam({at.x(), at.y(), board}, {at.x(), at.y(), clamp.max().z() + pad / 2}, size.x(),
+                  size.y(), Vector::UnitY());
+    parts.finish(steel);
+    const float aside = half.x() + 2 * pad;
+    parts.addBeam({middle.x() - aside, middle.y(), floor + pad / 2},
+                  {middle.x() + aside, middle.y(), floor + pad / 2}, 2 * half.y() + 4 * pad, pad);
+    parts.finish(walnut);
+    return floor;
+}
+
 bool isSheet(const SceneObject& object) {
     const auto& half = object.halfExtent;
     return half[2] < 0.12f * std::min(half[0], half[1]);
@@ -90,8 +115,11 @@ bool isSheet(const SceneObject& object) {
 float addStand(FurnitureParts& parts,
                const SceneObject& object,
                std::span<const SceneVertex> vertices,
-               Finish finish) {
+               Finish finish,
+               const Eigen::AlignedBox3f& clamp) {
     const auto middle = vectorOf(object.middle), half = vectorOf(object.halfExtent);
+    if (isSmall(clamp, half))
+        return addPost(parts, middle, half, clamp);
     if (object.form == Form::turned && !isSheet(object)) {
         constexpr float flare = 1.25f;
         const float above = radiusAt(object, vertices, true);

@@ -1,5 +1,5 @@
 // The support of a single object: a stand for a bell, a ring for a bowl, pegs for a sheet, legs for
-// a table. Also draws the pips of a die.
+// a table, a post at a clamp. Also draws the pips of a die.
 #pragma once
 
 #include "Editor/FurnitureParts.h"
@@ -8,12 +8,13 @@
 
 namespace idiophone {
 
-/// Adds the stand of an object with vertices. `finish` is of its own material. Returns the height
-/// of the floor.
+/// Adds the stand of an object with vertices. `finish` is of its own material. `clamp` is the box
+/// of what is held, or empty. Returns the height of the floor.
 float addStand(FurnitureParts& parts,
                const SceneObject& object,
                std::span<const SceneVertex> vertices,
-               Finish finish);
+               Finish finish,
+               const Eigen::AlignedBox3f& clamp = {});
 
 /// Whether an object on a stage is a flat board with the size of a table's.
 bool isTableTop(const SceneObject& object);

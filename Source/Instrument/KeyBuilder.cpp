@@ -109,6 +109,8 @@ Result<BuiltKeys> buildSingleObject(const KeyMap& map, ObjectLibrary& library) {
         return tl::unexpected(object.error());
     const double referenceHz =
         map.referenceNote >= 0 ? midiNoteHz(map.referenceNote) : modeHz(**object, 0);
+    // A fork's prongs swing to one side in a lower mode than that of its pitch.
+    const std::size_t pitched = modeNear(**object, referenceHz).value_or(0);
     for (int note = map.lowestNote; note <= map.highestNote; ++note) {
         auto& key = built.keys[static_cast<std::size_t>(note)];
         if (map.kind == KeyMapKind::zones) {
@@ -124,7 +126,7 @@ Result<BuiltKeys> buildSingleObject(const KeyMap& map, ObjectLibrary& library) {
                .mallet = {.scale = sizeRatio}};
         built.slots.push_back({.object = *object,
                                .sizeRatio = sizeRatio,
-                               .pitch = pitchMode(**object, 0, sizeRatio)});
+                               .pitch = pitchMode(**object, pitched, sizeRatio)});
     }
     if (map.kind == KeyMapKind::zones)
         built.slots.push_back({.object = *object, .sizeRatio = 1});

@@ -16,12 +16,17 @@ TEST_CASE("Every bar of every instrument has a tunable arch and its own name") {
         for (int note = instrument.lowestNote; note <= instrument.highestNote; ++note) {
             auto bar = instrument.barAt(note, noteFrequencyHz(note));
             CHECK(bar.name == instrument.barName(note));
-            bar.shape.lengthMetres = 0.2;
             INFO(bar.name);
+            if (bar.held) { // has no arch, and its length is tuned by finite elements
+                CHECK(bar.targets.count() == 1);
+                CHECK(bar.shape.centreHeightMetres == bar.shape.heightMetres);
+                continue;
+            }
+            bar.shape.lengthMetres = 0.2;
             const auto arch = tunedArch(bar.shape, beamMaterial(bar.material), bar.targets);
             REQUIRE(arch);
-            CHECK((arch->lengthMetres > 0.09 && arch->lengthMetres < 0.5));
-            CHECK(arch->centreHeightMetres > 0.0035);
+            CHECK((arch->lengthMetres > 0.06 && arch->lengthMetres < 0.5));
+            CHECK(arch->centreHeightMetres >= 0.0025);
         }
     }
     CHECK(findBarInstrument("kazoo") == nullptr);

@@ -59,6 +59,9 @@ TEST_CASE("A tube that cannot be built gives a one-sentence error") {
     auto thick = brassTube(262);
     thick.wallMetres = 0.03;
     CHECK_FALSE(tuneTube(thick));
+    auto second = brassTube(262);
+    second.tunedMode = 2;
+    CHECK_FALSE(tuneTube(second));
     auto narrowBand = brassTube(262);
     narrowBand.maxFrequencyHz = 1000;
     const auto refused = tuneTube(narrowBand);

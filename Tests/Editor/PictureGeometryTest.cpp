@@ -169,6 +169,51 @@ TEST_CASE("Dice have 21 pips that follow their bodies") {
     CHECK(part->shape.vertexCount == 21 * 3 * 80);
 }
 
+TEST_CASE("Tines stand in one row, with their far ends in a block on a board") {
+    const Picture picture("Kalimba");
+    const auto objects = picture.scene->objects();
+    REQUIRE(objects.size() == picture.played.size());
+    for (std::size_t i = 0; i < objects.size(); ++i) {
+        const auto& tine = objects[i];
+        CHECK(tine.middle[1] + tine.halfExtent[1] == Approx(0).margin(1e-6));
+        CHECK(tine.middle[2] == Approx(0).margin(1e-6));
+        CHECK_FALSE(picture.scene->isBehind(i));
+        if (i > 0) // no tine touches the next
+            CHECK(tine.middle[0] - tine.halfExtent[0] >
+                  objects[i - 1].middle[0] + objects[i - 1].halfExtent[0]);
+    }
+    const auto& parts = picture.furniture->parts();
+    REQUIRE(parts.size() == 2);
+    for (const auto& part : parts) // block and board reach from the first tine to the last
+        CHECK(part.shape.halfExtent[0] >
+              (objects.back().middle[0] - objects.front().middle[0]) / 2);
+    const auto& block = parts.front().shape;
+    CHECK(std::abs(block.middle[1]) < block.halfExtent[1]);
+    CHECK(std::abs(block.middle[2]) < block.halfExtent[2]);
+    CHECK(picture.furniture->floorHeight() < block.middle[2] - block.halfExtent[2]);
+}
+
+TEST_CASE("A post holds a single object where it is clamped") {
+    const Picture picture("Tuning Fork");
+    const auto& fork = picture.scene->objects().front();
+    const auto& post = picture.furniture->parts().front().shape;
+    const float bottom = fork.middle[2] - fork.halfExtent[2];
+    CHECK(post.middle[2] + post.halfExtent[2] > bottom);
+    CHECK(post.middle[2] + post.halfExtent[2] < fork.middle[2]);
+    CHECK(picture.furniture->floorHeight() < bottom);
+    CHECK(std::abs(post.middle[0] - fork.middle[0]) < post.halfExtent[0]);
+}
+
+TEST_CASE("A single chime hangs from a beam above it") {
+    const Picture picture("Wind Chimes");
+    const auto& chime = picture.scene->objects().front();
+    const float top = chime.middle[2] + chime.halfExtent[2];
+    CHECK(std::ranges::any_of(picture.furniture->parts(), [&](const FurniturePart& part) {
+        return part.shape.middle[2] - part.shape.halfExtent[2] > top;
+    }));
+    CHECK(picture.furniture->floorHeight() < chime.middle[2] - chime.halfExtent[2]);
+}
+
 TEST_CASE("Furniture cannot be struck") {
     Picture picture("Handbell");
     const auto shown = ShownInstrument::of(picture.processor.view());

@@ -23,7 +23,7 @@ using enum ParameterId;
 
 constexpr double sampleRateHz = 48000;
 
-double noteHz(int note) {
+double noteHz(double note) {
     return 440 * std::exp2((note - 69) / 12.0);
 }
 
@@ -35,11 +35,13 @@ struct Fundamental {
 };
 
 Fundamental fundamentalOf(const Preset& preset, const ModalObject& object, int note) {
-    if (preset.keyMap.kind == KeyMapKind::scaled)
+    const bool isScaled = preset.keyMap.kind == KeyMapKind::scaled;
+    if (isScaled && preset.keyMap.referenceNote < 0)
         return {};
     Fundamental found{.ratio = preset.name == "Tubular Bells" ? 2.0 : 1.0};
+    const double ownNote = isScaled ? preset.keyMap.referenceNote : note;
     const auto miss = [&](std::size_t mode) {
-        return std::abs(cents(object.dampedFrequencyHz(mode), found.ratio * noteHz(note)));
+        return std::abs(cents(object.dampedFrequencyHz(mode), found.ratio * noteHz(ownNote)));
     };
     for (std::size_t mode = 0; mode < object.modeCount(); ++mode)
         if (miss(mode) < miss(found.mode))
