@@ -32,8 +32,8 @@ install_modules(IdiophoneTargets
     HEADERS
         Object/DampingLaw Object/Material Object/MaterialFile Object/ModalObject Object/ModalObjectFile
         Object/OrthotropicElasticity Object/RadiationTable Object/Result Object/WorkControl
-        Synth/CellOutput Synth/ContactForce Synth/ForceCell Synth/HeardForce Synth/LiveConditions
-        Synth/ModalPole Synth/Reson Synth/SlotStatus Synth/SoundingGroups Synth/Strike Synth/StrikePoints Synth/Surface Synth/SurfaceProfile
+        Synth/BowedPoint Synth/CellOutput Synth/ContactForce Synth/ContactWidth Synth/ForceCell Synth/HeardForce Synth/LiveConditions
+        Synth/ModalPole Synth/PointModes Synth/Reson Synth/SlotStatus Synth/SoundingGroups Synth/Strike Synth/StrikePoints Synth/Surface Synth/SurfaceProfile
         Synth/Synthesiser Synth/SynthesiserSlot Synth/SynthesisSettings Synth/TubeOpening)
 # Makes objects from meshes. This is a component of its own because it needs Eigen.
 install_modules(IdiophoneAnalysisTargets

@@ -39,6 +39,12 @@ def strikes(notes, every=0.45, velocities=(100,), held=None):
     return events
 
 
+def bow(note):
+    """Lightly, then harder, then faster; the object rings on."""
+    return [(0, NOTE_ON, note, 40), (2, PRESSURE, 90), *((3 + k / 20, CONTROL, 1, 64 + 3 * k) for k in range(21)),
+            (4.5, NOTE_OFF, note, 0)]
+
+
 def scrape():
     """One second slow, one fast; then a second of pressing harder."""
     return [(0, CONTROL, 1, 30), (0, NOTE_ON, 60, 100), (0, PRESSURE, 40), (1, CONTROL, 1, 127),
@@ -75,6 +81,8 @@ SOUNDS = (
      2, ({"room": 0}, {"room": 40, "room_decay": 0.6}, {"room": 60, "room_decay": 3})),
     ("scrape", "a point that scrapes a plate: slowly, fast, then with more force", "Scraped Plate",
      scrape(), 3.5, ({},)),
+    ("bow", "a bowed bar of a vibraphone, then a rubbed glass: pressed lightly, harder, then moved faster",
+     "Bowed Vibraphone", bow(69), 5.5, ({"preset": "Bowed Vibraphone"}, {"preset": "Rubbed Glass"})),
     ("truncation", "a plate with all audible modes, then with τ so high that its tail breaks off",
      "Steel Plate", strikes([60]), 2, ({"tau": 0.1}, {"tau": 100}, {"tau": 400})),
     ("dice", "dice that fall on the bars of a xylophone", "Dice on Rosewood",

@@ -31,7 +31,7 @@ constexpr Condition conditions[]{
      "it needs contact=Strike",
      [](const auto& values, const auto&) { return strikes(values); }},
     {{contactForce, contactSpeed, roughness},
-     "it needs contact=Scrape or contact=Roll",
+     "it needs contact=Scrape, Roll, Bow or Rub",
      [](const auto& values, const auto&) { return !strikes(values); }},
     {{rollCoupling},
      "it needs contact=Roll",

@@ -55,7 +55,7 @@ Result<SampleTask> planKeys(const SampleOptions& options) {
     if (static_cast<int>((*values)[ParameterId::contact]) != strikeContact)
         return failure(
             inQuotes(preset->name) +
-            " scrapes or rolls, which samples cannot follow; --set contact=Strike strikes");
+            " scrapes, rolls or bows, which samples cannot follow; --set contact=Strike strikes");
     if (auto varied = checkVariation(*values, options); !varied)
         return tl::unexpected(varied.error());
     const auto keys = keysToSample(**instrument, options);

@@ -93,7 +93,7 @@ void EditorWindow::makePages() {
     tuningPage = deck.pageCount();
     deck.add(std::make_unique<TuningPage>(view));
     deck.add(std::make_unique<ParameterPage>(
-        "Contact", std::vector<ParameterGroup>{{"Scrape and roll", 0}, {"Keys", 1}, {"Motor", 1}},
+        "Contact", std::vector<ParameterGroup>{{"Scrape, roll, bow", 0}, {"Keys", 1}, {"Motor", 1}},
         view));
     deck.add(std::make_unique<ParameterPage>(
         "Output",

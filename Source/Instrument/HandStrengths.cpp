@@ -26,8 +26,10 @@ ParameterValues scraping(ParameterValues values) {
 std::vector<double> handStrengths(const Phrase& phrase, const ParameterValues& own) {
     const auto& instrument = *phrase.instrument;
     std::vector<double> strengths(instrument.slots().size(), 1);
-    if (!strikes(own))
+    if (!strikes(own) && !bows(own))
         return strengths;
+    auto struck = own; // a bowed object has about the level of a struck one
+    struck.set(ParameterId::contact, strikeContact);
     const auto scraped = scraping(own);
     std::map<int, double> weakerDb; // by key
     auto repeated = phrase;
@@ -35,7 +37,8 @@ std::vector<double> handStrengths(const Phrase& phrase, const ParameterValues& o
         if (note.key.slot < 0 || weakerDb.contains(note.midiNote))
             continue;
         repeated.notes.fill(note);
-        if (const double weaker = predictedLufs(repeated, own) - predictedLufs(repeated, scraped);
+        if (const double weaker =
+                predictedLufs(repeated, struck) - predictedLufs(repeated, scraped);
             std::isfinite(weaker))
             weakerDb[note.midiNote] = weaker;
     }

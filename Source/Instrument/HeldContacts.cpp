@@ -13,11 +13,27 @@ namespace {
 
 using enum ParameterId;
 
+/// How much of the roughness a bow's friction has.
+constexpr double bowRoughness = 0.2;
+
+/// A bow's speed over that of a scrape.
+constexpr double bowSlowness = 0.2;
+
 } // namespace
 
 bool strikes(const ParameterValues& parameters) {
     const auto choice = static_cast<int>(parameters[contact]);
-    return choice != scrapeContact && choice != rollContact;
+    return choice < scrapeContact || choice > rubContact;
+}
+
+bool bows(const ParameterValues& parameters) {
+    const auto choice = static_cast<int>(parameters[contact]);
+    return choice == bowContact || choice == rubContact;
+}
+
+HeldContacts::Tool HeldContacts::toolOf(const ParameterValues& parameters) noexcept {
+    const auto choice = static_cast<int>(parameters[ParameterId::contact]);
+    return choice == bowContact ? Tool::bow : choice == rubContact ? Tool::rub : Tool::other;
 }
 
 HeldContacts::HeldContacts(const Instrument& played,
@@ -31,7 +47,10 @@ HeldContacts::HeldContacts(const Instrument& played,
         const auto apart = i < capacity ? 0 : std::uint64_t{1} << 63;
         contacts.push_back(
             {.force = PressedForce(profile, (seed * capacity + i % capacity) ^ apart),
-             .place = {}});
+             .place = {},
+             .bow = BowedPoint(rateHz),
+             .modes = {},
+             .width = {}});
     }
 }
 
@@ -67,16 +86,23 @@ void HeldContacts::giveWay() noexcept {
         oldest->force.release();
 }
 
+HeldContacts::Contact& HeldContacts::begin(int channel, int note) noexcept {
+    Contact& contact = freeContact();
+    contact.force.begin();
+    contact.bow.reset();
+    contact.width.reset();
+    contact.channel = channel;
+    contact.note = note;
+    return contact;
+}
+
 void HeldContacts::press(int channel, int note, double pressure) noexcept {
     if (instrument.key(note).slot < 0)
         return;
     auto* chosen = find(channel, note);
     if (chosen == nullptr) {
         giveWay();
-        chosen = &freeContact();
-        chosen->force.begin();
-        chosen->channel = channel;
-        chosen->note = note;
+        chosen = &begin(channel, note);
     }
     chosen->pressCount = ++pressCount;
     chosen->strikePressure = chosen->pressure = pressure;
@@ -122,6 +148,8 @@ void HeldContacts::sound(const ParameterValues& parameters,
                          std::span<const CellOutput> cellsOfSlots) noexcept {
     if (strikes(parameters))
         releaseAll();
+    else
+        changeTool(toolOf(parameters));
     for (auto& contact : contacts)
         if (contact.force.isActive()) {
             chooseKind(contact, parameters, settings, synthesiser);
@@ -130,12 +158,29 @@ void HeldContacts::sound(const ParameterValues& parameters,
         }
 }
 
+/// Contacts that have sounded with another tool fade out, and new ones go on.
+void HeldContacts::changeTool(Tool tool) noexcept {
+    for (Contact& contact : contacts) {
+        if (!contact.force.isHeld() || contact.tool == tool)
+            continue;
+        Contact* changed = &contact;
+        if (!contact.force.begins()) {
+            contact.force.release();
+            changed = &begin(contact.channel, contact.note);
+            changed->pressCount = contact.pressCount;
+            changed->strikePressure = contact.strikePressure;
+            changed->pressure = contact.pressure;
+        }
+        changed->tool = tool;
+    }
+}
+
 /// A contact that fades out keeps its kind, even if the parameters change.
 void HeldContacts::chooseKind(Contact& contact,
                               const ParameterValues& parameters,
                               SynthesisSettings settings,
                               const Synthesiser& synthesiser) const noexcept {
-    if (strikes(parameters))
+    if (strikes(parameters) || contact.tool != toolOf(parameters))
         return;
     const bool rolls = static_cast<int>(parameters[ParameterId::contact]) == rollContact;
     const double coupling = rolls ? parameters[rollCoupling] / 100 : 0;
@@ -158,22 +203,60 @@ void HeldContacts::soundOne(Contact& contact,
     const auto slot = static_cast<std::size_t>(key.slot);
     const double friction =
         contactMaterial(parameters, instrument.slots()[slot].object->material).friction;
-    const StripGlide before = contact.place;
+    const auto forceNow = [&] {
+        return contact.tool == Tool::rub
+                   ? contact.place.slide()
+                   : contact.place.force(contact.tool == Tool::bow ? 0 : friction);
+    };
+    const ForcePlace before = forceNow();
     const bool begins = contact.force.begins();
     move(contact, key, parameters);
-    const ForcePlace end = contact.place.force(friction);
+    const ForcePlace end = forceNow();
+    const bool isBow = contact.tool != Tool::other;
+    // A bow speaks over a large range of forces, which the root spreads over the pressures.
+    const ContactMotion motion{
+        .speedMetresPerSecond = parameters[contactSpeed] * (isBow ? bowSlowness : 1) *
+                                controllers(contact.channel).speed / 127.0,
+        .normalForceNewtons =
+            parameters[contactForce] * (isBow ? std::sqrt(contact.pressure) : contact.pressure)};
     // The rendered signal is the normal part of the force.
     alignas(64) std::array<float, cellSamples> newtons;
-    if (contact.force.render({.speedMetresPerSecond = parameters[contactSpeed] *
-                                                      controllers(contact.channel).speed / 127.0,
-                              .normalForceNewtons = parameters[contactForce] * contact.pressure},
-                             parameters[roughness] * forceScale(key.mallet), newtons))
+    const bool presses =
+        isBow
+            ? bow(contact, end, motion, parameters[roughness], synthesiser, newtons)
+            : contact.force.render(motion, parameters[roughness] * forceScale(key.mallet), newtons);
+    if (presses)
         synthesiser.applyForce(slot,
                                {.contact = static_cast<std::size_t>(&contact - contacts.data()),
-                                .start = begins ? end : before.force(friction),
+                                .start = begins ? end : before,
                                 .end = end,
                                 .newtons = newtons},
                                cell);
+}
+
+/// The voicing changes the loudness of a bow and not its pressure, which decides how it speaks.
+bool HeldContacts::bow(Contact& contact,
+                       const ForcePlace& at,
+                       const ContactMotion& motion,
+                       double rough,
+                       Synthesiser& synthesiser,
+                       std::span<float, cellSamples> newtons) const noexcept {
+    const auto& key = instrument.key(contact.note);
+    synthesiser.findModes(static_cast<std::size_t>(key.slot), at, contact.modes);
+    alignas(64) std::array<float, cellSamples> unevenness;
+    contact.force.render({.speedMetresPerSecond = motion.speedMetresPerSecond / bowSlowness,
+                          .normalForceNewtons = 1},
+                         bowRoughness * rough, unevenness);
+    const double pressure =
+        contact.force.fade() * key.mallet.scale * key.mallet.scale * motion.normalForceNewtons;
+    const bool presses = contact.bow.render(
+        contact.modes,
+        {.speedMetresPerSecond = motion.speedMetresPerSecond, .normalForceNewtons = pressure},
+        unevenness, newtons);
+    contact.width.average(contact.modes.softestRadians, newtons);
+    for (float& newton : newtons)
+        newton *= static_cast<float>(key.mallet.gain);
+    return presses;
 }
 
 void HeldContacts::move(Contact& contact,

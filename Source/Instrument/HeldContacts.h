@@ -1,11 +1,13 @@
-// Keys that scrape or roll while they are held: where each touches its object, its pressure and its
-// speed. Synth/ContactForce makes the force.
+// Keys that scrape, roll or bow while they are held: where each touches its object, its pressure
+// and its speed. Synth/ContactForce and Synth/BowedPoint make the force.
 #pragma once
 
 #include "Instrument/Instrument.h"
 #include "Instrument/PressedForce.h"
 #include "Instrument/StripGlide.h"
 #include "Parameters/ParameterTable.h"
+#include "Synth/BowedPoint.h"
+#include "Synth/ContactWidth.h"
 #include "Synth/Synthesiser.h"
 
 #include <array>
@@ -19,6 +21,8 @@ namespace idiophone {
 
 /// Returns whether keys strike. Otherwise they press a sustained contact.
 bool strikes(const ParameterValues& parameters);
+/// Returns whether keys bow or rub.
+bool bows(const ParameterValues& parameters);
 
 /// Constructed and destroyed off the audio thread; the rest is for the audio thread and neither
 /// allocates, locks nor throws. All changes act at the next `sound`. A key is a note on one of the
@@ -76,6 +80,7 @@ public:
     void reset() noexcept;        ///< restores the constructed state
 
 private:
+    enum class Tool { other, bow, rub };
     struct Contact {
         PressedForce force;
         int channel = 0;
@@ -84,7 +89,15 @@ private:
         double strikePressure = 0; ///< from the note's velocity
         double pressure = 0;
         StripGlide place;
+        Tool tool = Tool::other;
+        BowedPoint bow;
+        PointModes modes; ///< at the bow
+        ContactWidth width;
     };
+
+    Contact& begin(int channel, int note) noexcept;
+    static Tool toolOf(const ParameterValues& parameters) noexcept;
+    void changeTool(Tool tool) noexcept;
 
     void chooseKind(Contact& contact,
                     const ParameterValues& parameters,
@@ -94,6 +107,12 @@ private:
                   const ParameterValues& parameters,
                   Synthesiser& synthesiser,
                   const CellOutput& cell) noexcept;
+    bool bow(Contact& contact,
+             const ForcePlace& at,
+             const ContactMotion& motion,
+             double rough,
+             Synthesiser& synthesiser,
+             std::span<float, cellSamples> newtons) const noexcept;
     void move(Contact& contact, const Key& key, const ParameterValues& parameters) noexcept;
 
     Contact* find(int channel, int note) noexcept; ///< the held key, or nullptr

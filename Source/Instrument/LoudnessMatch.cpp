@@ -60,7 +60,8 @@ ParameterValues valuesThatMatter(const ParameterValues& values) noexcept {
 
 std::optional<LoudnessMatch::Goal> LoudnessMatch::goalOf(const ParameterValues& now,
                                                          int wheel) const noexcept {
-    if (now[matchLoudness] == 0)
+    // A bow moves its place as fast as itself, whatever the material.
+    if (now[matchLoudness] == 0 || bows(now))
         return std::nullopt;
     const auto values = valuesThatMatter(now);
     if (values == valuesThatMatter(withOwn(now, ownValues)))

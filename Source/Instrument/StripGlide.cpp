@@ -30,4 +30,14 @@ ForcePlace StripGlide::force(double friction) const noexcept {
             .fraction = static_cast<float>(place.fraction)};
 }
 
+ForcePlace StripGlide::slide() const noexcept {
+    ForcePlace along = force();
+    for (std::size_t k = 0; k < along.points.size(); ++k) {
+        const auto& direction = (k == 0 ? place.first : place.second).direction;
+        if (direction != std::array<float, 3>{})
+            along.points[k].direction = direction;
+    }
+    return along;
+}
+
 } // namespace idiophone

@@ -25,6 +25,10 @@ public:
     /// strip's end; without friction it presses only.
     ForcePlace force(double friction = 0) const noexcept;
 
+    /// Returns the force of one newton along the path, or into the surface where the path has no
+    /// direction.
+    ForcePlace slide() const noexcept;
+
 private:
     StrikePlace now;
     StripStep place;

@@ -16,7 +16,7 @@ constexpr std::array<ParameterInfo, parameterCount> rows{{
 #undef PARAMETER
 }};
 
-constexpr std::array<std::string_view, 3> contactNames{"Strike", "Scrape", "Roll"};
+constexpr std::array<std::string_view, 5> contactNames{"Strike", "Scrape", "Roll", "Bow", "Rub"};
 
 // Append only: hosts store the position.
 constexpr std::array<std::string_view, 9> motorSyncNames{"Free",  "1/1", "1/2",   "1/2 T", "1/4",

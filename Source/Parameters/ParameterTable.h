@@ -127,6 +127,12 @@ enum MotorSyncChoice { freeMotor = 0, firstSyncedMotor = 1 };
 double motorSyncBeats(int choice);
 
 /// Choices of ParameterId::contact: the action of a held key.
-enum ContactChoice { strikeContact = 0, scrapeContact = 1, rollContact = 2 };
+enum ContactChoice {
+    strikeContact = 0,
+    scrapeContact = 1,
+    rollContact = 2,
+    bowContact = 3,
+    rubContact = 4
+};
 
 } // namespace idiophone

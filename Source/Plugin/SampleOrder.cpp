@@ -20,8 +20,9 @@ Result<SampleTask> taskOfKeys(const SampleOrder& order) {
     const auto& settings = order.settings;
     const auto& values = order.sampled.values;
     if (static_cast<int>(values[ParameterId::contact]) != strikeContact)
-        return failure("This sound scrapes or rolls, which samples cannot follow. On the Contact "
-                       "page, choose Strike.");
+        return failure(
+            "This sound scrapes, rolls or bows, which samples cannot follow. On the Contact "
+            "page, choose Strike.");
     if (settings.roundRobins > 1 && !strikesVary(values))
         return failure("Without Spread and Chatter all round robins would sound alike.");
     auto keys = playedKeys(*order.sampled.instrument, settings.lowestKey, settings.highestKey);

@@ -3,6 +3,7 @@
 
 #include "Synth/SynthesisSettings.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <span>
@@ -21,6 +22,10 @@ public:
     std::size_t channels() const noexcept { return count; }
     std::span<float, cellSamples> operator[](std::size_t channel) const noexcept {
         return std::span<float, cellSamples>(samples[channel], cellSamples);
+    }
+    void clear() const noexcept {
+        for (std::size_t c = 0; c < count; ++c)
+            std::fill_n(samples[c], cellSamples, 0.0f);
     }
 
 private:

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 
 namespace idiophone {
 
@@ -202,6 +203,35 @@ void ForceResponses::moveAsHeard(const ForceCell& force) noexcept {
                changes(force) ? scratch.endResidues : scratch.startResidues, output.damping());
     if (!active.allMixed())
         active.listRinging();
+}
+
+void ForceResponses::findModes(const ForcePlace& place,
+                               const Listening& listening,
+                               std::span<const std::int32_t> starts,
+                               PointModes& modes) noexcept {
+    const Listening atThePlace{.nearGain = listening.nearGain / contactMicrophonePascals};
+    const PointModes::Source source{this, version, atThePlace.nearGain, place};
+    if (modes.source == source)
+        return;
+    modes.source = source;
+    ChannelResidues& residues = scratch.startResidues[0];
+    const ChannelResidues& computed = scratch.groupResidues[0];
+    const auto compute = [&](const ForcePoint& at) {
+        auto point = at.point; // hears along the force
+        std::ranges::transform(at.direction, point.normal.begin(), std::negate());
+        groupResidues.compute(point, at.direction, atThePlace);
+    };
+    compute(place.points[0]);
+    residues.copyFrom(computed, bank.paddedSize());
+    if (place.fraction != 0) {
+        compute(place.points[1]);
+        for (const auto part : {&ChannelResidues::re, &ChannelResidues::im}) {
+            float* const values = (residues.*part).data();
+            blendResponses(values, (computed.*part).data(), place.fraction, bank.paddedSize(),
+                           values);
+        }
+    }
+    takeStrongest(bank.poles(), starts, residues, modes);
 }
 
 void ForceResponses::reset() noexcept {

@@ -6,8 +6,10 @@
 #include "Synth/ForceResponse.h"
 #include "Synth/GroupResidues.h"
 #include "Synth/HeardForce.h"
+#include "Synth/PointModes.h"
 
 #include <cstdint>
+#include <span>
 
 namespace idiophone {
 
@@ -45,6 +47,13 @@ public:
     }
     /// Does the same directly after `hear`.
     void moveAsHeard(const ForceCell& force) noexcept;
+
+    /// Finds the modes that yield most at a valid place, unless `modes` are these already. `starts`
+    /// are those of the groups (ModeGroups).
+    void findModes(const ForcePlace& place,
+                   const Listening& listening,
+                   std::span<const std::int32_t> starts,
+                   PointModes& modes) noexcept;
 
     void reset() noexcept;
 

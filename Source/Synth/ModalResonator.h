@@ -9,6 +9,7 @@
 #include "Synth/GroupResidues.h"
 #include "Synth/ModeGroups.h"
 #include "Synth/PendingIncrements.h"
+#include "Synth/PointShapes.h"
 #include "Synth/SoundingGroups.h"
 #include "Synth/SynthesisSettings.h"
 #include "Synth/SynthesiserSlot.h"
@@ -150,6 +151,16 @@ public:
     }
     /// Moves the states by the whole cell of a force that has begun, before the next cell.
     void endForce(const ForceCell& force) noexcept { forces.move(force); }
+
+    /// Finds the modes that yield most at a place, with their poles in the current cell. Returns
+    /// false and does nothing if the place is not valid for this object.
+    bool findModes(const ForcePlace& place, PointModes& modes) noexcept {
+        if (!isOn(object, place))
+            return false;
+        prepareBank();
+        forces.findModes(place, listening, groups.starts(), modes);
+        return true;
+    }
 
     /// Silences everything at once. Touches the states of ringing blocks only.
     void reset() noexcept;

@@ -11,15 +11,6 @@
 
 namespace idiophone {
 
-namespace {
-
-void clear(const CellOutput& cell) {
-    for (std::size_t c = 0; c < cell.channels(); ++c)
-        std::fill_n(cell[c].data(), cellSamples, 0.0f);
-}
-
-} // namespace
-
 struct Synthesiser::Implementation {
     double sampleRate;
     std::unique_ptr<SynthesisScratch> scratch;
@@ -146,13 +137,13 @@ void Synthesiser::setTubeOpening(const TubeOpening& opening) noexcept {
 }
 
 void Synthesiser::beginCell(const CellOutput& cell) noexcept {
-    clear(cell);
+    cell.clear();
     mixInto([&cell](std::size_t) -> const CellOutput& { return cell; });
 }
 
 void Synthesiser::beginCell(std::span<const CellOutput> cellsOfSlots) noexcept {
     for (const CellOutput& cell : cellsOfSlots)
-        clear(cell);
+        cell.clear();
     mixInto([cellsOfSlots](std::size_t slot) -> const CellOutput& { return cellsOfSlots[slot]; });
 }
 
@@ -227,6 +218,11 @@ bool Synthesiser::applyForce(std::size_t slot,
     return implementation->press(slot, [&](ModalResonator& object, std::int32_t allowance) {
         return object.applyForce(force, allowance, cell);
     });
+}
+
+bool Synthesiser::findModes(std::size_t slot, const ForcePlace& place, PointModes& modes) noexcept {
+    return implementation->press(
+        slot, [&](ModalResonator& object, std::int32_t) { return object.findModes(place, modes); });
 }
 
 bool Synthesiser::beginForce(std::size_t slot, const ForceCell& force, HeardForce& heard) noexcept {

@@ -21,6 +21,7 @@
 namespace idiophone {
 
 class ModalResonator;
+struct PointModes;
 
 /// Constructed and destroyed off the audio thread; every other member is for the audio thread and
 /// neither allocates, locks nor throws. The output is surface velocity in m/s (full scale 1), or
@@ -94,6 +95,12 @@ public:
     /// nothing if the slot or a shape row does not exist, a value is not finite or a force is above
     /// 1e12 N. A response above 1e17 m/s to 1 N s is silent.
     bool applyForce(std::size_t slot, const ForceCell& force, const CellOutput& cell) noexcept;
+
+    /// Finds the modes of a slot that yield most at a place, as a force in the current cell meets
+    /// them: at most `PointModes::capacity`. Directions are unit vectors or zero. Costs little if
+    /// `modes` hold them already. Returns false and does nothing if the slot or a shape row does
+    /// not exist or a value is not finite.
+    bool findModes(std::size_t slot, const ForcePlace& place, PointModes& modes) noexcept;
 
     /// Begins, within the current cell, a force whose samples become known in its course, and
     /// computes how it will be heard. Returns false as `applyForce` does. The slot must exist in

@@ -79,7 +79,7 @@ std::shared_ptr<const Instrument> smallInstrument() {
 ParameterValues valuesOf(unsigned choice) {
     using enum ParameterId;
     ParameterValues values;
-    constexpr std::array contacts{strikeContact, scrapeContact, rollContact, strikeContact};
+    constexpr std::array contacts{strikeContact, scrapeContact, rollContact, bowContact};
     values.set(contact, contacts[choice % 4]);
     values.set(letRing, 0);
     values.set(releaseTime, 0.02);

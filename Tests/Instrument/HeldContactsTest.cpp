@@ -119,7 +119,7 @@ TEST_CASE("Reset All Controllers resets speed, place and pressure") {
 }
 
 TEST_CASE("Held contacts are bit-identical for block sizes 1, 7, 64, 480 and 4096") {
-    auto parameters = scraping(GENERATE(scrapeContact, rollContact));
+    auto parameters = scraping(GENERATE(scrapeContact, rollContact, bowContact));
     parameters.set(ParameterId::radiation, 50);
     parameters.set(ParameterId::letRing, 0);
     parameters.set(ParameterId::rollCoupling, 60);

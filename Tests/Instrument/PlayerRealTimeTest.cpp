@@ -45,7 +45,7 @@ Playing playCrowd(KeyMapKind kind,
 
 } // namespace
 
-TEST_CASE("Held keys that scrape and roll never allocate, however many are held") {
+TEST_CASE("Held keys that scrape, roll and bow never allocate, however many are held") {
     std::vector<MidiEvent> crowd;
     for (int i = 0; i < 300; ++i) {
         crowd.push_back(midi(i, i % 4 == 3 ? 0x80 : 0x90, 40 + i * 7 % 61, 1 + i % 127));
@@ -55,7 +55,7 @@ TEST_CASE("Held keys that scrape and roll never allocate, however many are held"
     }
     const auto playing =
         playCrowd(KeyMapKind::zones, crowd, 60, {}, [](int block, ParameterValues& parameters) {
-            parameters.set(contact, block % 20 == 19 ? strikeContact : 1 + block / 10 % 2);
+            parameters.set(contact, block % 20 == 19 ? strikeContact : 1 + block / 10 % 3);
             parameters.set(rollCoupling, block % 3 * 50);
         });
     CHECK(playing.allocations == 0);

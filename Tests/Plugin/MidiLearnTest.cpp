@@ -89,7 +89,7 @@ TEST_CASE("A controller covers all names of a choice and both sides of a switch"
     const auto last = static_cast<double>(choiceNames(material).size() - 1);
     CHECK(controlledValue(parameterInfo(material), 0) == 0);
     CHECK(controlledValue(parameterInfo(material), 127) == last);
-    CHECK(controlledValue(parameterInfo(contact), 64) == double{scrapeContact});
+    CHECK(controlledValue(parameterInfo(contact), 64) == double{rollContact});
     CHECK(controlledValue(parameterInfo(letRing), 63) == 0);
     CHECK(controlledValue(parameterInfo(letRing), 64) == 1);
     for (const auto& info : parameterTable())

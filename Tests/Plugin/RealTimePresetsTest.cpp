@@ -126,8 +126,9 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("Strikes, scrapes and rolls with every controller stay real-time safe in every factory "
-          "preset") {
+TEST_CASE(
+    "Strikes, scrapes, rolls and bows with every controller stay real-time safe in every factory "
+    "preset") {
     if (!realTimeTrapWorks())
         SKIP("the trap needs Linux with glibc and no sanitizer");
     struct Way {
@@ -143,7 +144,8 @@ TEST_CASE("Strikes, scrapes and rolls with every controller stay real-time safe 
         const auto midi = heldKeys(host.processor.view().instrument.keyRange());
         for (const auto& way :
              {Way{strikeContact, 0, leastStruck}, Way{scrapeContact, 0, leastPressed},
-              Way{rollContact, 0, leastPressed}, Way{rollContact, 100, leastPressed}}) {
+              Way{rollContact, 0, leastPressed}, Way{rollContact, 100, leastPressed},
+              Way{bowContact, 0, leastPressed}}) {
             host.choose(program);
             host.processor.view().parameters.change(ParameterId::contact, way.contact);
             host.processor.view().parameters.change(ParameterId::rollCoupling, way.coupling);

@@ -69,7 +69,7 @@ void RandomSession::play(double seconds, std::uint64_t seed, double notesPerSeco
     music.endSlide();
     if (changes == Changes::parameters && chance.share() < 0.7) {
         // A slow contact as long as the music.
-        const double kind = chance.share() < 0.5 ? scrapeContact : rollContact;
+        const double kind = scrapeContact + chance.below(3);
         processor.getParameters()[static_cast<int>(contact)]->setValue(
             static_cast<float>(parameterInfo(contact).toNormalised(kind)));
         music.slide(midi, processor.view().instrument.keyRange(), end);
