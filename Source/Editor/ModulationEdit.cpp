@@ -75,7 +75,10 @@ void addModulationItems(juce::PopupMenu& menu, ParameterId target, ProcessorView
         });
     const bool hasRoom = std::ranges::any_of(
         modulationRoutes, [&](const auto& route) { return isFree(view.parameters, route); });
-    menu.addSubMenu(hasRoom ? "Modulate by" : "All eight modulations are in use", sources, hasRoom);
+    if (hasRoom)
+        menu.addSubMenu("Modulate by", sources);
+    else
+        menu.addItem("All eight modulations are in use", false, false, nullptr);
     for (const auto& route : routesTo(view.parameters, target))
         menu.addItem("Forget modulation by " + sourceName(view.parameters, route), [&view, route] {
             const NamedEdit step(view.history, stepName);

@@ -85,11 +85,11 @@ TEST_CASE("The menu takes free routes only, and says when there are none") {
     for (std::size_t i = 0; i < routeCount; ++i)
         REQUIRE(rig.choose(decay, "Random"));
     CHECK_FALSE(rig.choose(tune, "Random"));
+    juce::StringArray texts;
     const auto items = rig.menu(tune);
-    juce::PopupMenu::MenuItemIterator item(items);
-    REQUIRE(item.next());
-    REQUIRE((item.getItem().text == "All eight modulations are in use" || item.next()));
-    CHECK(item.getItem().text == "All eight modulations are in use");
+    for (juce::PopupMenu::MenuItemIterator item(items); item.next();)
+        texts.add(item.getItem().text);
+    CHECK(texts.contains("All eight modulations are in use"));
 }
 
 TEST_CASE("A parameter that modulation cannot move has no items for it") {
