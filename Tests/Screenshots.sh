@@ -102,6 +102,10 @@ for look in light dark; do
     shot "$look-handbell-nodes"
     nodal_lines
     drag 540 190 640 330 "$look-handbell-scraped"
+    choose breathing
+    click 911 374
+    shot "$look-modulation"
+    click 160 374
     choose 'rosewood xylophone'
     other_look
 done
@@ -127,7 +131,7 @@ done
 # By keys alone: on from the picture to a knob of the Play page, and its menu.
 click 590 240
 # shellcheck disable=SC2046
-xdotool key $(yes Tab | head -22)
+xdotool key $(yes Tab | head -24)
 sleep 0.3
 xdotool key Up Up Up
 sleep 0.3
@@ -163,7 +167,7 @@ choose 'rosewood xylophone'
 other_look
 
 # The form that makes a material from a recording, for a bowl.
-click 333 374
+click 267 374
 click 737 465
 click 900 467
 xdotool key Up Up Return

@@ -48,8 +48,13 @@ this page.
 """
 
 
-def parameter_row(parameter):
-    reach = ", ".join(parameter.get("choices", [])) or parameter["range_text"]
+def parameter_row(parameter, earlier):
+    choices = ", ".join(parameter.get("choices", []))
+    reach = choices or parameter["range_text"]
+    if choices in earlier:
+        reach = f"as `{earlier[choices]}`"
+    elif choices:
+        earlier[choices] = parameter["id"]
     if parameter["id"] == "material":
         reach = "Own, Custom, or one of the [materials](../materials.md)"
     if parameter["physical"]:
@@ -59,9 +64,9 @@ def parameter_row(parameter):
 
 
 def parameters_page(parameters):
-    groups = {}
+    groups, earlier = {}, {}
     for parameter in parameters:
-        groups.setdefault(parameter["group"], []).append(parameter_row(parameter))
+        groups.setdefault(parameter["group"], []).append(parameter_row(parameter, earlier))
     return PARAMETERS + "".join(GROUP.format(group=group) + "".join(rows)
                                 for group, rows in groups.items())
 

@@ -5,6 +5,7 @@
 #include "Parameters/ParameterTable.h"
 #include "Scene/FactoryScenes.h"
 
+#include <algorithm>
 #include <array>
 #include <iostream>
 #include <string>
@@ -71,6 +72,13 @@ std::string shortDefault(const ParameterInfo& info) {
     return isName ? formatParameter(info, info.defaultValue) : numberText(info.defaultValue);
 }
 
+/// Returns the first parameter with the same choices.
+const ParameterInfo& firstWithChoicesOf(const ParameterInfo& info) {
+    return *std::ranges::find_if(parameterTable(), [&](const ParameterInfo& other) {
+        return choiceNames(other.parameter).data() == choiceNames(info.parameter).data();
+    });
+}
+
 void printParameters() {
     const auto print = [](std::string_view id, std::string_view range, std::string_view value,
                           std::string_view description) {
@@ -83,6 +91,10 @@ void printParameters() {
     for (const auto& info : parameterTable()) {
         if (info.scale != ParameterScale::choice)
             continue;
+        if (const auto& first = firstWithChoicesOf(info); first.parameter != info.parameter) {
+            std::cout << leftColumn(info.id, 16) << "as " << first.id << '\n';
+            continue;
+        }
         std::string names;
         for (const auto name : choiceNames(info.parameter)) // some names contain commas
             names += (names.empty() ? "" : "; ") + std::string(name);

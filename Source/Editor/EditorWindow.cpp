@@ -4,7 +4,7 @@
 #include "Editor/ImportPage.h"
 #include "Editor/MaterialPage.h"
 #include "Editor/ModesPage.h"
-#include "Editor/ParameterPage.h"
+#include "Editor/PlainPages.h"
 #include "Editor/PlayPage.h"
 #include "Editor/QualityPage.h"
 #include "Editor/StrikePage.h"
@@ -92,13 +92,7 @@ void EditorWindow::makePages() {
     deck.add(std::move(modes));
     tuningPage = deck.pageCount();
     deck.add(std::make_unique<TuningPage>(view));
-    deck.add(std::make_unique<ParameterPage>(
-        "Contact", std::vector<ParameterGroup>{{"Scrape, roll, bow", 0}, {"Keys", 1}, {"Motor", 1}},
-        view));
-    deck.add(std::make_unique<ParameterPage>(
-        "Output",
-        std::vector<ParameterGroup>{{"Listening", 0}, {"Room", 0}, {"Output", 1}, {"Sound in", 1}},
-        view));
+    addPlainPages(deck, view);
     importPage = deck.pageCount();
     deck.add(std::make_unique<ImportPage>(view));
     deck.add(std::make_unique<QualityPage>(view));

@@ -22,6 +22,15 @@ constexpr Palette dark{0xff15171b, 0xff1d2026, 0xff2e333c, 0xffe3e6eb,
 constexpr Palette light{0xffe9e6df, 0xfff8f6f2, 0xffc9c4b9, 0xff23262b,
                         0xff565c66, 0xff8a5210, 0xffffffff, 0xffb02a1c};
 
+const juce::Identifier modulatedFrom("modulatedFrom"), modulatedTo("modulatedTo");
+
+std::optional<juce::Range<double>> modulatedPlaces(juce::Slider& slider) {
+    const auto& properties = slider.getProperties();
+    if (!properties.contains(modulatedFrom))
+        return std::nullopt;
+    return juce::Range<double>(properties[modulatedFrom], properties[modulatedTo]);
+}
+
 } // namespace
 
 juce::Colour colourOf(LookScheme scheme, LookColour colour) {
@@ -67,6 +76,18 @@ juce::Font Look::headingFont(float height) {
     return juce::Font(juce::FontOptions(height, juce::Font::bold));
 }
 
+void Look::showModulation(juce::Slider& slider, std::optional<juce::Range<double>> places) {
+    if (modulatedPlaces(slider) == places)
+        return;
+    auto& properties = slider.getProperties();
+    if (places) {
+        properties.set(modulatedFrom, places->getStart());
+        properties.set(modulatedTo, places->getEnd());
+    } else
+        properties.remove(modulatedFrom);
+    slider.repaint();
+}
+
 void Look::drawLinearSlider(juce::Graphics& g,
                             int x,
                             int y,
@@ -87,6 +108,18 @@ void Look::drawLinearSlider(juce::Graphics& g,
     g.setColour(colourOf(slider, LookColour::accent).withMultipliedAlpha(lively ? 1.0f : 0.75f));
     g.fillRoundedRectangle(track.withRight(thumb), thickness / 2);
     g.fillEllipse(juce::Rectangle<float>(2 * knob, 2 * knob).withCentre({thumb, middle}));
+    if (const auto moved = modulatedPlaces(slider)) {
+        const auto xAt = [&](double place) {
+            return track.getX() + track.getWidth() * static_cast<float>(place);
+        };
+        g.setColour(colourOf(slider, LookColour::text));
+        g.fillRect(
+            juce::Rectangle<float>(track.getX(),
+                                   std::min(middle + knob + 1, static_cast<float>(y + height) - 2),
+                                   track.getWidth(), 2)
+                .withLeft(xAt(moved->getStart()))
+                .withRight(xAt(moved->getEnd())));
+    }
 }
 
 /// The arc runs from the value that a reset gives to the current one.
@@ -107,12 +140,15 @@ void Look::drawRotarySlider(juce::Graphics& g,
     const auto angleAt = [&](double share) {
         return startAngle + static_cast<float>(share) * (endAngle - startAngle);
     };
-    const auto arc = [&](float from, float to, juce::Colour colour) {
+    const auto arcAt = [&](float distance, float stroke, float from, float to,
+                           juce::Colour colour) {
         juce::Path path;
-        path.addCentredArc(middleX, middleY, radius, radius, 0, from, to, true);
+        path.addCentredArc(middleX, middleY, distance, distance, 0, from, to, true);
         g.setColour(colour);
-        g.strokePath(path,
-                     {thickness, juce::PathStrokeType::curved, juce::PathStrokeType::rounded});
+        g.strokePath(path, {stroke, juce::PathStrokeType::curved, juce::PathStrokeType::rounded});
+    };
+    const auto arc = [&](float from, float to, juce::Colour colour) {
+        arcAt(radius, thickness, from, to, colour);
     };
     const bool lively = slider.isMouseOverOrDragging() || slider.hasKeyboardFocus(true);
     const auto accent = colourOf(slider, LookColour::accent);
@@ -122,6 +158,9 @@ void Look::drawRotarySlider(juce::Graphics& g,
     arc(startAngle, endAngle, colourOf(slider, LookColour::outline));
     if (std::abs(angle - origin) > 1e-3f)
         arc(std::min(angle, origin), std::max(angle, origin), accent);
+    if (const auto moved = modulatedPlaces(slider))
+        arcAt(size / 2 - 1, 2, angleAt(moved->getStart()), angleAt(moved->getEnd()),
+              colourOf(slider, LookColour::text));
 
     const auto face =
         juce::Rectangle<float>(2 * (radius - thickness - 1), 2 * (radius - thickness - 1))

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <juce_gui_basics/juce_gui_basics.h>
+#include <optional>
 
 namespace idiophone {
 
@@ -29,6 +30,10 @@ public:
     /// To update components, call `sendLookAndFeelChange` of the window that uses this look.
     void setScheme(LookScheme scheme);
     LookScheme scheme() const { return current; }
+
+    /// Sets the part of a slider's range, as places from 0 to 1, that a line beside it marks as
+    /// moved by modulation; nothing: no line. Repaints the slider if this changes.
+    static void showModulation(juce::Slider& slider, std::optional<juce::Range<double>> places);
 
     static juce::Font textFont(float height = 13.5f);
     static juce::Font headingFont(float height = 12.5f);

@@ -10,6 +10,7 @@
 #include <functional>
 #include <memory>
 #include <numeric>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -155,7 +156,8 @@ private:
                 std::min(width, DeckPage::maximumWidth), below.getHeight()));
             pages[index]->refresh();
         }
-        const auto beside = tabPlaces.back().translated(tabPlaces.back().getWidth(), 0);
+        const auto& last = tabPlaces.back();
+        const auto beside = last.withLeft(last.getRight()).withRight(getWidth());
         units.setBounds(hasTwoRows ? beside.withSizeKeepingCentre(unitsWidth, beside.getHeight())
                                    : backs.back()
                                          .second.withHeight(titleHeight)
@@ -176,10 +178,20 @@ private:
         }
         const auto strip = area.removeFromTop(aboveHeight).withTrimmedBottom(4);
         const int columns = pageCount() / 2 + 1; // leaves a place for the switch of the units
-        const int width = strip.getWidth() / columns, height = strip.getHeight() / 2;
-        for (int i = 0; i < pageCount(); ++i)
-            places.emplace_back(strip.getX() + i % columns * width,
-                                strip.getY() + i / columns * height, width, height);
+        auto left = std::span(tabs);
+        for (const bool isUpper : {true, false}) {
+            const auto row = left.first(isUpper ? static_cast<std::size_t>(columns) : left.size());
+            left = left.subspan(row.size());
+            const int text =
+                std::accumulate(row.begin(), row.end(), isUpper ? 0 : unitsWidth,
+                                [](int sum, const auto& tab) { return sum + tab->textWidth(); });
+            const int spare = (strip.getWidth() - text) / columns;
+            auto line = strip.withHeight(strip.getHeight() / 2);
+            if (!isUpper)
+                line.setY(line.getBottom());
+            for (const auto& tab : row)
+                places.push_back(line.removeFromLeft(tab->textWidth() + spare));
+        }
         return places;
     }
     /// Equal widths if the longest name fits, else widths by the length of the names; empty if they

@@ -1,5 +1,6 @@
 #include "Editor/ParameterControl.h"
 
+#include "Editor/ModulationEdit.h"
 #include "Editor/NamedEdit.h"
 #include "Editor/Utf8.h"
 
@@ -26,7 +27,8 @@ ParameterControl::ParameterControl(const ParameterInfo& row,
       burst([this] { beginGesture(); }, [this] { endGesture(); }) {
     const auto title = fromUtf8(info.name);
     setTitle(title);
-    addAndMakeVisible(name);
+    if (shape != Shape::bare)
+        addAndMakeVisible(name);
     if (info.scale == ParameterScale::onOff)
         makeSwitch();
     else if (info.scale == ParameterScale::choice)
@@ -136,6 +138,7 @@ void ParameterControl::refresh() {
     if (slider != nullptr)
         slider->setResetValue(view.parameters.presetValue(info.parameter));
     refreshController();
+    refreshModulation();
     const double now = view.parameters.effectiveValue(info.parameter);
     const bool live = view.parameters.isLive(info.parameter);
     const auto displayNow = valueDisplayAround(*this);
@@ -164,6 +167,8 @@ void ParameterControl::showTooltip() {
         text << "\n" << idleSentence(info.parameter);
     if (const auto sentence = controllerSentence(info, view.controllers); sentence.isNotEmpty())
         text << "\n" << sentence;
+    if (modulation.isNotEmpty())
+        text << "\n" << modulation;
     name.setTooltip(text);
     if (slider != nullptr)
         slider->setTooltip(text);
@@ -185,6 +190,22 @@ void ParameterControl::refreshController() {
     repaint();
 }
 
+void ParameterControl::refreshModulation() {
+    if (slider == nullptr)
+        return;
+    const auto range = shownModulation(view.parameters, info.parameter);
+    Look::showModulation(
+        *slider, range ? std::optional(juce::Range<double>(info.toNormalised(range->lowest),
+                                                           info.toNormalised(range->highest)))
+                       : std::nullopt);
+    auto sentence = modulationSentence(view.parameters, info.parameter);
+    if (sentence == modulation)
+        return;
+    modulation = std::move(sentence);
+    slider->setDescription(modulation);
+    showTooltip();
+}
+
 // When the mouse leaves the slider, the wheel gesture ends.
 void ParameterControl::mouseExit(const juce::MouseEvent& event) {
     if (event.eventComponent == slider.get())
@@ -201,7 +222,9 @@ void ParameterControl::paint(juce::Graphics& g) {
         return;
     const auto mark =
         juce::Rectangle<float>(markWidth - 4, markWidth - 4)
-            .withCentre({(markWidth - 4) / 2, static_cast<float>(name.getBounds().getCentreY())});
+            .withCentre({(markWidth - 4) / 2,
+                         shape == Shape::bare ? static_cast<float>(getHeight()) / 2
+                                              : static_cast<float>(name.getBounds().getCentreY())});
     g.setColour(colourOf(*this, LookColour::accent));
     if (isLearning)
         g.drawEllipse(mark.reduced(0.75f), 1.5f);
@@ -230,7 +253,19 @@ void ParameterControl::placeKnob() {
     slider->setBounds(area);
 }
 
+void ParameterControl::placeBare() {
+    auto area = getLocalBounds();
+    if (controller || isLearning)
+        area.removeFromLeft(juce::roundToInt(markWidth));
+    if (list != nullptr)
+        return list->setBounds(area);
+    value.setBounds(area.removeFromRight(58));
+    slider->setBounds(area);
+}
+
 void ParameterControl::resized() {
+    if (shape == Shape::bare)
+        return placeBare();
     auto area = getLocalBounds();
     if (slider == nullptr) {
         area.setHeight(juce::jmin(area.getHeight(), 25));

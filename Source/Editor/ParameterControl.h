@@ -1,5 +1,5 @@
 // The control of one parameter: its name, an editable value, and a slider, switch or list. A mark
-// shows that a MIDI controller moves it.
+// shows that a MIDI controller moves it, and a line beside the slider how far modulation does.
 #pragma once
 
 #include "Editor/ChoiceList.h"
@@ -18,14 +18,16 @@ namespace idiophone {
 class ParameterControl final : public juce::Component {
 public:
     enum class Shape {
-        row, ///< name and value above a slider, or beside a switch or list
-        knob ///< name above a knob, value below; for parameters with a slider
+        row,  ///< name and value above a slider, or beside a switch or list
+        knob, ///< name above a knob, value below; for parameters with a slider
+        bare  ///< without a name: a list, or a slider with the value beside it
     };
 
     ParameterControl(const ParameterInfo& info, ProcessorView& view, Shape shape = Shape::row);
     ~ParameterControl() override;
 
     void refresh();
+    const ParameterInfo& parameter() const { return info; }
 
     /// The menu for a right click or Shift+F10.
     juce::PopupMenu menu() const { return controlMenu.popup(); }
@@ -51,6 +53,8 @@ private:
     void placeName(juce::Rectangle<int> area);
     void placeKnob();
     void refreshController();
+    void refreshModulation();
+    void placeBare();
     void showTooltip();
 
     const ParameterInfo& info;
@@ -61,6 +65,7 @@ private:
     bool isLive = true;
     bool isLearning = false;
     std::optional<int> controller; ///< number of the MIDI controller that moves it
+    juce::String modulation;       ///< says what modulates it
     TextLabel name, value;
     std::unique_ptr<KeyedSlider> slider;
     std::unique_ptr<juce::ToggleButton> toggle;

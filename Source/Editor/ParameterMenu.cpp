@@ -1,5 +1,6 @@
 #include "Editor/ParameterMenu.h"
 
+#include "Editor/ModulationEdit.h"
 #include "Editor/NamedEdit.h"
 #include "Editor/Utf8.h"
 
@@ -47,6 +48,7 @@ juce::PopupMenu parameterMenu(const ParameterInfo& info,
                      [&midi, parameter] { midi.forgetController(parameter); });
     if (actions.listControllers != nullptr)
         menu.addItem("MIDI controllers...", std::move(actions.listControllers));
+    addModulationItems(menu, parameter, view);
     return menu;
 }
 

@@ -12,8 +12,6 @@ namespace {
 
 using enum ParameterId;
 
-constexpr double silencingSeconds = 0.02;    // T60 of All Sound Off
-constexpr double chokingSeconds = 0.06;      // T60 of a hand that grips
 constexpr float gainFractionPerCell = 0.15f; // of the distance to the goal: 10 ms
 
 std::vector<SynthesiserSlot> copySlots(const Instrument& instrument) {
@@ -31,9 +29,8 @@ CellRenderer::CellRenderer(const Instrument& played,
     : instrument(played),
       synth(copySlots(played), sampleRateHz, cellStrategy->hasMallets() ? 2 : 1),
       strategy(std::move(cellStrategy)), held(contacts), hand(scrapingHand), input(soundIn),
-      motor(cellSamples / sampleRateHz), slotTouched(synth.slotCount(), false),
-      slotHeld(synth.slotCount(), false), slotChoked(synth.slotCount(), false),
-      slotPressed(synth.slotCount(), 0), slotDamping(synth.slotCount(), 0) {
+      motor(cellSamples / sampleRateHz),
+      slotDampers(played, synth.slotCount(), strategy->hasMallets()) {
     for (std::size_t slot = 0; slot < synth.slotCount(); ++slot)
         if (const auto* part = played.part(slot))
             synth.setMaterial(slot, materialOfPart(*part, *played.slots()[slot].object));
@@ -157,55 +154,11 @@ StrikeMoment CellRenderer::moment(const ParameterValues& values, double softness
 }
 
 void CellRenderer::updateDampers(const ParameterValues& values, const KeyState& keys) {
-    slotHeld = slotTouched;
-    if (const auto slot = hand.heldSlot())
-        slotHeld[*slot] = true;
-    if (const auto slot = input.slotPressed())
-        slotHeld[*slot] = true;
-    const bool hasMallets = strategy->hasMallets();
-    if (values[letRing] != 0 || !hasMallets)
-        slotHeld.assign(slotHeld.size(), true);
-    std::fill(slotPressed.begin(), slotPressed.end(), 0.0f);
-    const bool pressureDamps = strikes(values) && hasMallets;
-    const auto heldKeys = keys.heldKeys();
-    for (std::size_t note = 0; note < heldKeys.size(); ++note) {
-        if (!heldKeys[note])
-            continue;
-        for (const Key& key : instrument.keysOf(static_cast<int>(note))) {
-            if (key.slot < 0)
-                continue;
-            const auto slot = static_cast<std::size_t>(key.slot);
-            slotHeld[slot] = true;
-            if (pressureDamps)
-                slotPressed[slot] = std::max(slotPressed[slot], keys.pressure(note));
-        }
-    }
-    const double released = decayPerSecond(values[releaseTime]);
-    const double silencing = decayPerSecond(silencingSeconds);
-    for (std::size_t slot = 0; slot < slotHeld.size(); ++slot) {
-        const double fraction = slotHeld[slot] ? slotPressed[slot] * slotPressed[slot] : 1;
-        const double damping = silenced           ? silencing
-                               : slotChoked[slot] ? decayPerSecond(chokingSeconds)
-                                                  : fraction * released;
-        if (std::exchange(slotDamping[slot], damping) != damping)
-            synth.setDamping(slot, damping);
-    }
-}
-
-void CellRenderer::choke(int note, int velocity) {
-    const auto struck = instrument.keysOf(note);
-    for (const Key& key : struck)
-        if (key.part != nullptr && key.part->chokeGroup > 0 && key.takes(velocity))
-            for (std::size_t slot = 0; slot < slotChoked.size(); ++slot)
-                if (instrument.part(slot)->chokeGroup == key.part->chokeGroup)
-                    slotChoked[slot] = true;
-    for (const Key& key : struck)
-        if (key.slot >= 0 && key.takes(velocity))
-            slotChoked[static_cast<std::size_t>(key.slot)] = false;
+    slotDampers.update(values, keys, hand.heldSlot(), input.slotPressed(), silenced, synth);
 }
 
 void CellRenderer::liftHands() {
-    std::fill(slotTouched.begin(), slotTouched.end(), false);
+    slotDampers.liftHands();
     hand.lift();
 }
 
@@ -229,10 +182,10 @@ void CellRenderer::reset() {
     index = -1;
     gainAtStart = gainAtEnd = 1;
     motor.reset();
+    slotDampers.reset();
     held.forgetAll();
     input.reset();
     silenced = hasRemains = false;
-    slotChoked.assign(slotChoked.size(), false);
 }
 
 bool CellRenderer::silent() const {

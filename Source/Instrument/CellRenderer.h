@@ -3,6 +3,7 @@
 #pragma once
 
 #include "Instrument/CellStrategy.h"
+#include "Instrument/Dampers.h"
 #include "Instrument/HandScrape.h"
 #include "Instrument/HeldContacts.h"
 #include "Instrument/InputForce.h"
@@ -13,7 +14,6 @@
 
 #include <memory>
 #include <optional>
-#include <vector>
 
 namespace idiophone {
 
@@ -57,12 +57,8 @@ public:
     }
 
     void updateDampers(const ParameterValues& values, const KeyState& keys);
-    /// Sets whether a hand touches a slot.
-    void touch(std::size_t slot, bool isTouched) { slotTouched[slot] = isTouched; }
+    Dampers& dampers() { return slotDampers; }
     void liftHands();
-
-    /// Damps the choke groups of a note's keys, except the keys that the note strikes.
-    void choke(int note, int velocity);
 
     void silence() { silenced = true; } ///< damps all sound until `endSilence`
     bool isSilenced() const { return silenced; }
@@ -95,13 +91,10 @@ private:
     StereoCell remains; ///< old sound after All Sound Off, for the next cell
     bool hasRemains = false;
     bool silenced = false;
-    int position = cellSamples;              ///< next sample to copy out
-    std::int64_t index = -1;                 ///< of the newest cell
-    float gainAtStart = 1, gainAtEnd = 1;    ///< of the newest cell; linear in between
-    std::vector<bool> slotTouched, slotHeld; ///< [slots]
-    std::vector<bool> slotChoked;            ///< [slots]
-    std::vector<float> slotPressed;          ///< [slots] maximum pressure of its keys
-    std::vector<double> slotDamping;         ///< [slots] set last
+    int position = cellSamples;           ///< next sample to copy out
+    std::int64_t index = -1;              ///< of the newest cell
+    float gainAtStart = 1, gainAtEnd = 1; ///< of the newest cell; linear in between
+    Dampers slotDampers;
 };
 
 } // namespace idiophone

@@ -132,6 +132,7 @@ void KeyState::controller(int channel, int number, int value) noexcept {
         for (int each = first; each <= last; ++each)
             held.controllers(each).speed = value;
         modulation = value;
+        wheelMoved = true;
         break;
     case midi::place:
         for (int each = first; each <= last; ++each)
@@ -190,6 +191,7 @@ void KeyState::resetControllers(PitchBend::Channels reached) noexcept {
             setKeyPressure(each, note, 0);
     }
     modulation = HeldContacts::controllerAtRest;
+    wheelMoved = false;
 }
 
 void KeyState::liftPedals() noexcept {
@@ -206,6 +208,7 @@ void KeyState::takeControllersOf(const KeyState& former) noexcept {
     sostenutoPedal = former.sostenutoPedal;
     softPedalFactor = former.softPedalFactor;
     modulation = former.modulation;
+    wheelMoved = former.wheelMoved;
     held.takeControllersOf(former.held);
 }
 
@@ -213,6 +216,7 @@ void KeyState::reset() noexcept {
     releaseAll();
     liftPedals();
     modulation = HeldContacts::controllerAtRest;
+    wheelMoved = false;
     held.reset();
     pitchBend.reset();
 }

@@ -38,6 +38,8 @@ public:
     /// Returns the soft pedal's factor of the mallet's speed.
     double softness() const noexcept { return softPedalFactor; }
     int modulationWheel() const noexcept { return modulation; } ///< 0 to 127
+    /// Returns the wheel's position from 0 to 1. Before it moves it counts as down.
+    double wheelForModulation() const noexcept { return wheelMoved ? modulation / 127.0 : 0; }
     PitchBend& bend() noexcept { return pitchBend; }
     const PitchBend& bend() const noexcept { return pitchBend; }
 
@@ -68,6 +70,7 @@ private:
     bool sostenutoPedal = false;
     double softPedalFactor = 1;
     int modulation = HeldContacts::controllerAtRest;
+    bool wheelMoved = false;                               ///< since the last reset of controllers
     std::array<std::array<float, 128>, 16> keyPressures{}; ///< [channel][note] 0 to 1
     std::array<float, 128> notePressures{};                ///< [note] maximum over channels
 };

@@ -57,13 +57,15 @@ Player::Player(std::shared_ptr<const Instrument> instrument,
                  sampleRateHz,
                  inputStrengths({playedInstrument, surface, sampleRateHz}, own),
                  HandScrape::firstFreeForce),
-      keys(held), slotTuning(*playedInstrument, cellSamples / sampleRateHz),
-      scheduler(*playedInstrument, seed), renderer(*playedInstrument,
-                                                   sampleRateHz,
-                                                   cellStrategy(performance.get()),
-                                                   held,
-                                                   hand,
-                                                   inputForce) {
+      keys(held), modulation(glide, keys, cellSamples / sampleRateHz, seed),
+      slotTuning(*playedInstrument, cellSamples / sampleRateHz),
+      slotModulation(playedInstrument->slots().size()), scheduler(*playedInstrument, seed),
+      renderer(*playedInstrument,
+               sampleRateHz,
+               cellStrategy(performance.get()),
+               held,
+               hand,
+               inputForce) {
     if (!performance)
         loudness = std::make_shared<MatchedGain>(
             LoudnessMatch(Phrase(playedInstrument, surface, sampleRateHz), own));
@@ -144,12 +146,15 @@ void Player::follow(const MidiEvent& event) {
     if (event.isNoteOn() && !slotTuning.sounds(note))
         return;
     keys.follow(event);
+    if (event.isNoteOff())
+        for (const Key& key : playedInstrument->keysOf(note))
+            if (key.slot >= 0)
+                renderer.dampers().release(static_cast<std::size_t>(key.slot), event.second());
     if (event.isNoteOn()) {
         slotTuning.noteOn(note);
+        beginNote(note, event.second());
         playedResizedKeys = playedResizedKeys || !playedInstrument->hasOwn(note);
-        playedLast = static_cast<std::size_t>(playedInstrument->key(note).slot);
-        renderer.choke(note, event.second());
-        renderer.endSilence(glide.values(), keys);
+        renderer.endSilence(modulation.values(), keys);
         inputForce.choose(note);
         if (!performance && !strikes(glide.values()))
             held.press(event.channel(), note, keys.softness() * event.second() / 127.0);
@@ -165,31 +170,53 @@ void Player::follow(const MidiEvent& event) {
     }
 }
 
+/// The note chokes other keys of its groups, but not the second layer of its own key.
+void Player::beginNote(int note, int velocity) {
+    modulation.noteOn(note, velocity);
+    const auto struck = playedInstrument->keysOf(note);
+    for (const Key& key : struck)
+        if (key.takes(velocity) && key.part != nullptr && key.part->chokeGroup > 0)
+            renderer.dampers().choke(key.part->chokeGroup);
+    for (auto key = struck.rbegin(); key != struck.rend(); ++key) // the first one was played last
+        if (key->takes(velocity))
+            beginOn(static_cast<std::size_t>(key->slot), note);
+}
+
+void Player::beginOn(std::size_t slot, int note) {
+    slotModulation.play(slot, note);
+    renderer.dampers().strike(slot, glide.values());
+    playedLast = slot;
+}
+
 void Player::beginCell(std::optional<double> beats) {
     glide.advance();
-    const auto& values = glide.values();
+    modulation.beginCell(tempo, beats);
+    slotModulation.apply(modulation, slotTuning, renderer.dampers());
+    const auto& values = modulation.values();
     if (inputForce.slotPressed()) // as a strike does
         renderer.endSilence(values, keys);
     slotTuning.apply(keys.bend(), renderer.synthesiser());
     const auto turns = beats && tempo > 0 ? motorTurnsAt(values, *beats) : std::nullopt;
     renderer.turnMotor(values, tempo, turns, turns && silent());
     renderer.beginCell(values, keys, scheduler);
-    if (!loudness)
-        return;
-    const double gainDb = loudness->follow(glide.goalValues(), keys.modulationWheel(), mayWait);
-    renderer.moveGain(static_cast<float>(std::pow(10, gainDb / 20)));
+    const double matchedDb =
+        loudness ? loudness->follow(glide.goalValues(), keys.modulationWheel(), mayWait) : 0;
+    const double modulatedDb = values[ParameterId::level] - glide.values()[ParameterId::level];
+    renderer.moveGain(static_cast<float>(std::pow(10, (matchedDb + modulatedDb) / 20)));
 }
 
 /// Strikes the notes that came between two blocks, then these notes.
 void Player::strike(std::span<const MidiEvent> notes) {
     if (notes.empty() && lateNotes.empty() && !scheduler.hasSurfaceStrikes())
         return;
-    const auto& values = glide.values();
     if (renderer.isWithinCell() && !performance) {
+        slotModulation.apply(modulation, slotTuning, renderer.dampers());
         slotTuning.applyToPlayed(keys.bend(), renderer.synthesiser());
-        renderer.updateDampers(values, keys);
+        renderer.updateDampers(modulation.values(), keys);
     }
-    const auto moment = renderer.moment(values, keys.softness());
+    const auto momentOf = [this](int note) {
+        return renderer.moment(modulation.valuesOf(note), keys.softness());
+    };
     const auto strikeNote = [&](const MidiEvent& event) {
         const int note = event.first(), velocity = event.second();
         if (!event.isNoteOn() || !slotTuning.sounds(note))
@@ -198,33 +225,38 @@ void Player::strike(std::span<const MidiEvent> notes) {
             renderer.startNote(
                 *performance, note,
                 std::max(1, static_cast<int>(std::lround(keys.softness() * velocity))));
-        else if (strikes(values))
+        else if (strikes(glide.values()))
             for (const Key& key : playedInstrument->keysOf(note))
                 if (key.takes(velocity))
                     scheduler.strikeKey(key, velocity, held.controllers(event.channel()).place,
-                                        moment);
+                                        momentOf(note));
     };
     std::ranges::for_each(lateNotes, strikeNote);
     lateNotes.clear();
-    scheduler.strikeSurfaces(moment);
+    scheduler.strikeSurfaces(momentOf(Modulation::hand));
     std::ranges::for_each(notes, strikeNote);
 }
 
 void Player::strikeSurface(const SurfaceStrike& strike) {
     if (!playedInstrument->has(strike.slot, strike.point))
         return;
-    playedLast = strike.slot;
     inputForce.chooseSlot(strike.slot);
-    renderer.touch(strike.slot, strike.velocity > 0);
-    if (strike.velocity > 0 && scheduler.keep(strike))
-        renderer.endSilence(glide.values(), keys);
+    const bool isStruck = strike.velocity > 0;
+    renderer.dampers().touch(strike.slot, isStruck);
+    playedLast = strike.slot;
+    if (!isStruck)
+        return modulation.liftHand();
+    modulation.noteOn(Modulation::hand, strike.velocity);
+    beginOn(strike.slot, Modulation::hand);
+    if (scheduler.keep(strike))
+        renderer.endSilence(modulation.values(), keys);
 }
 
 void Player::scrapeSurface(const SurfaceTouch& touch) {
     if (!playedInstrument->has(touch.slot, touch.point))
         return;
     playedLast = touch.slot;
-    renderer.endSilence(glide.values(), keys);
+    renderer.endSilence(modulation.values(), keys);
     hand.touch(touch);
 }
 
@@ -240,6 +272,7 @@ bool Player::beginSong() {
     if (beginsAnew)
         restart();
     scheduler.countFrom(before);
+    modulation.countFrom(before);
     if (performance)
         performance->countNotesFrom(before);
     return beginsAnew;
@@ -249,6 +282,7 @@ bool Player::beginSong() {
 void Player::restart() {
     renderer.reset();
     glide.reset();
+    modulation.reset();
     scheduler.reset();
     slotTuning.reset();
     if (performance)

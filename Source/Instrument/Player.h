@@ -10,8 +10,10 @@
 #include "Instrument/KeyState.h"
 #include "Instrument/MatchedGain.h"
 #include "Instrument/MidiEvent.h"
+#include "Instrument/Modulation.h"
 #include "Instrument/ParameterGlide.h"
 #include "Instrument/SilencedModes.h"
+#include "Instrument/SlotModulation.h"
 #include "Instrument/SlotTuning.h"
 #include "Instrument/StereoSpan.h"
 #include "Instrument/StrikeScheduler.h"
@@ -145,6 +147,8 @@ public:
 private:
     std::span<const MidiEvent> follow(std::span<const MidiEvent> eventsOfOneSample);
     void follow(const MidiEvent& event);
+    void beginNote(int note, int velocity);
+    void beginOn(std::size_t slot, int note);
     void beginCell(std::optional<double> beats);
     void strike(std::span<const MidiEvent> notes);
     void restart();
@@ -158,7 +162,9 @@ private:
     HandScrape hand;
     InputForce inputForce;
     KeyState keys;
+    Modulation modulation;
     SlotTuning slotTuning;
+    SlotModulation slotModulation;
     StrikeScheduler scheduler;
     CellRenderer renderer;
     std::shared_ptr<MatchedGain> loudness; ///< null on a stage

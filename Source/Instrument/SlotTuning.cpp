@@ -62,7 +62,7 @@ void SlotTuning::applyToPlayed(const PitchBend& bend, Synthesiser& synthesiser) 
 }
 
 void SlotTuning::apply(std::size_t slot, const PitchBend& bend, Synthesiser& synthesiser) noexcept {
-    auto& [note, tuned, bent, bendsAtOnce, semitones] = slots[slot];
+    auto& [note, tuned, bent, shifted, bendsAtOnce, semitones] = slots[slot];
     double goal = bend.commonSemitones(note);
     if (note >= 0) {
         goal += bend.ownSemitones(note);
@@ -73,7 +73,7 @@ void SlotTuning::apply(std::size_t slot, const PitchBend& bend, Synthesiser& syn
     const double distance = goal - bent;
     const bool isThere = std::exchange(bendsAtOnce, false) || std::abs(distance) <= smallestStep;
     bent = isThere ? goal : bent + glideShare * distance;
-    const double wanted = tuned + bent;
+    const double wanted = tuned + bent + shifted;
     if (wanted == semitones)
         return;
     semitones = wanted;

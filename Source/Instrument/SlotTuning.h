@@ -30,6 +30,8 @@ public:
     /// Returns how far the tunings put the lowest slot below equal temperament, at least 0.
     double semitonesBelowEqual() const noexcept;
     void noteOn(int note) noexcept;
+    /// Shifts a slot from the next `apply` on, at once.
+    void shift(std::size_t slot, double semitones) noexcept { slots[slot].shifted = semitones; }
     /// Call once a cell, before it begins.
     void apply(const PitchBend& bend, Synthesiser& synthesiser) noexcept;
     /// Call within a cell, before new notes strike; affects only their slots.
@@ -38,9 +40,10 @@ public:
 
 private:
     struct SlotPitch {
-        int note = -1;    ///< note that sets its pitch; −1 if none was played
-        double tuned = 0; ///< semitones by the last tuning with a pitch for it
-        double bent = 0;  ///< semitones, gliding towards the wheels
+        int note = -1;      ///< note that sets its pitch; −1 if none was played
+        double tuned = 0;   ///< semitones by the last tuning with a pitch for it
+        double bent = 0;    ///< semitones, gliding towards the wheels
+        double shifted = 0; ///< semitones
         bool bendsAtOnce = true;
         double semitones = 0; ///< last value sent to the synthesiser
     };

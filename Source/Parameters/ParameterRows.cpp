@@ -1,4 +1,5 @@
 #include "Parameters/EmbeddedNames.h"
+#include "Parameters/ModulationTable.h"
 #include "Parameters/ParameterTable.h"
 
 #include <algorithm>
@@ -23,6 +24,40 @@ constexpr std::array<std::string_view, 9> motorSyncNames{"Free",  "1/1", "1/2", 
                                                          "1/4 T", "1/8", "1/8 T", "1/16"};
 constexpr std::array<double, motorSyncNames.size()> motorSyncLengths{
     0, 4, 2, 4.0 / 3, 1, 2.0 / 3, 0.5, 1.0 / 3, 0.25};
+
+// The same order as in ModulationTable.
+constexpr std::array<std::string_view, 11> lfoSyncNames{
+    "Free", "4/1", "2/1", "1/1", "1/2", "1/2 T", "1/4", "1/4 T", "1/8", "1/8 T", "1/16"};
+constexpr std::array<std::string_view, 6> lfoShapeNames{"Sine",   "Triangle", "Square",
+                                                        "Rising", "Falling",  "Random"};
+constexpr std::array<std::string_view, static_cast<std::size_t>(ModulationSource::count)>
+    sourceNames{"None", "LFO 1",    "LFO 2", "Envelope", "Velocity",
+                "Key",  "Pressure", "Wheel", "Random"};
+
+std::vector<std::string_view> targetNames() {
+    std::vector<std::string_view> names{"None"};
+    for (const auto target : modulationTargets())
+        names.emplace_back(rows[static_cast<std::size_t>(target)].name);
+    return names;
+}
+
+/// Returns the names of a choice of modulation, or nothing for other parameters.
+std::span<const std::string_view> modulationNames(ParameterId parameter) {
+    static const auto namesOfTargets = targetNames();
+    for (const auto& lfo : lfoParameters) {
+        if (parameter == lfo.sync)
+            return lfoSyncNames;
+        if (parameter == lfo.shape)
+            return lfoShapeNames;
+    }
+    for (const auto& route : modulationRoutes) {
+        if (parameter == route.source)
+            return sourceNames;
+        if (parameter == route.target)
+            return namesOfTargets;
+    }
+    return {};
+}
 
 std::vector<std::string_view> with(std::vector<std::string_view> names,
                                    std::span<const std::string_view> ofLibrary) {
@@ -54,7 +89,7 @@ std::span<const std::string_view> choiceNames(ParameterId parameter) {
         return contactNames;
     if (parameter == motorSync)
         return motorSyncNames;
-    return {};
+    return modulationNames(parameter);
 }
 
 double motorSyncBeats(int choice) {

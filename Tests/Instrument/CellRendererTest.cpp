@@ -106,7 +106,8 @@ TEST_CASE("A damper falls on a slot when its key goes up, unless a hand touches 
         rig->copy(640);
         rig->release(69);
     }
-    touched.renderer.touch(static_cast<std::size_t>(touched.instrument->key(69).slot), true);
+    touched.renderer.dampers().touch(static_cast<std::size_t>(touched.instrument->key(69).slot),
+                                     true);
     const auto damped = released.copy(4800), ringing = touched.copy(4800);
     CHECK(rms(std::span(damped).last(480)) < 0.01 * rms(std::span(ringing).last(480)));
     touched.renderer.liftHands();

@@ -6,6 +6,7 @@
 #include "Instrument/Player.h"
 #include "Instrument/Scatter.h"
 #include "IntegratedLufs.h"
+#include "Parameters/ModulationTable.h"
 #include "Support/KeyedPresets.h"
 #include "Support/RenderNotes.h"
 #include "Support/WithParameter.h"
@@ -68,6 +69,8 @@ public:
         own.set(contact, kind);
         own.set(matchLoudness, 1);
         own.set(imperfection, 0); // random for each key, so no prediction includes it
+        for (const auto& route : modulationRoutes) // nor modulation
+            own.set(route.source, 0);
         match.emplace(predicted, own);
         for (std::uint32_t take = 0; take < takes; ++take)
             voices.push_back(std::make_unique<Player>(

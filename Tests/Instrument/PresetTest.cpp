@@ -154,6 +154,8 @@ TEST_CASE("An invalid preset is refused with its fault and the fault's place") {
     checkRefused(head + map + R"(,"parameters":[]})", "parameters is not a JSON object");
     checkRefused(head + map + R"(,"parameters":{"tau":"loud"}})",
                  "parameters.tau is a value that it cannot take");
+    checkRefused(head + map + R"(,"parameters":{"mod3_target":"Wobble"}})",
+                 "parameters.mod3_target is a value that it cannot take");
     checkRefused(head + map + R"(,"surface":3})", "surface is not an Idiophone surface");
     checkRefused(head + map + R"(,"surface":{"format":"idiophone-surface","version":1}})",
                  "surface lacks 'spectrum_exponent'");

@@ -1,5 +1,6 @@
 // Moves every parameter in one jump while something sounds, as a host does that sends one value a
 // block. The sound must follow gradually, without a step.
+#include "Parameters/ModulationTable.h"
 #include "Support/Level.h"
 #include "Support/TestSound.h"
 
@@ -211,6 +212,13 @@ double shareOfSteps(const Cells& moved, const Cells& still) {
 
 constexpr auto asPole = Heard::asPole, asLevel = Heard::asLevel, ofImpacts = Heard::ofImpacts;
 
+/// A route from velocity to this target, for the jumps of its parameters.
+std::vector<std::pair<ParameterId, double>> byVelocity(ParameterId target) {
+    return {{modulation1Source, static_cast<double>(ModulationSource::velocity)},
+            {modulation1Target, modulationTargetChoice(target)},
+            {modulation1Amount, -50}};
+}
+
 const std::vector<Jump> jumpsWhileRinging{
     {youngsModulus, 10, 12, asPole},
     {density, 1000, 1200, asPole},
@@ -235,6 +243,8 @@ const std::vector<Jump> jumpsWhileRinging{
     {roomDecay, 0.4, 10, asLevel, {{room, 100}}},
     {motorDepth, 0, 100, asLevel, {{motorSpeed, 1}}},
     {motorSpeed, 1, 12, asLevel, {{motorDepth, 100}}},
+    {modulation1Amount, 0, -50, asLevel, byVelocity(level)},
+    {modulation1Amount, 0, -50, asPole, byVelocity(decay)},
     {strikeAlong, -90, 90, ofImpacts},
     {strikeAcross, -90, 90, ofImpacts},
     {strikeSpread, 0, 100, ofImpacts},
@@ -250,6 +260,7 @@ const std::vector<Jump> jumpsWhileRinging{
     {radiation, 0, 100, ofImpacts},
     {mallet, customMallet, firstRackMallet, ofImpacts},
     {modalPulse, 0, 1, ofImpacts},
+    {deadStroke, 0, 1, ofImpacts},
     {contact, strikeContact, scrapeContact, ofImpacts},
 };
 
@@ -270,6 +281,10 @@ const std::vector<Jump> switchesWhileRinging{
     {mpeBendRange, 2, 3, asLevel, {{mpe, 1}}, bentOfItsOwn},
     {matchLoudness, 0, 1, asLevel, {{material, firstLibraryMaterial}}},
     {keepPitch, 0, 1, asLevel, {{size, 1.1}}},
+    {modulation1Source, 0, static_cast<double>(ModulationSource::velocity), asLevel,
+     byVelocity(level)},
+    {modulation1Target, static_cast<double>(modulationTargetChoice(tune)),
+     static_cast<double>(modulationTargetChoice(radiation)), asLevel, byVelocity(radiation)},
     {bypass, 0, 1, asLevel},
 };
 
@@ -384,9 +399,12 @@ TEST_CASE("A parameter that the host moves during a scrape or roll changes the s
 TEST_CASE("The jump tables cover every parameter that a host may move") {
     for (const auto& info : parameterTable()) {
         // Tested elsewhere: motorSync in HostSongTest, limiter in LimiterTest, imperfection in
-        // ImperfectionTest, sound that comes in in InputForceTest and DryWetTest.
+        // ImperfectionTest, sound that comes in in InputForceTest and DryWetTest, LFOs and the
+        // envelope in ModulationTest. All routes of modulation are alike.
+        const std::string_view group(info.group);
         if (info.parameter == motorSync || info.parameter == limiter ||
-            info.parameter == imperfection || info.group == std::string_view("Sound in"))
+            info.parameter == imperfection || group == "Sound in" || group.starts_with("LFO") ||
+            group == "Envelope" || group == "Modulation")
             continue;
         INFO(info.name);
         const auto isOfIt = [&](const Jump& jump) { return jump.parameter == info.parameter; };
