@@ -86,8 +86,9 @@ TEST_CASE("Every key of every bar instrument sounds within 1 cent of equal tempe
         // a cent.
         auto parameters = preset.parameters;
         parameters.set(ParameterId::compression, 0);
+        const auto player = playerFor(preset);
         for (int note = preset.keyMap.lowestNote; note <= preset.keyMap.highestNote; ++note) {
-            auto player = playerFor(preset);
+            player->reset();
             const auto sound =
                 renderStereo(*player, {midi(0, 0x90, note, 100)}, 14400, 480, parameters);
             const double expectedHz = 440 * std::exp2((note - 69) / 12.0);

@@ -25,11 +25,11 @@ std::shared_ptr<const Instrument> instrumentOf(const Preset& preset) {
 
 /// Returns the LUFS of the loudest 400 ms, [velocity][key].
 std::array<std::vector<double>, velocities.size()> loudnessOfKeys(const Preset& preset) {
-    const auto instrument = instrumentOf(preset);
+    Player player(instrumentOf(preset), sampleRateHz, preset.surface, preset.seed);
     std::array<std::vector<double>, velocities.size()> keys;
     for (int note = preset.keyMap.lowestNote; note <= preset.keyMap.highestNote; ++note)
         for (std::size_t k = 0; k < velocities.size(); ++k) {
-            Player player(instrument, sampleRateHz, preset.surface, preset.seed);
+            player.reset();
             const auto sound = renderStereo(player, {midi(0, 0x90, note, velocities[k])}, 28800,
                                             960, preset.parameters);
             std::vector<float> interleaved;
