@@ -23,7 +23,7 @@ using enum ParameterId;
 
 constexpr double sampleRateHz = 48000;
 
-double noteHz(int note) {
+double noteHz(double note) {
     return 440 * std::exp2((note - 69) / 12.0);
 }
 
@@ -34,9 +34,25 @@ struct Fundamental {
     std::size_t partner = 0; ///< the other mode that the tube shares, or the mode itself
 };
 
+/// Returns the mean over a mode and its partner, weighted by power, as they are heard.
+template <class ValueOf>
+double weightedMean(const ModalObject& object, const Fundamental& shared, const ValueOf& valueOf) {
+    if (shared.partner == shared.mode)
+        return valueOf(shared.mode);
+    const double one = static_cast<double>(std::norm(object.gains[shared.mode]));
+    const double other = static_cast<double>(std::norm(object.gains[shared.partner]));
+    return (one * valueOf(shared.mode) + other * valueOf(shared.partner)) / (one + other);
+}
+
 Fundamental fundamentalOf(const Preset& preset, const ModalObject& object, int note) {
-    if (preset.keyMap.kind == KeyMapKind::scaled)
-        return {};
+    if (preset.keyMap.kind == KeyMapKind::scaled) {
+        Fundamental lowest{.partner = sharingPartner(object, 0).value_or(0)};
+        if (const double reference = preset.keyMap.referenceNote; reference >= 0)
+            lowest.ratio = std::exp2(weightedMean(object, lowest, [&](std::size_t mode) {
+                return std::log2(object.dampedFrequencyHz(mode) / noteHz(reference));
+            }));
+        return lowest;
+    }
     Fundamental found{.ratio = preset.name == "Tubular Bells" ? 2.0 : 1.0};
     const auto miss = [&](std::size_t mode) {
         return std::abs(cents(object.dampedFrequencyHz(mode), found.ratio * noteHz(note)));
@@ -84,12 +100,7 @@ double missCents(const Instrument& instrument,
         return cents(dampedFrequency(pole) / (2 * std::numbers::pi),
                      fundamental.ratio * noteHz(note));
     };
-    if (fundamental.partner == fundamental.mode)
-        return missOf(fundamental.mode);
-    // Two modes that bar and tube share are heard at their power-weighted mean.
-    const double one = static_cast<double>(std::norm(slot.object->gains[fundamental.mode]));
-    const double other = static_cast<double>(std::norm(slot.object->gains[fundamental.partner]));
-    return (one * missOf(fundamental.mode) + other * missOf(fundamental.partner)) / (one + other);
+    return weightedMean(*slot.object, fundamental, missOf);
 }
 
 /// Renders one stream in blocks of a size; the next values act every 960 samples.
