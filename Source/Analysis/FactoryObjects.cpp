@@ -1,36 +1,22 @@
 #include "Analysis/FactoryObjects.h"
 
 #include "Analysis/FactoryBars.h"
+#include "Analysis/FactoryBlocks.h"
 #include "Analysis/FactoryRods.h"
+#include "Analysis/FactoryShape.h"
+#include "Analysis/FactoryShells.h"
 #include "Analysis/FactoryTubes.h"
-#include "Analysis/ModalAnalysis.h"
-#include "Analysis/SolidShell.h"
 #include "Geometry/ParametricMesh.h"
-#include "Geometry/SpreadVertices.h"
 #include "Geometry/TurnedSections.h"
 
 #include <algorithm>
-#include <chrono>
+#include <array>
 #include <cmath>
 #include <numbers>
-#include <string_view>
+#include <span>
 
 namespace idiophone {
 namespace {
-
-enum class Listeners { inFront, allAround };
-
-/// The mesh of a sheet or a solid, or the section of a turned shell.
-struct Shape {
-    std::string_view name, source, material;
-    Mesh (*mesh)() = nullptr;
-    double thicknessMetres = 0; ///< of a sheet; 0 for a solid
-    std::vector<LathePoint> (*section)() = nullptr;
-    double edgeMetres = 0; ///< of a turned shell's triangles
-    double maxFrequencyHz = 0;
-    std::size_t shapeVertexCount = 0; ///< 0: all; on the outside of a turned shell
-    Listeners listeners = Listeners::inFront;
-};
 
 /// A worn pebble: three shallow waves on an ellipsoid.
 Mesh pebbleMesh() {
@@ -83,7 +69,7 @@ std::vector<LathePoint> shellCaseSection() {
                         .mouthThicknessMetres = 0.0013});
 }
 
-constexpr Shape shapes[] = {
+constexpr FactoryShape shapes[] = {
     {.name = "plate",
      .source = "generated steel plate, 300 x 200 x 3 mm",
      .material = "Steel",
@@ -191,49 +177,8 @@ constexpr Shape shapes[] = {
      .shapeVertexCount = 200},
 };
 
-std::vector<int> shapeVertices(const Shape& shape, const Mesh& mesh) {
-    if (shape.shapeVertexCount == 0)
-        return {};
-    return spreadVertices(mesh, allVertices(mesh), shape.shapeVertexCount);
-}
-
-std::vector<Eigen::Vector3d> listeningDirections(const Shape& shape) {
-    return shape.listeners == Listeners::allAround ? directionsAllAround() : stereoDirections();
-}
-
-Result<ModalObject> analysedMesh(const Shape& shape, const WorkControl& control) {
-    const Mesh mesh = shape.mesh();
-    const bool isSolid = shape.thicknessMetres == 0;
-    AnalysisSettings settings{.name = std::string(shape.name),
-                              .source = std::string(shape.source),
-                              .material = *findMaterial(shape.material),
-                              .method =
-                                  isSolid ? AnalysisMethod::tetrahedra : AnalysisMethod::twoLayer,
-                              .maxFrequencyHz = shape.maxFrequencyHz,
-                              .shapeVertices = shapeVertices(shape, mesh),
-                              .listeningDirections = listeningDirections(shape),
-                              .radiation = RadiationMethod::exact};
-    if (!isSolid)
-        settings.thicknessMetres = shape.thicknessMetres;
-    return analyse(mesh, settings, control);
-}
-
-Result<ModalObject> analysedTurned(const Shape& shape, const WorkControl& control) {
-    const auto start = std::chrono::steady_clock::now();
-    const LatheMesh lathe = latheMesh(shape.section(), shape.edgeMetres);
-    auto object =
-        solveBody(solidShell(lathe.mesh, lathe.thicknessMetres, *findMaterial(shape.material)),
-                  {.name = std::string(shape.name),
-                   .source = std::string(shape.source),
-                   .maxFrequencyHz = shape.maxFrequencyHz,
-                   .shapeVertices = shapeVertices(shape, lathe.mesh),
-                   .listeningDirections = listeningDirections(shape),
-                   .radiation = RadiationMethod::exact},
-                  control);
-    if (object)
-        object->provenance.analysisSeconds =
-            std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    return object;
+std::array<std::span<const FactoryShape>, 3> shapeTables() {
+    return {shapes, factoryShells(), factoryBlocks()};
 }
 
 } // namespace
@@ -243,8 +188,9 @@ std::vector<std::string> factoryObjectNames() {
     for (const auto& instrument : barInstruments())
         for (int note = instrument.lowestNote; note <= instrument.highestNote; ++note)
             names.push_back(instrument.barName(note));
-    for (const auto& shape : shapes)
-        names.emplace_back(shape.name);
+    for (const auto& table : shapeTables())
+        for (const auto& shape : table)
+            names.emplace_back(shape.name);
     for (const auto& more : {factoryTubeNames(), factoryRodNames()})
         names.insert(names.end(), more.begin(), more.end());
     return names;
@@ -256,10 +202,10 @@ Result<ModalObject> makeFactoryObject(const std::string& name, const WorkControl
             if (instrument.barName(note) == name)
                 return tuneBar(instrument.barAt(note, noteFrequencyHz(note)), control)
                     .map([](TunedBar tuned) { return std::move(tuned.object); });
-    if (const auto* shape = std::ranges::find(shapes, name, &Shape::name);
-        shape != std::end(shapes))
-        return shape->mesh != nullptr ? analysedMesh(*shape, control)
-                                      : analysedTurned(*shape, control);
+    for (const auto& table : shapeTables())
+        if (const auto shape = std::ranges::find(table, name, &FactoryShape::name);
+            shape != table.end())
+            return analysedShape(*shape, control);
     if (auto tube = makeFactoryTube(name, control))
         return std::move(*tube);
     if (auto rod = makeFactoryRod(name, control))

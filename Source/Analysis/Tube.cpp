@@ -36,11 +36,13 @@ struct Mode {
 };
 
 /// Returns a mode far from the resonances, which drives the tube's impedance at its own frequency.
-Mode drivingMode(const ModalObject& bar, std::size_t mode, const Tube& tube, double mouthKgPerM2) {
+Mode drivingMode(const ModalObject& bar,
+                 std::size_t mode,
+                 const ResonantAir& air,
+                 double mouthKgPerM2) {
     const double omega = std::sqrt(bar.eigenvalues[mode]);
     const Complex pressure(0, omega * mouthKgPerM2); // per unit modal velocity
-    const Complex impedance =
-        airImpedancePaSPerM / tube.mouthM2() * tube.relativeImpedance(omega / (2 * pi));
+    const Complex impedance = air.impedancePaSPerM3(omega / (2 * pi));
     const double extra = bar.damping(mode).extraPerSecond;
     return {.source = mode,
             .eigenvalue = bar.eigenvalues[mode],
@@ -97,11 +99,10 @@ std::optional<std::size_t> sharingMode(const ModalObject& bar,
 }
 
 std::vector<Mode>
-modesOver(const ModalObject& bar, const Tube& tube, std::span<const double> mouthKgPerM2) {
+modesOver(const ModalObject& bar, const ResonantAir& air, std::span<const double> mouthKgPerM2) {
     std::vector<Mode> modes;
     std::vector<bool> isShared(bar.modeCount());
-    for (int n = 0; (2 * n + 1) * tube.frequencyHz < bar.bandHz; ++n) {
-        const TubeResonance resonance = tube.resonance(n);
+    for (const TubeResonance& resonance : air.resonances) {
         const auto mode = sharingMode(bar, resonance, mouthKgPerM2);
         if (!mode || isShared[*mode])
             continue;
@@ -113,7 +114,7 @@ modesOver(const ModalObject& bar, const Tube& tube, std::span<const double> mout
     }
     for (std::size_t mode = 0; mode < bar.modeCount(); ++mode)
         if (!isShared[mode])
-            modes.push_back(drivingMode(bar, mode, tube, mouthKgPerM2[mode]));
+            modes.push_back(drivingMode(bar, mode, air, mouthKgPerM2[mode]));
     std::ranges::sort(modes, {}, &Mode::eigenvalue);
     return modes;
 }
@@ -190,7 +191,24 @@ void addTube(ModalObject& bar,
              const Tube& tube,
              std::span<const double> mouthKgPerM2,
              const std::array<double, 3>& mouthMetres) {
-    const auto modes = modesOver(bar, tube, mouthKgPerM2);
+    std::vector<TubeResonance> resonances;
+    for (int n = 0; (2 * n + 1) * tube.frequencyHz < bar.bandHz; ++n)
+        resonances.push_back(tube.resonance(n));
+    addResonantAir(bar,
+                   {.resonances = resonances,
+                    .impedancePaSPerM3 =
+                        [&](double frequencyHz) {
+                            return airImpedancePaSPerM / tube.mouthM2() *
+                                   tube.relativeImpedance(frequencyHz);
+                        }},
+                   mouthKgPerM2, mouthMetres);
+}
+
+void addResonantAir(ModalObject& bar,
+                    const ResonantAir& air,
+                    std::span<const double> mouthKgPerM2,
+                    const std::array<double, 3>& mouthMetres) {
+    const auto modes = modesOver(bar, air, mouthKgPerM2);
     const ModalObject before = std::exchange(bar, ModalObject(bar));
     const RadiationTable& table = before.radiation;
     const std::size_t ratios = table.frequencyRatios.size(), modesBefore = before.modeCount();

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <complex>
+#include <functional>
 #include <span>
 
 namespace idiophone {
@@ -68,6 +69,13 @@ std::array<SharedMode, 2> sharedModes(double barOmega,
                                       const TubeResonance& tube,
                                       double mouthKgPerM2);
 
+/// The air beside a body: its resonances in the body's band, and pressure over flow at the mouth
+/// for a frequency in Hz.
+struct ResonantAir {
+    std::span<const TubeResonance> resonances;
+    std::function<std::complex<double>(double)> impedancePaSPerM3;
+};
+
 /// Adds the tube to the bar. Each resonance in the band shares the mode to which it couples most,
 /// if that lies within a whole tone. Two modes with that mode's shape, and with gains, then replace
 /// it. If one of them has a gain below 0.001, the bar's own mode is kept, because it hardly
@@ -81,5 +89,11 @@ void addTube(ModalObject& bar,
              const Tube& tube,
              std::span<const double> mouthKgPerM2,
              const std::array<double, 3>& mouthMetres);
+
+/// Does the same with other air, such as a cavity's (Cavity.h).
+void addResonantAir(ModalObject& body,
+                    const ResonantAir& air,
+                    std::span<const double> mouthKgPerM2,
+                    const std::array<double, 3>& mouthMetres);
 
 } // namespace idiophone

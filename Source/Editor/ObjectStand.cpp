@@ -124,7 +124,9 @@ float addStand(FurnitureParts& parts,
         constexpr float flare = 1.25f;
         const float above = radiusAt(object, vertices, true);
         const float below = radiusAt(object, vertices, false);
-        if (below > flare * above)
+        // A shallow gong lies, and a tall bottle stands.
+        const float slenderness = half.z() / half.x();
+        if (below > flare * above && slenderness > 0.4f && slenderness < 2.5f)
             return addGallows(parts, middle, half);
         if (above > flare * below)
             return addRingBelow(parts, middle, half, below);

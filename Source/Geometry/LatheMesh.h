@@ -13,6 +13,8 @@ struct LathePoint {
     double radiusMetres = 0; ///< ≥ 0; 0 only at the ends, where the surface closes in a pole
     double heightMetres = 0; ///< z
     double thicknessMetres = 0;
+
+    bool operator==(const LathePoint&) const = default;
 };
 
 struct LatheMesh {

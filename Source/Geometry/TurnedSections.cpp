@@ -15,6 +15,38 @@ constexpr double quarterTurn = std::numbers::pi / 2;
 constexpr double flareExponent = 2;
 constexpr double lipShare = 0.25; // fraction of the height
 
+Eigen::Vector3d figuresOf(const LathePoint& point) {
+    return {point.radiusMetres, point.heightMetres, point.thicknessMetres};
+}
+
+/// Appends a cubic curve through points without a corner between them, without the first point. The
+/// slope at a point is that of the parabola through it and its neighbours.
+void appendCurve(std::span<const LathePoint> points, std::vector<LathePoint>& section) {
+    constexpr int stepsBetween = 12;
+    const std::size_t spans = points.size() - 1;
+    std::vector<double> lengths;
+    std::vector<Eigen::Vector3d> slopes;
+    for (std::size_t i = 0; i < spans; ++i) {
+        const Eigen::Vector3d step = figuresOf(points[i + 1]) - figuresOf(points[i]);
+        lengths.push_back(step.head<2>().norm());
+        slopes.push_back(step / lengths.back());
+    }
+    const auto slopeAt = [&](std::size_t i) -> Eigen::Vector3d {
+        if (i == 0 || i == spans)
+            return slopes[i == 0 ? 0 : spans - 1];
+        const double before = lengths[i - 1], after = lengths[i];
+        return (slopes[i - 1] * after + slopes[i] * before) / (before + after);
+    };
+    for (std::size_t i = 0; i < spans; ++i)
+        for (int step = 1; step <= stepsBetween; ++step) {
+            const double u = static_cast<double>(step) / stepsBetween, v = 1 - u;
+            const Eigen::Vector3d at = v * v * (1 + 2 * u) * figuresOf(points[i]) +
+                                       u * u * (1 + 2 * v) * figuresOf(points[i + 1]) +
+                                       u * v * lengths[i] * (v * slopeAt(i) - u * slopeAt(i + 1));
+            section.push_back({std::max(0.0, at.x()), at.y(), at.z()});
+        }
+}
+
 } // namespace
 
 std::vector<LathePoint> bellSection(const BellMeasures& bell) {
@@ -90,6 +122,18 @@ std::vector<LathePoint> caseSection(const CaseMeasures& measures) {
              .heightMetres = corner + height,
              .thicknessMetres = std::lerp(measures.wallThicknessMetres,
                                           measures.mouthThicknessMetres, height / wall)});
+    return section;
+}
+
+std::vector<LathePoint> smoothSection(std::span<const LathePoint> points) {
+    std::vector<LathePoint> section{points.front()};
+    std::size_t first = 0;
+    for (std::size_t i = 1; i <= points.size(); ++i)
+        if (i == points.size() || points[i] == points[i - 1]) {
+            if (i - first > 1)
+                appendCurve(points.subspan(first, i - first), section);
+            first = i;
+        }
     return section;
 }
 

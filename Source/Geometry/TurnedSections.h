@@ -4,6 +4,9 @@
 
 #include "Geometry/LatheMesh.h"
 
+#include <span>
+#include <vector>
+
 namespace idiophone {
 
 /// A bell, mouth down: from the lip over a flaring side and a round shoulder to the crown.
@@ -44,5 +47,9 @@ struct CaseMeasures {
     double mouthThicknessMetres = 0;
 };
 std::vector<LathePoint> caseSection(const CaseMeasures& measures);
+
+/// A smooth curve through at least two points, thickness included. A point that is given twice is a
+/// corner.
+std::vector<LathePoint> smoothSection(std::span<const LathePoint> points);
 
 } // namespace idiophone

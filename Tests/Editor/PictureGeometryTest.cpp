@@ -159,6 +159,20 @@ TEST_CASE("The floor is below every object and all that carries it") {
     }
 }
 
+TEST_CASE("A bell hangs below its frame, a gong lies and a bottle stands") {
+    for (const auto& [preset, hangs] : {std::pair("Handbell", true), std::pair("Church Bell", true),
+                                        std::pair("Gong", false), std::pair("Bottles", false)}) {
+        INFO(preset);
+        const Picture picture(preset);
+        float top = -1, frameTop = -1;
+        for (const auto& vertex : picture.scene->vertices())
+            top = std::max(top, vertex.place[2]);
+        for (const auto& part : picture.furniture->parts())
+            frameTop = std::max(frameTop, part.shape.middle[2] + part.shape.halfExtent[2]);
+        CHECK((frameTop > top) == hangs);
+    }
+}
+
 TEST_CASE("Dice have 21 pips that follow their bodies") {
     const Picture picture("Dice on Rosewood");
     const auto part = std::ranges::find_if(picture.furniture->parts(), [&](const auto& candidate) {

@@ -150,3 +150,21 @@ TEST_CASE("Spread vertices are evenly spaced and leave no gap") {
     CHECK(spreadVertices(mesh, northern, 1u << 20) == northern);
     CHECK(spreadVertices(mesh, {}, 5).empty());
 }
+
+TEST_CASE("A smooth section passes through its points, and bends only where none is given twice") {
+    constexpr LathePoint corner{0.05, 0.1, 0.003};
+    constexpr LathePoint points[] = {{0.05, 0, 0.002}, corner, corner, {0.03, 0.12, 0.004}};
+    const auto straight = smoothSection(points);
+    for (const auto& point : points)
+        CHECK(std::ranges::count(straight, point) >= 1);
+    for (const auto& point : straight)
+        if (point.heightMetres < 0.1)
+            CHECK_THAT(point.radiusMetres, WithinRel(0.05, 1e-9));
+
+    // Three points on a parabola, r = 0.05 − 4 (z − 0.05)², lie on a curve close to it.
+    constexpr LathePoint bent[] = {{0.04, 0, 0.002}, {0.05, 0.05, 0.002}, {0.04, 0.1, 0.002}};
+    for (const auto& point : smoothSection(bent)) {
+        const double parabola = 0.05 - 4 * std::pow(point.heightMetres - 0.05, 2);
+        CHECK(std::abs(point.radiusMetres - parabola) < 0.0025);
+    }
+}

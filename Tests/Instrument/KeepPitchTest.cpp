@@ -34,19 +34,36 @@ struct Fundamental {
     std::size_t partner = 0; ///< the other mode that the tube shares, or the mode itself
 };
 
+/// Returns the mean over a mode and its partner, weighted by power, as they are heard.
+template <class ValueOf>
+double weightedMean(const ModalObject& object, const Fundamental& shared, const ValueOf& valueOf) {
+    if (shared.partner == shared.mode)
+        return valueOf(shared.mode);
+    const double one = static_cast<double>(std::norm(object.gains[shared.mode]));
+    const double other = static_cast<double>(std::norm(object.gains[shared.partner]));
+    return (one * valueOf(shared.mode) + other * valueOf(shared.partner)) / (one + other);
+}
+
 Fundamental fundamentalOf(const Preset& preset, const ModalObject& object, int note) {
+    const double reference = preset.keyMap.referenceNote;
     const bool isScaled = preset.keyMap.kind == KeyMapKind::scaled;
-    if (isScaled && preset.keyMap.referenceNote < 0)
-        return {};
+    if (isScaled && reference < 0)
+        return {.partner = sharingPartner(object, 0).value_or(0)};
     Fundamental found{.ratio = preset.name == "Tubular Bells" ? 2.0 : 1.0};
-    const double ownNote = isScaled ? preset.keyMap.referenceNote : note;
+    const double pitchHz = found.ratio * noteHz(isScaled ? reference : note);
     const auto miss = [&](std::size_t mode) {
-        return std::abs(cents(object.dampedFrequencyHz(mode), found.ratio * noteHz(ownNote)));
+        return std::abs(cents(object.dampedFrequencyHz(mode), pitchHz));
     };
     for (std::size_t mode = 0; mode < object.modeCount(); ++mode)
         if (miss(mode) < miss(found.mode))
             found.mode = mode;
+    if (isScaled && miss(found.mode) > 50) // no mode has the reference's pitch
+        found.mode = 0;
     found.partner = sharingPartner(object, found.mode).value_or(found.mode);
+    if (isScaled)
+        found.ratio = std::exp2(weightedMean(object, found, [&](std::size_t mode) {
+            return std::log2(object.dampedFrequencyHz(mode) / pitchHz);
+        }));
     return found;
 }
 
@@ -86,12 +103,7 @@ double missCents(const Instrument& instrument,
         return cents(dampedFrequency(pole) / (2 * std::numbers::pi),
                      fundamental.ratio * noteHz(note));
     };
-    if (fundamental.partner == fundamental.mode)
-        return missOf(fundamental.mode);
-    // Two modes that bar and tube share are heard at their power-weighted mean.
-    const double one = static_cast<double>(std::norm(slot.object->gains[fundamental.mode]));
-    const double other = static_cast<double>(std::norm(slot.object->gains[fundamental.partner]));
-    return (one * missOf(fundamental.mode) + other * missOf(fundamental.partner)) / (one + other);
+    return weightedMean(*slot.object, fundamental, missOf);
 }
 
 /// Renders one stream in blocks of a size; the next values act every 960 samples.
