@@ -44,8 +44,10 @@ def t60(sound):
 
 def measure(console, preset):
     """Brightness in Hz, length in s and attack in Hz of the middle key, without the room."""
-    keys = preset["keyMap"]
-    middle = (keys["lowestNote"] + keys["highestNote"]) // 2
+    key_map = preset["keyMap"]
+    ranges = [part["keyMap"] for part in key_map.get("parts", ())] or [key_map]
+    middle = (min(keys["lowestNote"] for keys in ranges) +
+              max(keys["highestNote"] for keys in ranges)) // 2
     sound = console.render(preset["name"], [(0, NOTE_ON, middle, VELOCITY)], SECONDS).mean(axis=1)
     sound = sound[np.argmax(np.abs(sound) > 0.01 * np.abs(sound).max()):]
     return centroid(sound, 0.5), t60(sound), centroid(sound, 0.02)

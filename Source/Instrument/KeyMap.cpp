@@ -26,10 +26,33 @@ std::string KeyMap::objectFor(int midiNote) const {
     return name;
 }
 
-void addPart(KeyMap& kit, KitPart part) {
-    kit.lowestNote = std::min(kit.lowestNote, part.keyMap.lowestNote);
-    kit.highestNote = std::max(kit.highestNote, part.keyMap.highestNote);
-    kit.parts.push_back(std::move(part));
+KitParts::KitParts(std::vector<KitPart> parts)
+    : list(std::make_shared<const std::vector<KitPart>>(std::move(parts))) {}
+
+const KitPart* KitParts::begin() const {
+    return list ? list->data() : nullptr;
+}
+
+const KitPart* KitParts::end() const {
+    return begin() + size();
+}
+
+std::size_t KitParts::size() const {
+    return list ? list->size() : 0;
+}
+
+bool KitParts::operator==(const KitParts& other) const {
+    return std::equal(begin(), end(), other.begin(), other.end());
+}
+
+KeyMap kitOf(std::vector<KitPart> parts) {
+    KeyMap kit{.kind = KeyMapKind::kit, .lowestNote = 127, .highestNote = 0, .object = {}};
+    for (const auto& part : parts) {
+        kit.lowestNote = std::min(kit.lowestNote, part.keyMap.lowestNote);
+        kit.highestNote = std::max(kit.highestNote, part.keyMap.highestNote);
+    }
+    kit.parts = KitParts(std::move(parts));
+    return kit;
 }
 
 Result<void> validKit(const KeyMap& kit) {

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,6 +21,22 @@ enum class KeyMapKind {
 };
 
 struct KitPart;
+
+/// The parts of a kit, which never change; copies share them.
+class KitParts {
+public:
+    KitParts() = default;
+    explicit KitParts(std::vector<KitPart> parts);
+
+    const KitPart* begin() const;
+    const KitPart* end() const;
+    std::size_t size() const;
+    bool empty() const { return size() == 0; }
+    bool operator==(const KitParts& other) const;
+
+private:
+    std::shared_ptr<const std::vector<KitPart>> list;
+};
 
 /// How MIDI notes find objects and strike points. A kit has only its parts; its notes span theirs.
 struct KeyMap {
@@ -52,7 +69,7 @@ struct KeyMap {
     std::vector<double> voicingDb = {};
     /// `kit`: 1 to `maximumKitParts`; of at most `kitLayers` at any key and velocity. Otherwise
     /// empty.
-    std::vector<KitPart> parts = {};
+    KitParts parts = {};
 
     /// Returns the object that a note plays: `object` with `{note}` replaced for `bars`. A kit has
     /// none.
@@ -60,7 +77,7 @@ struct KeyMap {
     /// Returns the place on the path at which a note strikes, 0 to 1.
     double strikePlace(int midiNote) const;
 
-    bool operator==(const KeyMap&) const;
+    bool operator==(const KeyMap&) const = default;
 };
 
 /// Keys of a kit with a range of velocities. Resized keys outside a part's own play only where no
@@ -80,15 +97,13 @@ struct KitPart {
     bool operator==(const KitPart&) const = default;
 };
 
-inline bool KeyMap::operator==(const KeyMap&) const = default;
-
 inline constexpr std::size_t maximumPathPoints = 1000; ///< of KeyMap::strikePath
 inline constexpr std::size_t maximumKitParts = 128;
 inline constexpr int kitLayers = 2;
 inline constexpr int maximumChokeGroup = 16;
 
-/// Adds a part to a kit, whose notes then span it.
-void addPart(KeyMap& kit, KitPart part);
+/// Returns the key map of a kit, whose notes span its parts.
+KeyMap kitOf(std::vector<KitPart> parts);
 
 /// Fails if the parts are none or too many, lie beyond the kit's notes, are scenes or kits, or are
 /// more than `kitLayers` at once. The error is the predicate of a sentence about the parts: "are

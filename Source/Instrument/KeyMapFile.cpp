@@ -105,9 +105,10 @@ KitPart parsePart(const JsonPlace& place) {
 }
 
 KeyMap parseKit(const JsonPlace& parts) {
-    KeyMap kit{.kind = KeyMapKind::kit, .lowestNote = 127, .highestNote = 0, .object = {}};
+    std::vector<KitPart> parsed;
     for (const auto& place : parts.list(maximumKitParts))
-        addPart(kit, parsePart(place));
+        parsed.push_back(parsePart(place));
+    auto kit = kitOf(std::move(parsed));
     if (const auto valid = validKit(kit); !valid)
         parts.fail(valid.error().message);
     return kit;

@@ -55,10 +55,12 @@ Result<Preset> readPresetFile(const std::filesystem::path& file) {
 }
 
 KeyMap withObjectsBeside(KeyMap keyMap, const std::filesystem::path& presetFile) {
-    for (auto& part : keyMap.parts)
-        part.keyMap = withObjectsBeside(std::move(part.keyMap), presetFile);
-    if (keyMap.kind == KeyMapKind::kit)
-        return keyMap;
+    if (keyMap.kind == KeyMapKind::kit) {
+        std::vector parts(keyMap.parts.begin(), keyMap.parts.end());
+        for (auto& part : parts)
+            part.keyMap = withObjectsBeside(std::move(part.keyMap), presetFile);
+        return kitOf(std::move(parts));
+    }
     if (factoryObject(keyMap.objectFor(keyMap.lowestNote)))
         return keyMap;
     keyMap.object = localName(keyMap.object);

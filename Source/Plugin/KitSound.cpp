@@ -16,15 +16,15 @@ KitPart partOn(int midiNote, const std::string& objectName) {
                        .object = objectName}};
 }
 
-/// Returns the map as a kit, without parts for this key alone.
-KeyMap kitWithout(const KeyMap& map, int midiNote) {
-    KeyMap kit{.kind = KeyMapKind::kit, .lowestNote = 127, .highestNote = 0, .object = {}};
+/// Returns the map as parts of a kit, without those for this key alone.
+std::vector<KitPart> partsBeside(const KeyMap& map, int midiNote) {
+    std::vector<KitPart> parts;
     if (map.kind != KeyMapKind::kit)
-        addPart(kit, {.keyMap = map});
+        parts.push_back({.keyMap = map});
     for (const auto& part : map.parts)
         if (part.keyMap.lowestNote != midiNote || part.keyMap.highestNote != midiNote)
-            addPart(kit, part);
-    return kit;
+            parts.push_back(part);
+    return parts;
 }
 
 /// Returns the muted modes under the names that they have in a kit.
@@ -69,8 +69,9 @@ Result<Sound> withObjectOnKey(const Sound& before,
         const Phrase phrase(*alone, before.preset.surface, sampleRateHz);
         part.levelDb =
             std::clamp(startingLevel(phrase, values) - values[ParameterId::level], -40.0, 40.0);
-        auto kit = kitWithout(before.preset.keyMap, midiNote);
-        addPart(kit, part);
+        auto parts = partsBeside(before.preset.keyMap, midiNote);
+        parts.push_back(part);
+        const auto kit = kitOf(std::move(parts));
         if (const auto valid = validKit(kit); !valid)
             return failure("two objects play it already");
         const auto instrument = built(*before.instrument, kit, objectName, object);
@@ -78,7 +79,7 @@ Result<Sound> withObjectOnKey(const Sound& before,
             return tl::unexpected(instrument.error());
         auto sound = before;
         sound.instrument = *instrument;
-        sound.preset.keyMap = std::move(kit);
+        sound.preset.keyMap = kit;
         sound.preset.mutedModes = mutedInKit(before.preset.mutedModes, *before.instrument);
         return sound;
     });

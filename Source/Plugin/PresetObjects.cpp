@@ -59,9 +59,9 @@ using KeptObjects = std::map<std::string, std::shared_ptr<const ModalObject>>;
 /// Adds the objects of `found` to a library under the names of `keyMap`, and keeps them alive.
 Result<void>
 addObjects(const KeyMap& keyMap, const KeyMap& found, ObjectLibrary& own, KeptObjects& kept) {
-    for (std::size_t part = 0; part < keyMap.parts.size(); ++part)
-        if (auto added = addObjects(keyMap.parts[part].keyMap, found.parts[part].keyMap, own, kept);
-            !added)
+    auto foundPart = found.parts.begin();
+    for (const auto& part : keyMap.parts)
+        if (auto added = addObjects(part.keyMap, (foundPart++)->keyMap, own, kept); !added)
             return added;
     if (keyMap.kind == KeyMapKind::kit)
         return {};
@@ -160,14 +160,14 @@ writePresetObjects(const KeyMap& keyMap, const Instrument& instrument, const juc
     const auto foreign = foreignObjects(instrument);
     if (keyMap.kind != KeyMapKind::kit)
         return writeObjects(keyMap, foreign, folder);
-    auto stored = keyMap;
-    for (auto& part : stored.parts) {
+    std::vector parts(keyMap.parts.begin(), keyMap.parts.end());
+    for (auto& part : parts) {
         auto written = writeObjects(part.keyMap, foreign, folder);
         if (!written)
             return tl::unexpected(written.error());
         part.keyMap = std::move(*written);
     }
-    return stored;
+    return kitOf(std::move(parts));
 }
 
 KeyMap withSceneBeside(KeyMap keyMap, const juce::File& presetFile) {

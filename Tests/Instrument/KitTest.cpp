@@ -30,13 +30,6 @@ KitPart partOn(int note, const std::string& object) {
             .kind = KeyMapKind::zones, .lowestNote = note, .highestNote = note, .object = object}};
 }
 
-KeyMap kitOf(const std::vector<KitPart>& parts) {
-    KeyMap kit{.kind = KeyMapKind::kit, .lowestNote = 127, .highestNote = 0, .object = {}};
-    for (const auto& part : parts)
-        addPart(kit, part);
-    return kit;
-}
-
 Result<std::shared_ptr<const Instrument>> built(const std::vector<KitPart>& parts) {
     ObjectLibrary library;
     const auto low = library.add("low", syntheticObject({lowHz}));

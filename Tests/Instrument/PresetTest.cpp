@@ -65,18 +65,16 @@ TEST_CASE("A preset written and read back is equal") {
 
 TEST_CASE("A kit written and read back is equal") {
     Preset preset = example();
-    preset.keyMap = {.kind = KeyMapKind::kit, .lowestNote = 127, .highestNote = 0, .object = {}};
-    addPart(preset.keyMap, {.keyMap = example().keyMap,
-                            .lowestVelocity = 10,
-                            .highestVelocity = 90,
-                            .material = firstLibraryMaterial,
-                            .mallet = firstRackMallet,
-                            .levelDb = -3.5,
-                            .chokeGroup = 2});
-    addPart(
-        preset.keyMap,
-        {.keyMap = {
-             .kind = KeyMapKind::zones, .lowestNote = 36, .highestNote = 36, .object = "plate"}});
+    preset.keyMap = kitOf(
+        {{.keyMap = example().keyMap,
+          .lowestVelocity = 10,
+          .highestVelocity = 90,
+          .material = firstLibraryMaterial,
+          .mallet = firstRackMallet,
+          .levelDb = -3.5,
+          .chokeGroup = 2},
+         {.keyMap = {
+              .kind = KeyMapKind::zones, .lowestNote = 36, .highestNote = 36, .object = "plate"}}});
     const auto back = parsePreset(encodePreset(preset), "kit.json");
     REQUIRE(back);
     CHECK(*back == preset);

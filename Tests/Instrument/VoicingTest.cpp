@@ -62,6 +62,8 @@ std::vector<double> mean(const std::vector<double>& values, std::size_t reach) {
 
 TEST_CASE("Keys of factory presets lie within 4 dB of a smooth curve that spans at most 8 dB") {
     for (const auto& preset : keyedFactoryPresets()) {
+        if (preset.keyMap.kind == KeyMapKind::kit) // each object answers velocity in its own way
+            continue;
         const auto keys = loudnessOfKeys(preset);
         for (std::size_t velocity = 0; velocity < keys.size(); ++velocity) {
             INFO(preset.name << " at velocity " << velocities[velocity]);
