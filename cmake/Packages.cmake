@@ -69,8 +69,8 @@ else()
     # Files that the pages link to.
     install(FILES LICENSE THIRD-PARTY DESTINATION "${documents}" COMPONENT console)
     install(DIRECTORY Presets DESTINATION "${documents}" COMPONENT console)
-    install(DIRECTORY Resources/Mallets Resources/Materials DESTINATION "${documents}/Resources"
-        COMPONENT console)
+    install(DIRECTORY Resources/Mallets Resources/Materials Resources/Pictures
+        DESTINATION "${documents}/Resources" COMPONENT console)
     # Debian looks for the licence of each package here.
     install(FILES LICENSE DESTINATION "${documents}" RENAME copyright COMPONENT console)
     install(FILES LICENSE DESTINATION "${documents}-dev" RENAME copyright COMPONENT development)

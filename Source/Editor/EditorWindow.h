@@ -86,7 +86,7 @@ private:
     void placeParts();
     void setBusy(bool busy);
     void colourSurroundings();
-    std::optional<int> noteAt(int x, int y) {
+    std::optional<int> noteAt(int x, int y) const {
         return keyboard.noteAt(keyboard.getLocalPoint(this, juce::Point(x, y)));
     }
 

@@ -78,6 +78,8 @@ InstrumentFurniture::InstrumentFurniture(const std::vector<InstrumentView::Playe
     const auto objects = scene.objects();
     if (onStage)
         addForStage(played, scene, bodies);
+    else if (scene.isShelf())
+        floor = 0;
     else if (objects.size() > 1)
         addForKeyboard(played, scene);
     else if (!scene.empty() && isTube(objects.front()))

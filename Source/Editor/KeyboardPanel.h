@@ -65,11 +65,13 @@ public:
         return true;
     }
     /// The note of the key at a place of the panel, if there is one.
-    std::optional<int> noteAt(juce::Point<int> place) {
-        if (!getLocalBounds().contains(place))
-            return std::nullopt;
-        const int note = keyboard.getNoteAndVelocityAtPosition(place.toFloat()).note;
-        return note < 0 ? std::nullopt : std::optional(note);
+    std::optional<int> noteAt(juce::Point<int> place) const {
+        for (const bool white : {false, true}) // black keys lie on top
+            for (int note = lowest; note <= highest; ++note)
+                if (isWhite(note) == white &&
+                    keyboard.getRectangleForKey(note).contains(place.toFloat()))
+                    return note;
+        return std::nullopt;
     }
     /// The note of the computer's first key, a C.
     int computerKeysNote() const { return baseNote; }

@@ -1,5 +1,7 @@
 #include "Editor/ObjectScene.h"
 
+#include "Editor/ObjectShelf.h"
+
 #include <algorithm>
 #include <cstdint>
 #include <juce_audio_basics/juce_audio_basics.h>
@@ -75,12 +77,40 @@ ObjectScene::keyboardOf(const std::vector<InstrumentView::PlayedObject>& played)
     return result;
 }
 
+std::vector<ObjectScene::Placement>
+ObjectScene::shelfOf(const std::vector<InstrumentView::PlayedObject>& played) {
+    std::vector<Vector3d> middles, sizes;
+    std::vector<KeyboardForm> forms;
+    for (const auto& one : played) {
+        const auto box = boxOf(*one.object);
+        middles.push_back(box.center());
+        sizes.push_back(one.sizeRatio * box.sizes());
+        forms.push_back(keyboardForm(sizes.back(), !one.object->clampedVertices.empty()));
+    }
+    std::vector<Placement> result;
+    if (!standOnShelf(forms))
+        return result;
+    for (const auto& [middle, scale] : shelfPlaces(sizes)) {
+        const auto i = result.size();
+        const double depth = scale * sizes[i].y();
+        result.push_back({.pivot = middles[i],
+                          .origin = middle,
+                          .scale = scale * played[i].sizeRatio,
+                          .nearest = middle.y() - depth / 2,
+                          .farthest = middle.y() + depth / 2});
+    }
+    return result;
+}
+
 ObjectScene::ObjectScene(const std::vector<InstrumentView::PlayedObject>& played, Layout layout) {
     if (layout == Layout::stage) {
         for (const auto& object : played)
             placements.push_back({.scale = object.sizeRatio});
     } else if (played.size() > 1) {
-        placements = keyboardOf(played);
+        placements = shelfOf(played);
+        onShelf = !placements.empty();
+        if (!onShelf)
+            placements = keyboardOf(played);
     } else if (!played.empty()) {
         const auto box = boxOf(*played.front().object);
         const double depth = played.front().sizeRatio * box.sizes().y();

@@ -1,6 +1,6 @@
 // The geometry of an instrument's objects, for drawing and picking. Several objects form a
-// keyboard, a single object is shown alone, and objects on a stage follow their bodies. Independent
-// of windows and OpenGL.
+// keyboard or stand on a shelf, a single object is shown alone, and objects on a stage follow their
+// bodies. Independent of windows and OpenGL.
 #pragma once
 
 #include "Editor/DrawingMesh.h"
@@ -41,7 +41,7 @@ public:
     static constexpr std::size_t maximumFaces = 1'000'000;
 
     enum class Layout {
-        keyboard, ///< several objects, or a single one
+        keyboard, ///< several objects, as a keyboard or on a shelf, or a single one
         stage     ///< each object in its own coordinates and size; bodies place them
     };
 
@@ -62,6 +62,8 @@ public:
     /// Converts a point of an object's mesh, in metres, to the scene. The object must exist.
     ScenePlace placeOf(std::size_t object, const std::array<double, 3>& pointMetres) const;
 
+    /// Whether several objects of mixed forms stand on the floor (ObjectShelf.h).
+    bool isShelf() const { return onShelf; }
     /// Whether the object stands in the second row of a keyboard, that of the accidentals.
     bool isBehind(std::size_t object) const { return placements[object].isBehind; }
 
@@ -95,6 +97,8 @@ private:
 
     static std::vector<Placement>
     keyboardOf(const std::vector<InstrumentView::PlayedObject>& played);
+    /// Empty if the objects form a keyboard.
+    static std::vector<Placement> shelfOf(const std::vector<InstrumentView::PlayedObject>& played);
 
     void addFaces(const DrawingMesh& mesh, const Placement& placement);
     void addBox(SceneObject& run);
@@ -111,6 +115,7 @@ private:
     std::optional<SurfaceQuery> surface;      ///< all faces; empty on a stage
     std::vector<SurfaceQuery> surfaces;       ///< one per object, only on a stage
     float reach = 0;
+    bool onShelf = false;
 };
 
 } // namespace idiophone

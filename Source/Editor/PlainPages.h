@@ -14,7 +14,7 @@ namespace idiophone {
 inline void addPlainPages(PageDeck& deck, ProcessorView& view) {
     using Groups = std::vector<ParameterGroup>;
     deck.add(std::make_unique<ParameterPage>(
-        "Contact", Groups{{"Scrape and roll", 0}, {"Keys", 1}, {"Motor", 1}}, view));
+        "Contact", Groups{{"Scrape, roll, bow", 0}, {"Keys", 1}, {"Motor", 1}}, view));
     deck.add(std::make_unique<ParameterPage>(
         "Output", Groups{{"Listening", 0}, {"Room", 0}, {"Output", 1}, {"Sound in", 1}}, view));
     deck.add(std::make_unique<LfoPage>(view)); // beside the next one

@@ -33,7 +33,7 @@ std::vector<double> handStrengths(const Phrase& phrase, const ParameterValues& o
     const auto scraped = scraping(own);
     std::map<int, double> weakerDb; // by key
     auto repeated = phrase;
-    for (const auto& note : phrase.notes) {
+    for (const auto& note : phrase.supports()) {
         if (note.key.slot < 0 || weakerDb.contains(note.midiNote))
             continue;
         repeated.notes.fill(note);

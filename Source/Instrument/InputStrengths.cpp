@@ -45,7 +45,7 @@ double noiseWeighting(double sampleRateHz) {
 std::array<double, 128> inputStrengths(const Phrase& phrase, const ParameterValues& own) {
     std::array<double, 128> newtons{};
     std::map<int, double> known; // in dB, by key
-    for (const auto& note : phrase.notes)
+    for (const auto& note : phrase.supports())
         if (note.key.slot >= 0 && !known.contains(note.midiNote))
             if (const double db = 10 * std::log10(energyOfImpulse(phrase, note, own));
                 std::isfinite(db))

@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <memory>
 #include <utility>
+#include <vector>
 
 namespace idiophone {
 
@@ -31,20 +32,35 @@ struct Phrase {
     /// `surface` must be valid; keys that scrape or roll sound like it.
     Phrase(std::shared_ptr<const Instrument> played, Surface scraped, double rateHz)
         : instrument(std::move(played)), surface(std::move(scraped)), sampleRateHz(rateHz) {
-        for (std::size_t i = 0; i < notes.size(); ++i) {
-            auto& [midiNote, key, rigidBody] = notes[i];
-            midiNote = phraseNote(instrument->keyMap(), i);
-            key = instrument->key(midiNote);
-            if (key.slot >= 0)
-                rigidBody =
-                    rigidRadiator(*instrument->slots()[static_cast<std::size_t>(key.slot)].object);
-        }
+        for (std::size_t i = 0; i < notes.size(); ++i)
+            notes[i] = noteOf(phraseNote(instrument->keyMap(), i));
+    }
+
+    /// Returns the notes between which a value of other keys can be interpolated: in a kit, whose
+    /// keys have nothing in common, all that sound.
+    std::vector<Note> supports() const {
+        if (instrument->keyMap().kind != KeyMapKind::kit)
+            return {notes.begin(), notes.end()};
+        std::vector<Note> all;
+        for (int midiNote = 0; midiNote < 128; ++midiNote)
+            if (instrument->key(midiNote).slot >= 0)
+                all.push_back(noteOf(midiNote));
+        return all;
     }
 
     std::shared_ptr<const Instrument> instrument;
     Surface surface;
     double sampleRateHz;
     std::array<Note, PhraseMeter::notes> notes;
+
+private:
+    Note noteOf(int midiNote) const {
+        Note note{.midiNote = midiNote, .key = instrument->key(midiNote), .rigidBody = {}};
+        if (const int slot = note.key.slot; slot >= 0)
+            note.rigidBody =
+                rigidRadiator(*instrument->slots()[static_cast<std::size_t>(slot)].object);
+        return note;
+    }
 };
 
 } // namespace idiophone

@@ -54,7 +54,7 @@ class Lists(ConsoleTest):
     def test_presets_are_listed_with_all_members_of_a_preset_file(self):
         presets = self.json("presets")
         self.assertEqual(presets[0]["name"], "Rosewood Xylophone")
-        self.assertEqual({p["keyMap"]["kind"] for p in presets}, {"bars", "zones", "scaled", "scene"})
+        self.assertEqual({p["keyMap"]["kind"] for p in presets}, {"bars", "zones", "scaled", "scene", "kit"})
         text = self.succeed("presets").stdout
         for preset in presets:
             self.assertIn(preset["name"], text)
