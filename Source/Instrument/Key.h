@@ -1,4 +1,4 @@
-// What one MIDI note plays.
+// A key of an instrument: what one MIDI note strikes, and how.
 #pragma once
 
 #include "Instrument/KeyMallet.h"

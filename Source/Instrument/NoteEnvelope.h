@@ -7,7 +7,7 @@
 
 namespace idiophone {
 
-/// What an envelope moves by in a cell; the same for all notes.
+/// The steps of an envelope in a cell; the same for all notes.
 struct EnvelopeSteps {
     double attack = 1;             ///< rise a cell
     double decay = 1, release = 1; ///< share of the way to the sustain, and to 0

@@ -3,6 +3,7 @@
 #include "Instrument/HandStrengths.h"
 #include "Instrument/InputStrengths.h"
 #include "Instrument/MidiControllers.h"
+#include "Instrument/PlayedTime.h"
 #include "Instrument/SettingsOfParameters.h"
 #include "Instrument/SharedSurfaceProfile.h"
 
@@ -19,21 +20,6 @@ std::unique_ptr<CellStrategy> cellStrategy(StagePlayer* performance) {
     if (performance == nullptr)
         return std::make_unique<MalletCells>();
     return std::make_unique<StageCells>(*performance);
-}
-
-/// Returns the leading events up to a sample, from events in order of time.
-std::span<const MidiEvent> dueAt(int sample, std::span<const MidiEvent> events) {
-    const auto later = std::ranges::find_if(
-        events, [sample](const MidiEvent& event) { return event.sampleOffset > sample; });
-    return {events.begin(), later};
-}
-
-/// Returns a strike number that is the same for all places near a beat, and 0 for the first beat. A
-/// host reports a loop that ends within a block at a place after its start. The boundary is 0.1
-/// beats before a beat, because songs seldom begin there.
-std::uint32_t strikesBefore(double beats) {
-    return distantNumber(
-        static_cast<std::uint64_t>(static_cast<std::int64_t>(std::floor(beats + 0.1))));
 }
 
 } // namespace

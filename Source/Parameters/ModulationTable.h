@@ -1,5 +1,5 @@
-// What modulation can do: its sources, its targets, and the parameters that say which source moves
-// which target. Independent of notes and time.
+// The sources and targets of modulation, and the parameters that say which source moves which
+// target. Independent of notes and time.
 #pragma once
 
 #include "Parameters/ParameterTable.h"
@@ -79,7 +79,7 @@ struct ActiveRoute {
 /// thread.
 class ActiveRoutes {
 public:
-    /// What arrives at each route: the value of its source.
+    /// The value of each route's source.
     using Inputs = std::array<double, routeCount>;
 
     ActiveRoutes() = default;

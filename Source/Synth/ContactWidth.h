@@ -26,7 +26,7 @@ public:
     void reset() noexcept { states = {}; }
 
 private:
-    /// Of each of four equal low-passes: halvingRatio/√(√2 − 1).
+    /// The corner of each of four equal low-passes: halvingRatio/√(√2 − 1).
     static constexpr double cornerRatio = halvingRatio / 0.6435942529055827;
 
     std::array<double, 4> states{};

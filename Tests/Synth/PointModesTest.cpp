@@ -36,7 +36,8 @@ double hertz(const PointModes& modes, std::size_t i) {
            (2 * std::numbers::pi);
 }
 
-/// What a mode's squared shape counts for at a ratio to the softest mode's frequency.
+/// Returns the share of a mode's squared shape that counts at a ratio to the softest mode's
+/// frequency.
 double seen(double squaredShape, double ratio = 1) {
     return squaredShape * std::pow(ContactWidth::share(ratio), 2);
 }
