@@ -2,7 +2,7 @@
 // again.
 #include "Analysis/FactoryObjects.h"
 #include "Analysis/FactoryBars.h"
-#include "Object/ModalObjectFile.h"
+#include "StoredObject.h"
 
 #include <algorithm>
 #include <catch2/catch_test_macros.hpp>
@@ -15,29 +15,16 @@
 #include <vector>
 
 using namespace idiophone;
+using namespace idiophone::test;
 using Catch::Matchers::WithinAbs;
 using Catch::Matchers::WithinRel;
-
-namespace {
-
-const std::filesystem::path folder =
-    std::filesystem::path(IDIOPHONE_SOURCE_DIR) / "Resources" / "Objects";
-
-ModalObject stored(const std::string& name) {
-    auto object = readModalObject(folder / (name + ".modal"));
-    INFO(name);
-    REQUIRE(object);
-    return std::move(*object);
-}
-
-} // namespace
 
 TEST_CASE("The factory makes exactly the stored objects, under 13 MB in total") {
     std::set<std::string> made, found;
     for (const auto& name : factoryObjectNames())
         CHECK(made.insert(name + ".modal").second);
     std::uintmax_t bytes = 0;
-    for (const auto& file : std::filesystem::directory_iterator(folder)) {
+    for (const auto& file : std::filesystem::directory_iterator(storedObjects())) {
         found.insert(file.path().filename().string());
         bytes += file.file_size();
     }

@@ -1,18 +1,18 @@
 // Tests of the stored factory shapes against theory and measured instruments.
 #include "Analysis/BarTuning.h"
 #include "Analysis/FactoryObjects.h"
-#include "Object/ModalObjectFile.h"
+#include "StoredObject.h"
 
 #include <Eigen/QR>
 #include <algorithm>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 #include <cmath>
-#include <filesystem>
 #include <numbers>
 #include <set>
 
 using namespace idiophone;
+using namespace idiophone::test;
 using Catch::Matchers::WithinRel;
 
 namespace {
@@ -69,14 +69,6 @@ void checkFile(const ModalObject& object, std::size_t maximumBytes) {
     CHECK((object.shapeVertexCount() >= 40 && object.shapeVertexCount() <= 240));
     CHECK_FALSE(object.radiation.empty());
     CHECK(encodeModalObject(object, ShapePrecision::half).size() <= maximumBytes);
-}
-
-ModalObject stored(const std::string& name) {
-    auto object = readModalObject(std::filesystem::path(IDIOPHONE_SOURCE_DIR) / "Resources" /
-                                  "Objects" / (name + ".modal"));
-    REQUIRE(object);
-    CHECK(object->name == name);
-    return std::move(*object);
 }
 
 /// Checks a free plate of 1.5 to 1, ν = 0.3, against Ritz's method, in units of √(D/ρh)/2πa².

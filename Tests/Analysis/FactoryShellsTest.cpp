@@ -2,29 +2,21 @@
 #include "Analysis/FactoryShells.h"
 
 #include "Analysis/FactoryObjects.h"
-#include "Object/ModalObjectFile.h"
+#include "StoredObject.h"
 
 #include <algorithm>
 #include <array>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 #include <cmath>
-#include <filesystem>
 #include <numbers>
 #include <vector>
 
 using namespace idiophone;
+using namespace idiophone::test;
 using Catch::Matchers::WithinRel;
 
 namespace {
-
-ModalObject stored(const std::string& name) {
-    auto object = readModalObject(std::filesystem::path(IDIOPHONE_SOURCE_DIR) / "Resources" /
-                                  "Objects" / (name + ".modal"));
-    INFO(name);
-    REQUIRE(object);
-    return std::move(*object);
-}
 
 double frequencyHz(const ModalObject& object, std::size_t mode) {
     return std::sqrt(object.eigenvalues[mode]) / (2 * std::numbers::pi);

@@ -4,7 +4,7 @@
 #include "Analysis/ModalAnalysis.h"
 #include "Analysis/Pitch.h"
 #include "Geometry/ObjectMesh.h"
-#include "Object/ModalObjectFile.h"
+#include "StoredObject.h"
 
 #include <algorithm>
 #include <catch2/catch_test_macros.hpp>
@@ -13,19 +13,11 @@
 #include <numbers>
 
 using namespace idiophone;
+using namespace idiophone::test;
 using Catch::Matchers::WithinAbs;
 using Catch::Matchers::WithinRel;
 
 namespace {
-
-ModalObject stored(const std::string& name) {
-    auto object = readModalObject(std::filesystem::path(IDIOPHONE_SOURCE_DIR) / "Resources" /
-                                  "Objects" / (name + ".modal"));
-    INFO(name);
-    REQUIRE(object);
-    CHECK_FALSE(object->clampedVertices.empty());
-    return std::move(*object);
-}
 
 double hertz(const ModalObject& object, std::size_t mode) {
     return std::sqrt(object.eigenvalues[mode]) / (2 * std::numbers::pi);
@@ -47,6 +39,7 @@ TEST_CASE("Teeth of the music box have the two lowest partials of a cantilever w
     REQUIRE(comb != nullptr);
     for (int note = comb->lowestNote; note <= comb->highestNote; ++note) {
         const auto tooth = stored(comb->barName(note));
+        CHECK_FALSE(tooth.clampedVertices.empty());
         const double length = extentMetres(tooth, 0), height = extentMetres(tooth, 2);
         const double speed =
             std::sqrt(tooth.material.youngsModulusPa / tooth.material.densityKgPerM3);
@@ -107,9 +100,7 @@ TEST_CASE("A toy piano's rod has the partials of a cantilever, each as a pair") 
 }
 
 TEST_CASE("The lowest mode of the wind chime has its pitch, and the second is a free tube's") {
-    const auto chime = readModalObject(std::filesystem::path(IDIOPHONE_SOURCE_DIR) / "Resources" /
-                                       "Objects" / "wind-chime.modal");
-    REQUIRE(chime);
-    CHECK_THAT(cents(chime->dampedFrequencyHz(0), noteFrequencyHz(84)), WithinAbs(0, 0.2));
-    CHECK_THAT(hertz(*chime, 2) / hertz(*chime, 0), WithinRel(2.7565, 0.06)); // shear lowers it
+    const auto chime = stored("wind-chime");
+    CHECK_THAT(cents(chime.dampedFrequencyHz(0), noteFrequencyHz(84)), WithinAbs(0, 0.2));
+    CHECK_THAT(hertz(chime, 2) / hertz(chime, 0), WithinRel(2.7565, 0.06)); // shear lowers it
 }
