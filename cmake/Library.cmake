@@ -1,4 +1,5 @@
-# Installs Object, Synth, Geometry and Analysis as a CMake package (docs/library.md).
+# Installs Object, Synth, Mesh, Geometry and Analysis as a CMake package (docs/library.md), and the
+# C interface (docs/c-interface.md) for pkg-config too.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
@@ -20,11 +21,23 @@ function(install_modules export)
     endforeach()
 endfunction()
 
-foreach(module Object Synth Geometry Analysis)
+foreach(module Object Synth Mesh World Geometry Analysis)
     string(TOLOWER ${module} lower)
     set_target_properties(idiophone_${lower} PROPERTIES EXPORT_NAME ${module})
     target_compile_features(idiophone_${lower} PUBLIC cxx_std_20)
 endforeach()
+
+# The C interface.
+set_target_properties(idiophone_c PROPERTIES EXPORT_NAME C)
+install(TARGETS idiophone_c EXPORT IdiophoneTargets
+    LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT development
+    RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}" COMPONENT development
+    ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT development
+    PUBLIC_HEADER DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}" COMPONENT development)
+file(RELATIVE_PATH from_pkgconfig "/${CMAKE_INSTALL_LIBDIR}/pkgconfig" "/")
+configure_file("${CMAKE_CURRENT_LIST_DIR}/idiophone.pc.in" idiophone.pc @ONLY)
+install(FILES "${CMAKE_CURRENT_BINARY_DIR}/idiophone.pc"
+    DESTINATION "${CMAKE_INSTALL_LIBDIR}/pkgconfig" COMPONENT development)
 
 # Loads objects, strikes them and presses on them.
 install_modules(IdiophoneTargets
@@ -37,12 +50,15 @@ install_modules(IdiophoneTargets
         Synth/Synthesiser Synth/SynthesiserSlot Synth/SynthesisSettings Synth/TubeOpening)
 # Makes objects from meshes. This is a component of its own because it needs Eigen.
 install_modules(IdiophoneAnalysisTargets
-    TARGETS idiophone_geometry idiophone_analysis idiophone_tetgen
+    TARGETS idiophone_mesh idiophone_world idiophone_geometry idiophone_analysis idiophone_tetgen
     HEADERS
-        Geometry/LengthUnit Geometry/Mesh Geometry/MeshReader Geometry/MeshRepair Geometry/ParametricMesh
-        Geometry/ShapeMesh Geometry/SurfaceQuery
-        Analysis/AnalysedBand Analysis/AnalysisMethod Analysis/Clamp Analysis/ModalAnalysis
-        Analysis/Radiation)
+        Mesh/Mesh Mesh/ShapeMesh Mesh/SurfaceQuery
+        World/HeadModel World/HeadResponses World/World
+        Geometry/LengthUnit Geometry/MeshReader Geometry/MeshRepair Geometry/MeshWriter
+        Geometry/MetricMesh Geometry/ParametricMesh Geometry/PointCarrier
+        Analysis/AnalysedBand Analysis/AnalysisMethod Analysis/Clamp Analysis/DampedSinusoid
+        Analysis/MaterialFit Analysis/MeasuredObject Analysis/ModalAnalysis Analysis/Radiation
+        Analysis/RecordedMaterial Analysis/RecordingFit Analysis/RecordingRest)
 find_file(expected_header tl/expected.hpp HINTS "${expected_SOURCE_DIR}/include" REQUIRED)
 install(FILES "${expected_header}" DESTINATION "${headers}/tl" COMPONENT development)
 

@@ -67,14 +67,14 @@ else()
     install(DIRECTORY docs DESTINATION "${documents}" COMPONENT console
         PATTERN "*.py" EXCLUDE PATTERN "*.sh" EXCLUDE)
     # Files that the pages link to.
-    install(FILES LICENSE THIRD-PARTY DESTINATION "${documents}" COMPONENT console)
+    install(FILES LICENSE LICENSE-APACHE THIRD-PARTY DESTINATION "${documents}" COMPONENT console)
     install(DIRECTORY Presets DESTINATION "${documents}" COMPONENT console)
     install(DIRECTORY Resources/Mallets Resources/Materials Resources/Pictures
         DESTINATION "${documents}/Resources" COMPONENT console)
     # Debian looks for the licence of each package here.
     install(FILES LICENSE DESTINATION "${documents}" RENAME copyright COMPONENT console)
     install(FILES LICENSE DESTINATION "${documents}-dev" RENAME copyright COMPONENT development)
-    install(FILES THIRD-PARTY DESTINATION "${documents}-dev" COMPONENT development)
+    install(FILES THIRD-PARTY LICENSE-APACHE DESTINATION "${documents}-dev" COMPONENT development)
     install(FILES Resources/Songs/TheEntertainer.mid DESTINATION "${documents}/examples"
         COMPONENT console)
 endif()

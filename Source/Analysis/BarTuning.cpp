@@ -5,7 +5,7 @@
 #include "Analysis/HeldBody.h"
 #include "Analysis/QuadraticTetrahedra.h"
 #include "Analysis/TubeMouth.h"
-#include "Geometry/ObjectMesh.h"
+#include "Mesh/ObjectMesh.h"
 
 #include <algorithm>
 #include <array>

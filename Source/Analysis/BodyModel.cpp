@@ -5,7 +5,7 @@
 #include "Analysis/Radiation.h"
 #include "Analysis/Soundboard.h"
 #include "Analysis/TwoLayerShell.h"
-#include "Geometry/ObjectMesh.h"
+#include "Mesh/ObjectMesh.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

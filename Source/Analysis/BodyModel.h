@@ -6,7 +6,7 @@
 #include "Analysis/Clamp.h"
 #include "Analysis/Radiation.h"
 #include "Analysis/VibrationModel.h"
-#include "Geometry/Mesh.h"
+#include "Mesh/Mesh.h"
 #include "Object/ModalObject.h"
 #include "Object/WorkControl.h"
 

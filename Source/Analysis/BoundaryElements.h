@@ -5,7 +5,7 @@
 #include "Analysis/BoundaryRow.h"
 #include "Analysis/SharedUnknowns.h"
 #include "Analysis/SurfaceSymmetry.h"
-#include "Geometry/Mesh.h"
+#include "Mesh/Mesh.h"
 #include "Object/Result.h"
 #include "Object/WorkControl.h"
 

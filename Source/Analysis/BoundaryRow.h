@@ -2,7 +2,7 @@
 // Internal to Analysis.
 #pragma once
 
-#include "Geometry/Mesh.h"
+#include "Mesh/Mesh.h"
 
 #include <Eigen/Core>
 #include <span>

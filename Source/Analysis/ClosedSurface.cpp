@@ -3,7 +3,7 @@
 #include "Geometry/MeshBuilder.h"
 #include "Geometry/Remesh.h"
 #include "Geometry/Subdivision.h"
-#include "Geometry/SurfaceQuery.h"
+#include "Mesh/SurfaceQuery.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

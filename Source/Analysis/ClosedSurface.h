@@ -2,7 +2,7 @@
 // Closed bodies are kept unchanged; sheets get two sides and a rim.
 #pragma once
 
-#include "Geometry/Mesh.h"
+#include "Mesh/Mesh.h"
 #include "Object/Result.h"
 #include "Object/WorkControl.h"
 

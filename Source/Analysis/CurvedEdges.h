@@ -2,7 +2,7 @@
 #pragma once
 
 #include "Analysis/TetMesh.h"
-#include "Geometry/SurfaceQuery.h"
+#include "Mesh/SurfaceQuery.h"
 
 namespace idiophone {
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "Analysis/ElasticLaw.h"
-#include "Geometry/Mesh.h"
+#include "Mesh/Mesh.h"
 
 namespace idiophone {
 

@@ -1,6 +1,6 @@
 #include "Analysis/LighterMesh.h"
 
-#include "Geometry/ObjectMesh.h"
+#include "Mesh/ObjectMesh.h"
 
 #include <algorithm>
 #include <utility>

@@ -2,7 +2,7 @@
 // should hold.
 #pragma once
 
-#include "Geometry/Mesh.h"
+#include "Mesh/Mesh.h"
 #include "Object/ModalObject.h"
 
 #include <vector>

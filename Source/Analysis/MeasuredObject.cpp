@@ -1,7 +1,7 @@
 #include "Analysis/MeasuredObject.h"
 
 #include "Analysis/DampingFit.h"
-#include "Geometry/ObjectMesh.h"
+#include "Mesh/ObjectMesh.h"
 
 #include <Eigen/Dense>
 #include <algorithm>

@@ -6,7 +6,7 @@
 #include "Analysis/AnalysisMethod.h"
 #include "Analysis/Clamp.h"
 #include "Analysis/Radiation.h"
-#include "Geometry/Mesh.h"
+#include "Mesh/Mesh.h"
 #include "Object/ModalObject.h"
 #include "Object/WorkControl.h"
 
@@ -62,8 +62,8 @@ analyse(const Mesh& mesh, const AnalysisSettings& settings, const WorkControl& c
 /// some 350 modes: these upper modes are too high by several per cent. Every vertex carries shapes.
 ///
 /// It reads name, source, material, method, thickness, `largestComponentOnly`, the support and the
-/// band from the settings. Errors: those of `analyse`, and a mesh that cannot be decimated. Any thread but the
-/// audio thread may call it.
+/// band from the settings. Errors: those of `analyse`, and a mesh that cannot be decimated. Any
+/// thread but the audio thread may call it.
 Result<ModalObject>
 analysePreview(const Mesh& mesh, const AnalysisSettings& settings, const WorkControl& control = {});
 

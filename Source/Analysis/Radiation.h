@@ -2,7 +2,7 @@
 // exact method is for factory objects and on request, the quick one for all others.
 #pragma once
 
-#include "Geometry/Mesh.h"
+#include "Mesh/Mesh.h"
 #include "Object/RadiationTable.h"
 #include "Object/Result.h"
 #include "Object/WorkControl.h"

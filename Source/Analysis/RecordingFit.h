@@ -54,11 +54,10 @@ struct RecordingFit {
     std::vector<std::size_t> decayBegins = {}; ///< [R] first sample of the free decay
 };
 
-/// Fits one or more recordings of any sample rates. It searches narrow bands, then in
-/// what is left wide ones, for shared poles (polesInBand), and fits all together (JointFit). Poles
-/// that are not needed beside the others, below the noise floor, or far below their neighbours are
-/// dropped, as are those that a room explains (RoomSeparation). Tones that do not decay, such as
-/// hum, are fitted but are no modes.
+/// Fits one or more recordings of any sample rates. It searches narrow bands, then in what is left
+/// wide ones, for shared poles, and fits all together. Poles that are not needed beside the others,
+/// below the noise floor, or far below their neighbours are dropped, as are those that a room
+/// explains. Tones that do not decay, such as hum, are fitted but are no modes.
 ///
 /// A contact's pulse filters the modes. If its length is given, amplitudes are divided by the
 /// spectrum of a raised cosine of that length, limited to 20 dB of correction.

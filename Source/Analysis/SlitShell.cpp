@@ -2,7 +2,7 @@
 
 #include "Analysis/LighterMesh.h"
 #include "Analysis/SolidShell.h"
-#include "Geometry/ObjectMesh.h"
+#include "Mesh/ObjectMesh.h"
 
 #include <utility>
 #include <vector>

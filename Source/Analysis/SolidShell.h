@@ -5,7 +5,7 @@
 
 #include "Analysis/BodyModel.h"
 #include "Analysis/ElasticLaw.h"
-#include "Geometry/Mesh.h"
+#include "Mesh/Mesh.h"
 
 namespace idiophone {
 

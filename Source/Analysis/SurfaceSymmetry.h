@@ -2,7 +2,7 @@
 // it. All elements of a group commute, so that solutions separate into one set per character.
 #pragma once
 
-#include "Geometry/Mesh.h"
+#include "Mesh/Mesh.h"
 
 #include <complex>
 #include <vector>

@@ -1,7 +1,7 @@
 // TetGen behind a plain function. Internal to Analysis; other modules use TetMesh.
 #pragma once
 
-#include "Geometry/Mesh.h"
+#include "Mesh/Mesh.h"
 #include "Object/Result.h"
 
 #include <atomic>

@@ -2,7 +2,7 @@
 // come before it.
 #pragma once
 
-#include "Geometry/Mesh.h"
+#include "Mesh/Mesh.h"
 #include "Object/Result.h"
 
 #include <array>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "Analysis/VibrationModel.h"
-#include "Geometry/Mesh.h"
+#include "Mesh/Mesh.h"
 #include "Object/Material.h"
 
 namespace idiophone {

@@ -3,9 +3,9 @@
 #include "Console/Command.h"
 #include "Console/JsonText.h"
 #include "Console/MaterialChoice.h"
-#include "Console/MetricMesh.h"
 #include "Console/OptionChecks.h"
 #include "Console/ProgressLine.h"
+#include "Geometry/MetricMesh.h"
 #include "Object/ModalObjectFile.h"
 #include "Object/NumberText.h"
 #include "Object/OneLine.h"
@@ -148,9 +148,11 @@ void addAnalyse(CLI::App& program, Action& chosen) {
                      "Approximate number of tetrahedra of a solid; fewer give a lower band edge")
         ->check(CLI::Range(100, 200000))
         ->capture_default_str();
-    command->add_option("--unit", options->unit,
-                        "Unit of the mesh file: m, cm, mm, in or ft (default: guessed from its "
-                        "size)");
+    command
+        ->add_option("--unit", options->unit,
+                     "Unit of the mesh file: m, cm, mm, in or ft (default: guessed from its "
+                     "size)")
+        ->check(unitOfLength());
     command->add_flag("--largest-part", options->largestPart,
                       "Analyses only the largest connected part");
     command

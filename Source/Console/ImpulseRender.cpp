@@ -6,11 +6,10 @@
 #include "Instrument/FactoryContent.h"
 #include "Instrument/Instrument.h"
 #include "Instrument/ObjectLibrary.h"
-#include "Instrument/ObjectSurface.h"
 #include "Instrument/SettingsOfParameters.h"
 #include "Object/FileBytes.h"
 #include "Object/OneLine.h"
-#include "Synth/Synthesiser.h"
+#include "World/World.h"
 
 #include <algorithm>
 #include <chrono>
@@ -23,15 +22,9 @@
 namespace idiophone {
 namespace {
 
-struct Contact {
-    double seconds = 0;
-    std::size_t slot = 0;
-    Strike strike;
-};
-
 struct ImpulseScore {
-    std::vector<SynthesiserSlot> slots;
-    std::vector<Contact> contacts; ///< in order of time
+    std::vector<SynthesiserSlot> bodies;
+    std::vector<WorldImpact> impacts; ///< in order of time
 };
 
 /// Resolves an object's file relative to the list of impulses.
@@ -41,25 +34,14 @@ std::string resolved(const std::string& object, const std::filesystem::path& imp
     return storedNameOf(impulseFile.parent_path() / pathNamed(localName(object)));
 }
 
-/// An object named by impulses, and its surface.
+/// An object named by impulses.
 struct StruckObject {
     Result<std::shared_ptr<const ModalObject>> object;
-    std::shared_ptr<const ObjectSurface> surface; ///< null if there is no object
-    int firstLine = 0;                            ///< first line that names the object
+    int firstLine = 0; ///< first line that names the object
 };
 
-/// One surface for each object, even if it has several names.
-using Surfaces = std::map<const ModalObject*, std::shared_ptr<const ObjectSurface>>;
-
-StruckObject struckObject(const std::string& object, Surfaces& surfaces) {
-    StruckObject struck{.object = ObjectLibrary::shared().find(object), .surface = {}};
-    if (struck.object) {
-        auto& surface = surfaces[struck.object->get()];
-        if (surface == nullptr)
-            surface = std::make_shared<ObjectSurface>(**struck.object);
-        struck.surface = surface;
-    }
-    return struck;
+Eigen::Vector3d vectorOf(const std::array<double, 3>& numbers) {
+    return Eigen::Vector3d(numbers.data());
 }
 
 Result<ImpulseScore> arrange(std::span<const Impulse> impulses,
@@ -68,14 +50,14 @@ Result<ImpulseScore> arrange(std::span<const Impulse> impulses,
     ImpulseScore score;
     BadLines faults;
     std::map<std::string, StruckObject> objects;
-    Surfaces surfaces;
-    std::map<std::pair<std::string, std::string>, std::size_t> slotOfBody;
+    std::map<std::pair<std::string, std::string>, std::size_t> numberOfBody;
     for (const auto& impulse : impulses) {
         auto known = objects.find(impulse.object);
         if (known == objects.end())
             known =
                 objects
-                    .emplace(impulse.object, struckObject(resolved(impulse.object, file), surfaces))
+                    .emplace(impulse.object, StruckObject{.object = ObjectLibrary::shared().find(
+                                                              resolved(impulse.object, file))})
                     .first;
         auto& struck = known->second;
         if (struck.firstLine == 0 || impulse.line < struck.firstLine)
@@ -83,29 +65,26 @@ Result<ImpulseScore> arrange(std::span<const Impulse> impulses,
         if (!struck.object)
             continue;
         const auto [body, isNew] =
-            slotOfBody.try_emplace({impulse.object, impulse.body}, score.slots.size());
+            numberOfBody.try_emplace({impulse.object, impulse.body}, score.bodies.size());
         if (isNew)
-            score.slots.push_back({.object = *struck.object, .sizeRatio = impulse.sizeRatio});
-        else if (score.slots[body->second].sizeRatio != impulse.sizeRatio) {
+            score.bodies.push_back({.object = *struck.object, .sizeRatio = impulse.sizeRatio});
+        else if (score.bodies[body->second].sizeRatio != impulse.sizeRatio) {
             faults.add(impulse.line,
                        "its 'size' differs from that of earlier lines of the same body");
             continue;
         }
-
-        const auto point = impulse.vertex ? struck.surface->atVertex(*impulse.vertex)
-                                          : struck.surface->nearest(impulse.pointMetres);
-        if (!point) {
+        if (impulse.vertex &&
+            !std::ranges::binary_search((*struck.object)->shapeVertices, *impulse.vertex)) {
             faults.add(impulse.line, "vertex " + std::to_string(*impulse.vertex) + " of " +
                                          inQuotes(impulse.object) + " has no mode shapes");
             continue;
         }
-        Contact contact{.seconds = impulse.seconds, .slot = body->second, .strike = {}};
-        contact.strike.point = *point;
-        contact.strike.durationSeconds = impulse.contactSeconds;
-        std::ranges::transform(impulse.impulseNewtonSeconds,
-                               contact.strike.impulseNewtonSeconds.begin(),
-                               [](double component) { return static_cast<float>(component); });
-        score.contacts.push_back(contact);
+        score.impacts.push_back({.body = body->second,
+                                 .seconds = impulse.seconds,
+                                 .vertex = impulse.vertex,
+                                 .pointMetres = impulse.sizeRatio * vectorOf(impulse.pointMetres),
+                                 .impulseNewtonSeconds = vectorOf(impulse.impulseNewtonSeconds),
+                                 .contactSeconds = impulse.contactSeconds});
     }
     std::error_code fault;
     for (const auto& [name, struck] : objects)
@@ -117,59 +96,45 @@ Result<ImpulseScore> arrange(std::span<const Impulse> impulses,
             faults.add(struck.firstLine, inQuotes(name) + " is the output file");
     if (!faults.empty())
         return tl::unexpected(faults.error(file));
-    if (auto bounded = boundedSlots(score.slots, file.string(), "bodies"); !bounded)
+    if (auto bounded = boundedSlots(score.bodies, file.string(), "bodies"); !bounded)
         return tl::unexpected(bounded.error());
     return score;
 }
 
-/// Renders cells in order, each with the contacts that begin within it.
+/// Renders cells in order, and tells the world of the impacts before each.
 class CellPlayer {
 public:
-    CellPlayer(const ImpulseScore& score, const SynthesisSettings& settings, double sampleRateHz)
-        : contacts(score.contacts), synth(score.slots, sampleRateHz, 2) {
-        synth.setSettings(settings);
-    }
+    CellPlayer(std::span<const WorldImpact> all, std::unique_ptr<World> played)
+        : impacts(all), world(std::move(played)) {}
 
     /// Advances by a cell and returns it. The result is valid until the next call.
     StereoSpan next(RenderTally& tally) {
-        const CellOutput cell(left, right);
         const auto start = std::chrono::steady_clock::now();
-        synth.beginCell(cell);
-        for (; due < contacts.size(); ++due) {
-            const double sample = contacts[due].seconds * synth.sampleRateHz() - cellStart;
-            if (sample >= cellSamples)
-                break;
-            const bool taken =
-                synth.strike(contacts[due].slot, contacts[due].strike, std::max(sample, 0.0), cell);
-            if (taken)
-                ++tally.strikes;
-            else
-                ++(synth.contactsUsedUp(contacts[due].slot) ? crowdedOut : beyondReason);
-        }
-        cellStart += cellSamples;
+        const double end = world->seconds() + cellSamples / world->sampleRateHz();
+        while (due < impacts.size() && impacts[due].seconds < end &&
+               world->strike(impacts[due]) != WorldAnswer::busy)
+            ++due;
+        world->render(left, right);
         tally.renderSeconds +=
             std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-        tally.count(synth.modesMixed());
+        tally.strikes = static_cast<std::int64_t>(due) - world->impactsLeftOut();
+        tally.count(world->modesMixed());
         return {left, right};
     }
 
-    bool finished() const { return due == contacts.size() && synth.silent(); }
+    bool finished() const { return due == impacts.size() && world->silent(); }
     void warnOfLeftOut(const std::filesystem::path& file) const {
-        for (const auto& [count, why] :
-             {std::pair{crowdedOut, "their bodies already had 64 contacts"},
-              std::pair{beyondReason, "they are too hard for such light objects"}})
-            if (count > 0)
-                std::cerr << "warning: " << file.string() << ": " << count
-                          << " impulses were left out, because " << why << std::endl;
+        if (world->impactsLeftOut() > 0)
+            std::cerr << "warning: " << file.string() << ": " << world->impactsLeftOut()
+                      << " impulses were left out, because they are too hard for such light objects"
+                      << std::endl;
     }
 
 private:
-    std::span<const Contact> contacts;
-    Synthesiser synth;
-    alignas(64) std::array<float, cellSamples> left{}, right{};
-    double cellStart = 0;
+    std::span<const WorldImpact> impacts;
+    std::unique_ptr<World> world;
+    std::array<float, cellSamples> left{}, right{};
     std::size_t due = 0;
-    std::int64_t crowdedOut = 0, beyondReason = 0;
 };
 
 } // namespace
@@ -187,13 +152,19 @@ Result<RenderTally> renderImpulses(const std::filesystem::path& file,
 
     RenderTally tally;
     const auto effect =
-        assignedEffect(parameters, assigned, {.by = PlayedBy::impulses, .slots = score->slots});
+        assignedEffect(parameters, assigned, {.by = PlayedBy::impulses, .slots = score->bodies});
     print(effect.warnings);
     const double rate = recording.format.sampleRateHz;
-    CellPlayer player(*score, synthesisSettings(effect.values), rate);
+    auto world = World::make(score->bodies, {.sampleRateHz = rate,
+                                             .listener = {},
+                                             .eventCapacity = 65536,
+                                             .synthesis = synthesisSettings(effect.values)});
+    if (!world)
+        return tl::unexpected(world.error());
+    CellPlayer player(score->impacts, std::move(*world));
     return renderTo(recording,
                     {.name = file.filename().string(),
-                     .lastSample = static_cast<std::int64_t>(score->contacts.back().seconds * rate),
+                     .lastSample = static_cast<std::int64_t>(score->impacts.back().seconds * rate),
                      .pieceSamples = cellSamples,
                      .render =
                          [&](std::int64_t count) {

@@ -4,9 +4,9 @@
 #include "Console/Command.h"
 #include "Console/JsonText.h"
 #include "Console/MaterialChoice.h"
-#include "Console/MetricMesh.h"
 #include "Console/OptionChecks.h"
 #include "Console/ProgressLine.h"
+#include "Geometry/MetricMesh.h"
 #include "Object/MaterialFile.h"
 #include "Object/TextFile.h"
 
@@ -86,8 +86,10 @@ void addMaterial(CLI::App& program, Action& chosen) {
         ->required();
     command->add_option("--mesh", options->mesh,
                         "Mesh of the struck object (default: only the damping is fitted)");
-    command->add_option("--unit", options->unit,
-                        "Unit of the mesh file: m, cm, mm, in or ft (default: guessed)");
+    command
+        ->add_option("--unit", options->unit,
+                     "Unit of the mesh file: m, cm, mm, in or ft (default: guessed)")
+        ->check(unitOfLength());
     command->add_option("--thickness", options->thicknessMetres, "Thickness of a shell, in metres")
         ->check(numberBetween(1e-6, 10))
         ->capture_default_str();

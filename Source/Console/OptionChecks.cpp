@@ -1,5 +1,6 @@
 #include "Console/OptionChecks.h"
 
+#include "Geometry/LengthUnit.h"
 #include "Object/FileBeside.h"
 
 #include <algorithm>
@@ -44,6 +45,14 @@ bool names(const std::string& given, const std::filesystem::path& file) {
 }
 
 } // namespace
+
+CLI::Validator unitOfLength() {
+    return CLI::Validator(
+        [](std::string& given) -> std::string {
+            return lengthUnitNamed(given) ? "" : "'" + given + "' is none of m, cm, mm, in and ft";
+        },
+        "");
+}
 
 CLI::Validator numberBetween(double lowest, double highest) {
     std::ostringstream range;

@@ -12,6 +12,9 @@ namespace idiophone {
 /// Accepts a finite number from `lowest` to `highest`. CLI11's own range accepts "nan".
 CLI::Validator numberBetween(double lowest, double highest);
 
+/// Accepts a unit of length, such as mm.
+CLI::Validator unitOfLength();
+
 /// The `type_name` of options whose file the command writes.
 inline constexpr auto writtenFile = "OUTPUT";
 

@@ -4,8 +4,8 @@
 #include "Console/MidiSong.h"
 #include "Console/Recording.h"
 #include "Console/StemFiles.h"
-#include "Scene/HeadResponses.h"
 #include "Scene/SceneRenderer.h"
+#include "World/HeadResponses.h"
 
 #include <cstdint>
 #include <filesystem>

@@ -1,7 +1,7 @@
 // Reads measured heads from SOFA files (AES69).
 #pragma once
 
-#include "Scene/HeadResponses.h"
+#include "World/HeadResponses.h"
 
 #include <filesystem>
 #include <memory>

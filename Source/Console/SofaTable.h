@@ -1,7 +1,7 @@
 // The message from the process that reads a SOFA file: a sentence, or a head's responses.
 #pragma once
 
-#include "Scene/HeadResponses.h"
+#include "World/HeadResponses.h"
 
 #include <string_view>
 

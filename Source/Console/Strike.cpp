@@ -9,7 +9,6 @@
 #include "Geometry/LengthUnit.h"
 #include "Instrument/MalletStrike.h"
 #include "Instrument/ObjectBox.h"
-#include "Instrument/ObjectSurface.h"
 #include "Instrument/SettingsOfParameters.h"
 #include "Instrument/StrikePointMetres.h"
 #include "Object/ModalObjectFile.h"
@@ -18,6 +17,7 @@
 #include "Synth/Listening.h"
 #include "Synth/LiveConditions.h"
 #include "Synth/PointShapes.h"
+#include "World/ObjectSurface.h"
 
 #include <algorithm>
 #include <cmath>

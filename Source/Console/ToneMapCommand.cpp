@@ -4,7 +4,7 @@
 #include "Console/OptionChecks.h"
 #include "Geometry/ColourMap.h"
 #include "Geometry/MeshWriter.h"
-#include "Geometry/ShapeMesh.h"
+#include "Mesh/ShapeMesh.h"
 #include "Object/ModalObjectFile.h"
 
 #include <algorithm>

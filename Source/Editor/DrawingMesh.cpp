@@ -1,6 +1,6 @@
 #include "Editor/DrawingMesh.h"
 
-#include "Geometry/ObjectMesh.h"
+#include "Mesh/ObjectMesh.h"
 
 #include <algorithm>
 #include <cmath>

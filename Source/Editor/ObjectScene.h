@@ -6,7 +6,7 @@
 #include "Editor/DrawingMesh.h"
 #include "Editor/ProcessorView.h"
 #include "Editor/SceneObject.h"
-#include "Geometry/SurfaceQuery.h"
+#include "Mesh/SurfaceQuery.h"
 
 #include <Eigen/Geometry>
 #include <array>

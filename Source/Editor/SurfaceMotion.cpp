@@ -1,7 +1,7 @@
 #include "Editor/SurfaceMotion.h"
 
-#include "Geometry/ShapeMesh.h"
-#include "Geometry/SurfaceQuery.h"
+#include "Mesh/ShapeMesh.h"
+#include "Mesh/SurfaceQuery.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 // other.
 #pragma once
 
-#include "Geometry/Mesh.h"
+#include "Mesh/Mesh.h"
 
 #include <Eigen/Geometry>
 #include <cstddef>

@@ -2,7 +2,7 @@
 // because CGAL compiles slowly. Internal to Geometry.
 #pragma once
 
-#include "Geometry/Mesh.h"
+#include "Mesh/Mesh.h"
 #include "Object/Result.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

@@ -2,7 +2,7 @@
 // are not equilateral; see Remesh for equilateral ones.
 #pragma once
 
-#include "Geometry/Mesh.h"
+#include "Mesh/Mesh.h"
 #include "Object/Result.h"
 #include "Object/WorkControl.h"
 

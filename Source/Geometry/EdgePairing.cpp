@@ -1,6 +1,6 @@
 #include "Geometry/EdgePairing.h"
 
-#include "Geometry/FaceSides.h"
+#include "Mesh/FaceSides.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

@@ -2,7 +2,7 @@
 // the pairs follow the solids or sheets that the faces bound. Internal to Geometry.
 #pragma once
 
-#include "Geometry/Mesh.h"
+#include "Mesh/Mesh.h"
 
 #include <array>
 #include <vector>

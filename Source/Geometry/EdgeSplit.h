@@ -1,7 +1,7 @@
 // Inserts vertices on the edges of faces. Internal to Geometry.
 #pragma once
 
-#include "Geometry/Mesh.h"
+#include "Mesh/Mesh.h"
 
 #include <array>
 #include <unordered_map>

@@ -1,6 +1,6 @@
 #include "Geometry/FaceOrientation.h"
 
-#include "Geometry/SurfaceQuery.h"
+#include "Mesh/SurfaceQuery.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

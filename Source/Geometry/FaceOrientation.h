@@ -2,7 +2,7 @@
 #pragma once
 
 #include "Geometry/EdgePairing.h"
-#include "Geometry/Mesh.h"
+#include "Mesh/Mesh.h"
 
 #include <atomic>
 

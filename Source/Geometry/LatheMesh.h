@@ -2,7 +2,7 @@
 // everywhere, even at the poles.
 #pragma once
 
-#include "Geometry/Mesh.h"
+#include "Mesh/Mesh.h"
 
 #include <vector>
 

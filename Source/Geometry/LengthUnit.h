@@ -1,7 +1,7 @@
 // The length unit of a mesh file: by name, or guessed from the mesh's size.
 #pragma once
 
-#include "Geometry/Mesh.h"
+#include "Mesh/Mesh.h"
 
 #include <optional>
 #include <string>

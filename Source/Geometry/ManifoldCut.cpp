@@ -1,8 +1,8 @@
 #include "Geometry/ManifoldCut.h"
 
-#include "Geometry/DisjointSets.h"
 #include "Geometry/EdgeSplit.h"
-#include "Geometry/FaceSides.h"
+#include "Mesh/DisjointSets.h"
+#include "Mesh/FaceSides.h"
 
 #include <algorithm>
 #include <numeric>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "Geometry/EdgePairing.h"
-#include "Geometry/Mesh.h"
+#include "Mesh/Mesh.h"
 
 #include <vector>
 

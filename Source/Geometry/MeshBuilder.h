@@ -1,7 +1,7 @@
 // Builds a mesh vertex by vertex and face by face.
 #pragma once
 
-#include "Geometry/Mesh.h"
+#include "Mesh/Mesh.h"
 
 #include <vector>
 

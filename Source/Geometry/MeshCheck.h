@@ -2,7 +2,7 @@
 // to choose between tetrahedra and shells. The mesh does not change.
 #pragma once
 
-#include "Geometry/Mesh.h"
+#include "Mesh/Mesh.h"
 
 #include <atomic>
 #include <optional>

@@ -2,7 +2,7 @@
 // steps in order and reports them. Indices must be valid, coordinates finite.
 #pragma once
 
-#include "Geometry/Mesh.h"
+#include "Mesh/Mesh.h"
 
 #include <vector>
 

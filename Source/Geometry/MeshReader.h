@@ -2,7 +2,7 @@
 // file and repairs nothing: see MeshRepair.
 #pragma once
 
-#include "Geometry/Mesh.h"
+#include "Mesh/Mesh.h"
 #include "Object/Result.h"
 
 #include <filesystem>

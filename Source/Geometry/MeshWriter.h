@@ -1,7 +1,7 @@
 // Writes triangle meshes as OBJ or PLY.
 #pragma once
 
-#include "Geometry/Mesh.h"
+#include "Mesh/Mesh.h"
 #include "Object/Result.h"
 
 #include <array>

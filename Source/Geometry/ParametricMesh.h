@@ -3,7 +3,7 @@
 // shows the zero modes of flat faces.
 #pragma once
 
-#include "Geometry/Mesh.h"
+#include "Mesh/Mesh.h"
 
 namespace idiophone {
 

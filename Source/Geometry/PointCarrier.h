@@ -2,7 +2,7 @@
 // that contains them, and the weight of each point at each vertex.
 #pragma once
 
-#include "Geometry/Mesh.h"
+#include "Mesh/Mesh.h"
 #include "Object/Result.h"
 
 #include <span>

@@ -3,7 +3,7 @@
 #include "Geometry/CgalSurface.h"
 #include "Geometry/Decimation.h"
 #include "Geometry/MeshRepair.h"
-#include "Geometry/SurfaceQuery.h"
+#include "Mesh/SurfaceQuery.h"
 
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Polygon_mesh_processing/detect_features.h>

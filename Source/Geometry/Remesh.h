@@ -2,7 +2,7 @@
 // them. To reduce a scan without regard to triangle shape, see Decimation.
 #pragma once
 
-#include "Geometry/Mesh.h"
+#include "Mesh/Mesh.h"
 #include "Object/Result.h"
 #include "Object/WorkControl.h"
 

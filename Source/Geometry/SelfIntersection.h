@@ -1,7 +1,7 @@
 // Detects whether a surface passes through or touches itself. It repairs nothing.
 #pragma once
 
-#include "Geometry/Mesh.h"
+#include "Mesh/Mesh.h"
 
 #include <atomic>
 #include <optional>

@@ -1,7 +1,7 @@
 // Meshes of simple shapes from a few sizes: a bar, a plate, a ring, a bowl.
 #pragma once
 
-#include "Geometry/Mesh.h"
+#include "Mesh/Mesh.h"
 #include "Object/Result.h"
 
 #include <span>

@@ -1,7 +1,7 @@
 // Selects a few positions out of many, spread as evenly as possible.
 #pragma once
 
-#include "Geometry/Mesh.h"
+#include "Mesh/Mesh.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,7 +1,7 @@
 // Divides faces into four, with or without smoothing.
 #pragma once
 
-#include "Geometry/Mesh.h"
+#include "Mesh/Mesh.h"
 
 #include <Eigen/SparseCore>
 

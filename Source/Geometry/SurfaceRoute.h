@@ -1,7 +1,7 @@
 // Finds a path over a surface from one place to another.
 #pragma once
 
-#include "Geometry/Mesh.h"
+#include "Mesh/Mesh.h"
 
 #include <vector>
 

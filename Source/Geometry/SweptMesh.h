@@ -1,7 +1,7 @@
 // Meshes of bent rods: a round section that follows a path.
 #pragma once
 
-#include "Geometry/Mesh.h"
+#include "Mesh/Mesh.h"
 
 #include <vector>
 

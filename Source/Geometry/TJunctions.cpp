@@ -1,8 +1,8 @@
 #include "Geometry/TJunctions.h"
 
 #include "Geometry/EdgeSplit.h"
-#include "Geometry/FaceSides.h"
 #include "Geometry/VertexTree.h"
+#include "Mesh/FaceSides.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

@@ -1,7 +1,7 @@
 // Joins faces along an edge on which only one side has a vertex. Internal to Geometry.
 #pragma once
 
-#include "Geometry/Mesh.h"
+#include "Mesh/Mesh.h"
 
 namespace idiophone {
 

@@ -1,7 +1,7 @@
 // CGAL's tree of points, over numbered vertices. Internal to Geometry.
 #pragma once
 
-#include "Geometry/Mesh.h"
+#include "Mesh/Mesh.h"
 
 #include <CGAL/Kd_tree.h>
 #include <CGAL/Search_traits_3.h>

@@ -5,7 +5,7 @@
 #include "Instrument/MidiControllers.h"
 #include "Instrument/PlayedTime.h"
 #include "Instrument/SettingsOfParameters.h"
-#include "Instrument/SharedSurfaceProfile.h"
+#include "Synth/SharedSurfaceProfile.h"
 
 #include <algorithm>
 #include <cmath>

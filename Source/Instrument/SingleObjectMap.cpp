@@ -1,11 +1,11 @@
 #include "Instrument/SingleObjectMap.h"
 
-#include "Geometry/ObjectMesh.h"
-#include "Geometry/SurfaceQuery.h"
 #include "Geometry/SurfaceRoute.h"
 #include "Instrument/ObjectBox.h"
-#include "Instrument/PlaceBetween.h"
 #include "Instrument/StrikeStrip.h"
+#include "Mesh/ObjectMesh.h"
+#include "Mesh/SurfaceQuery.h"
+#include "Synth/PlaceBetween.h"
 
 #include <Eigen/Core>
 #include <algorithm>

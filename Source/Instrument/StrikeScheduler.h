@@ -1,9 +1,9 @@
 // Turns notes and clicks on a surface into impacts at their times.
 #pragma once
 
-#include "Instrument/CellStrikes.h"
 #include "Instrument/Instrument.h"
 #include "Parameters/ParameterTable.h"
+#include "Synth/CellStrikes.h"
 
 #include <cstddef>
 #include <cstdint>

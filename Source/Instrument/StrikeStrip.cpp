@@ -1,8 +1,8 @@
 #include "Instrument/StrikeStrip.h"
 
 #include "Instrument/ObjectBox.h"
-#include "Instrument/ObjectSurface.h"
-#include "Instrument/PlaceBetween.h"
+#include "Synth/PlaceBetween.h"
+#include "World/ObjectSurface.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

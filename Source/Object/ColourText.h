@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Parses the colours in the lists of mallets and materials: "#6b3324". Internal to Object.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The law of damping over frequency: the only place that contains it. It does not cover radiation
 // or the thickness of a body (docs/materials.md).
 #pragma once

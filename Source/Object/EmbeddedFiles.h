@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Reads files that the build embeds in the program (cmake/EmbeddedFiles.cmake).
 #pragma once
 

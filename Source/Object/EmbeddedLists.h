@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The lists of Resources inside the program. The build generates their source files
 // (cmake/EmbeddedLists.cmake). MaterialLibrary and Mallet parse them.
 #pragma once

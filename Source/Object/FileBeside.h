@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Writes a file completely before it replaces an existing one.
 #pragma once
 

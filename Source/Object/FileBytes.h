@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Reads whole files, and converts file names to and from text.
 #pragma once
 

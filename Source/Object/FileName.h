@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Makes names of files that every system accepts.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Converts between IEEE 754 half and single precision, to store mode shapes in half the space.
 #pragma once
 

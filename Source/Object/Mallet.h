@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The list of mallets. It does not know keys, velocities, parameters or contacts.
 #pragma once
 

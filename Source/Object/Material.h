@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A material: elasticity, density, damping and contact figures. MaterialFile reads and writes it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Reads and writes materials as JSON (docs/materials.md): single files, the library's list and the
 // user's folder. Material.h explains the figures.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Reads and writes a material's figures and a wood's ratios as JSON, for material files and modal
 // objects. Internal to Object.
 #pragma once

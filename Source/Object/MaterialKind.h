@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The kinds of materials, by which the window draws them.
 #pragma once
 

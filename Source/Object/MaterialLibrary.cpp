@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "Object/ColourText.h"
 #include "Object/EmbeddedLists.h"
 #include "Object/Material.h"

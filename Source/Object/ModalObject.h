@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A modal object: the result of analysis and the input of synthesis. It holds only data independent
 // of live material changes. Players apply λ ∝ Y/ρ and gains ∝ 1/√m.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Reads and writes modal objects in the safetensors format with the extension .modal, as specified
 // in docs/modal-format.md. The reader checks every length, index and value.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Converts numbers in text files and sentences, identically in every locale.
 #pragma once
 

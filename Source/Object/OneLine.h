@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Makes texts from files and hosts safe to show in an error.
 #pragma once
 

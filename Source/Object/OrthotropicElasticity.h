@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Hooke's law of a material with three planes of symmetry, such as wood. Independent of the
 // orientation of the axes in a body.
 #pragma once

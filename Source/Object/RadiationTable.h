@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The pressure that each mode radiates in a few directions, over its frequency.
 // Analysis/Radiation.h fills the table; the audio thread looks up weights.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Results that are a value or an error. An error is one sentence for the user that names the file
 // or thing at fault. The window and the console show it unchanged.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The safetensors format: named tensors after a JSON header. Independent of modal objects.
 // https://huggingface.co/docs/safetensors: 8-byte little-endian header length, header, raw data.
 #pragma once

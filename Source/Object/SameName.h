@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Compares names that people type.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Reads and writes whole text files: presets, materials, lists of impulses.
 #pragma once
 

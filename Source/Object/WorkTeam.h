@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Threads that share the work of the calling one, for analyses and for rendering to files.
 #pragma once
 

@@ -1,8 +1,8 @@
 #include "Plugin/ImportSession.h"
 
 #include "Editor/ModeText.h"
-#include "Geometry/ObjectMesh.h"
 #include "Instrument/SingleObjectMap.h"
+#include "Mesh/ObjectMesh.h"
 #include "Object/Material.h"
 #include "Object/OneLine.h"
 #include "Plugin/ImportSummary.h"

@@ -5,7 +5,7 @@
 #include "Editor/Utf8.h"
 #include "Geometry/LengthUnit.h"
 #include "Geometry/MeshReader.h"
-#include "Geometry/ObjectMesh.h"
+#include "Mesh/ObjectMesh.h"
 #include "Object/MaterialFile.h"
 #include "Plugin/FileKinds.h"
 #include "Plugin/ImportSummary.h"

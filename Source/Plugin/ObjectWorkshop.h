@@ -4,7 +4,7 @@
 
 #include "Editor/WorkshopView.h"
 #include "Geometry/LengthUnit.h"
-#include "Geometry/Mesh.h"
+#include "Mesh/Mesh.h"
 #include "Object/ModalObject.h"
 #include "Object/Result.h"
 #include "Plugin/RemainingTime.h"

@@ -1,8 +1,8 @@
 // Finds where the mouse strikes or drags over an object, and queues it for the audio thread.
 #pragma once
 
-#include "Instrument/ObjectSurface.h"
 #include "Plugin/WindowEvents.h"
+#include "World/ObjectSurface.h"
 
 #include <array>
 #include <cstdint>

@@ -1,7 +1,7 @@
 #include "Sampling/SampleTask.h"
 
-#include "Instrument/ObjectSurface.h"
 #include "Sampling/ObjectPlaces.h"
+#include "World/ObjectSurface.h"
 
 #include <cstdint>
 #include <cstdio>

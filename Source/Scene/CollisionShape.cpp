@@ -1,6 +1,6 @@
 #include "Scene/CollisionShape.h"
 
-#include "Geometry/ObjectMesh.h"
+#include "Mesh/ObjectMesh.h"
 #include "Scene/BulletMath.h"
 #include "Scene/RingShape.h"
 #include "Scene/SurfaceShape.h"

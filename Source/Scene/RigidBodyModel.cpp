@@ -1,9 +1,9 @@
 #include "Scene/RigidBodyModel.h"
 
 #include "Geometry/MeshCleaning.h"
-#include "Geometry/ObjectMesh.h"
 #include "Geometry/Subdivision.h"
 #include "Instrument/ContactLaw.h"
+#include "Mesh/ObjectMesh.h"
 #include "Object/OneLine.h"
 
 #include <Eigen/Eigenvalues>

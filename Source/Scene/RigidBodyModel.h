@@ -3,7 +3,7 @@
 #pragma once
 
 #include "Geometry/BoxTree.h"
-#include "Geometry/Mesh.h"
+#include "Mesh/Mesh.h"
 #include "Object/ModalObject.h"
 #include "Scene/Scene.h"
 

@@ -5,6 +5,7 @@
 
 #include "Parameters/ParameterTable.h"
 #include "Synth/Surface.h"
+#include "World/HeadModel.h"
 
 #include <Eigen/Core>
 #include <array>
@@ -120,11 +121,6 @@ struct Hand {
     std::size_t tool = 0;     ///< kind that gives the tool its mass, radius, material and surface
     std::vector<Moment> path; ///< ascending in time; linear in between
     std::vector<Tap> taps;    ///< ascending in time
-};
-
-struct Listener {
-    Eigen::Vector3d positionMetres{0, -1.5, 1.5};
-    Eigen::Vector3d towardsMetres{0, 0, 0.5};
 };
 
 struct Scene {

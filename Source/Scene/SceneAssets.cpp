@@ -1,11 +1,11 @@
 #include "Scene/SceneAssets.h"
 
-#include "Geometry/ObjectMesh.h"
 #include "Geometry/ParametricMesh.h"
 #include "Instrument/FactoryContent.h"
 #include "Instrument/Instrument.h"
 #include "Instrument/PresetFile.h"
 #include "Instrument/StrikePointMetres.h"
+#include "Mesh/ObjectMesh.h"
 #include "Object/FileBytes.h"
 #include "Object/OneLine.h"
 
@@ -93,8 +93,15 @@ Result<void> SceneAssets::addRole(const BodyTemplate& kind,
                 {.kind = {.model = model, .group = group, .collidesWith = collidesWith},
                  .object = kind.object,
                  .surface = surface,
-                 .sound = kind.surface.value_or(plainSurface(object->material))});
+                 .surfaceIndex = indexOf(kind.surface.value_or(plainSurface(object->material)))});
         });
+}
+
+std::size_t SceneAssets::indexOf(const Surface& surface) {
+    auto known = std::ranges::find(allSurfaces, surface);
+    if (known == allSurfaces.end())
+        known = allSurfaces.insert(known, surface);
+    return static_cast<std::size_t>(known - allSurfaces.begin());
 }
 
 Result<void> SceneAssets::loadKinds(ObjectLibrary& library) {

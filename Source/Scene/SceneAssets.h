@@ -2,11 +2,11 @@
 #pragma once
 
 #include "Instrument/ObjectLibrary.h"
-#include "Instrument/ObjectSurface.h"
 #include "Scene/RigidBodyModel.h"
 #include "Scene/RigidWorld.h"
 #include "Scene/Scene.h"
 #include "Synth/Synthesiser.h"
+#include "World/ObjectSurface.h"
 
 #include <array>
 #include <memory>
@@ -22,9 +22,9 @@ public:
     struct Role {
         RigidWorld::Kind kind;
         std::string object; ///< factory name or file path; empty for a ball
-        /// The surface of the object, not scaled. Null for a ball, which is not heard.
+        /// The places on the object, not scaled. Null for a ball, which is not heard.
         std::shared_ptr<const ObjectSurface> surface;
-        Surface sound; ///< surface for sliding and rolling
+        std::size_t surfaceIndex = 0; ///< in `surfaces`
 
         bool isHeard() const { return surface != nullptr; }
     };
@@ -42,6 +42,8 @@ public:
     const Scene& scene() const { return played; }
     /// Returns the scene's kinds in their order, then the keyboard's bars.
     const std::vector<Role>& roles() const { return allRoles; }
+    /// Returns the different surfaces for sliding and rolling.
+    const std::vector<Surface>& surfaces() const { return allSurfaces; }
     const std::vector<Standing>& keyboard() const { return bars; }
     /// Returns the place that a note hits, if it has one.
     const std::optional<Eigen::Vector3d>& target(int midiNote) const {
@@ -52,6 +54,7 @@ public:
 private:
     explicit SceneAssets(Scene scene) : played(std::move(scene)) {}
 
+    std::size_t indexOf(const Surface& surface);
     /// Adds a role whose object is `object`; `kind.object` is its name in the library.
     Result<void> addRole(const BodyTemplate& kind,
                          const std::shared_ptr<const ModalObject>& object,
@@ -62,6 +65,7 @@ private:
 
     Scene played;
     std::vector<Role> allRoles;
+    std::vector<Surface> allSurfaces;
     std::vector<Standing> bars;
     std::array<std::optional<Eigen::Vector3d>, 128> targets;
 };

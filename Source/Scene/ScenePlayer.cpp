@@ -18,8 +18,13 @@ ScenePlayer::ScenePlayer(const SceneStage& playedStage, double sampleRateHz, std
     : stage(playedStage), rate(sampleRateHz),
       firstSeed(stage.assets()->scene().seed + static_cast<std::uint32_t>(seed - 1)),
       worker(stage, sampleRateHz), simulations(stage.simulationCount()),
-      bodies(*stage.assets(), stage.slots().size(), sampleRateHz, seed), places(stage.places()),
-      poses(stage.firstPoses().begin(), stage.firstPoses().end()), ownNumber(nextNumber()) {
+      bodies(stage.slots().size(),
+             stage.assets()->surfaces(),
+             stage.assets()->scene().listener,
+             sampleRateHz,
+             seed),
+      places(stage.places()), poses(stage.firstPoses().begin(), stage.firstPoses().end()),
+      ownNumber(nextNumber()) {
     recentImpacts.reserve(impactCapacity);
 }
 
@@ -174,7 +179,8 @@ std::span<const PlacedImpact> ScenePlayer::takeImpacts() noexcept {
 }
 
 void ScenePlayer::strike(const SceneImpact& impact, double sample, const BegunCell& cell) noexcept {
-    if (!bodies.strike(impact, sample, cell) || recentImpacts.size() == impactCapacity)
+    if (!bodies.strike(impact.slot, impact.strike, sample, cell) ||
+        recentImpacts.size() == impactCapacity)
         return;
     recentImpacts.push_back(
         {.seconds = (static_cast<double>(cell.index * cellSamples) + std::max(sample, 0.0)) / rate,

@@ -3,9 +3,9 @@
 #pragma once
 
 #include "Instrument/Stage.h"
-#include "Scene/SceneSound.h"
 #include "Scene/SceneStage.h"
 #include "Scene/SimulationThread.h"
+#include "World/HeardBodies.h"
 
 #include <array>
 #include <cstdint>
@@ -72,11 +72,11 @@ private:
     std::size_t nextSimulation = 0;
     std::uint32_t noteCount = 0;
     std::uint32_t notesEver = 0; ///< identifies blocks from before a reset
-    SceneSound bodies;
-    std::array<std::uint32_t, TouchTracker::voiceCount> pairOfVoice{}; ///< 0: not in use
-    std::array<bool, TouchTracker::voiceCount> isPressed{};            ///< in this cell
-    std::vector<Eigen::Vector3d> places;                               ///< by slot
-    std::vector<BodyPose> poses;                                       ///< by slot
+    HeardBodies bodies;
+    std::array<std::uint32_t, touchVoices> pairOfVoice{}; ///< 0: not in use
+    std::array<bool, touchVoices> isPressed{};            ///< in this cell
+    std::vector<Eigen::Vector3d> places;                  ///< by slot
+    std::vector<BodyPose> poses;                          ///< by slot
     std::vector<PlacedImpact> recentImpacts;
     bool areImpactsTaken = false;
     std::uint32_t ownNumber;

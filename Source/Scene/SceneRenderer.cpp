@@ -45,8 +45,12 @@ SceneRenderer::SceneRenderer(SceneSimulation& simulation,
                              WorkTeam& sharingTeam,
                              SceneStems stems)
     : team(sharingTeam), motion(simulation), stemKind(stems), slotsOfBodies(motion.slots().size()),
-      synth(soundingSlots(motion, stems), sampleRateHz, 1),
-      sound(assets, synth.slotCount(), sampleRateHz, assets.scene().seed, head),
+      synth(soundingSlots(motion, stems), sampleRateHz, 1), sound(synth.slotCount(),
+                                                                  assets.surfaces(),
+                                                                  assets.scene().listener,
+                                                                  sampleRateHz,
+                                                                  assets.scene().seed,
+                                                                  head),
       samples(synth.slotCount() * cellSamples), outputs(cellsOfSlotsIn(samples)),
       cellSeconds(cellSamples / sampleRateHz) {
     synth.setSettings(synthesisSettings(parameters));
@@ -92,7 +96,7 @@ void SceneRenderer::soundCell() {
     synth.beginCell(outputs);
     leftOut += static_cast<std::int64_t>(std::erase_if(cell.impacts, [&](const auto& impact) {
         const double sample = (impact.seconds - startSeconds(begun.index)) * synth.sampleRateHz();
-        return !sound.strike(impact, sample, begun);
+        return !sound.strike(impact.slot, impact.strike, sample, begun);
     }));
     if (stemKind == SceneStems::contacts)
         for (auto& touch : cell.touches)

@@ -3,8 +3,9 @@
 
 #include "Instrument/StereoSpan.h"
 #include "Parameters/ParameterTable.h"
-#include "Scene/SceneSound.h"
+#include "Scene/SceneSimulation.h"
 #include "Synth/AlignedVector.h"
+#include "World/HeardBodies.h"
 
 #include <array>
 #include <cstdint>
@@ -60,7 +61,7 @@ private:
     /// The motion of a cell, as its sound and the figures need it.
     struct MovedCell {
         std::vector<SceneImpact> impacts;
-        std::array<TouchState, TouchTracker::voiceCount> touches;
+        std::array<TouchState, touchVoices> touches;
         std::vector<Eigen::Vector3d> places;
         SceneSimulation::Figures figures;
         bool isFinished = false;
@@ -79,7 +80,7 @@ private:
     SceneStems stemKind;
     std::size_t slotsOfBodies; ///< two more sets follow for slides and rolls that are stems
     Synthesiser synth;         ///< of the thread that runs soundCell, like all fields about sound
-    SceneSound sound;
+    HeardBodies sound;
     AlignedVector<float> samples;     ///< [slots, 64]
     std::vector<CellOutput> outputs;  ///< views into `samples`
     AlignedVector<float> stemSamples; ///< [stems, 2, 64]

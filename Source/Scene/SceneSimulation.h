@@ -46,7 +46,7 @@ public:
     /// Removes and returns the next impact before a time, in order of time.
     std::optional<SceneImpact> takeImpact(double beforeSeconds);
     /// Returns the contacts at the last step.
-    std::span<const TouchState, TouchTracker::voiceCount> touches() const { return heardTouches; }
+    std::span<const TouchState, touchVoices> touches() const { return heardTouches; }
 
     /// Returns the current or last place of each slot's body.
     std::span<const Eigen::Vector3d> places() const { return slotPlaces; }
@@ -104,7 +104,7 @@ private:
     std::vector<Eigen::Vector3d> slotPlaces;
     std::vector<std::optional<Eigen::Isometry3d>> slotPoses;
     TouchTracker tracker;
-    std::array<TouchState, TouchTracker::voiceCount> heardTouches; ///< with `radiationDirection`
+    std::array<TouchState, touchVoices> heardTouches; ///< with `radiationDirection`
     std::optional<RecordedHand> hand;
     std::size_t handBody = 0;
     std::vector<Touch> touchesWithHand;

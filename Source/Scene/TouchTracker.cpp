@@ -22,19 +22,19 @@ TouchTracker::TouchTracker(std::shared_ptr<const SceneAssets> playedAssets, doub
     : assets(std::move(playedAssets)), share(-std::expm1(-stepSeconds / smoothingSeconds)),
       longestPauseSteps(longestPauseSeconds / stepSeconds) {}
 
-/// Returns the voice of the pair, or a free one, or `voiceCount`.
+/// Returns the voice of the pair, or a free one, or `touchVoices`.
 std::size_t TouchTracker::voiceFor(const Touch& touch) {
-    for (std::size_t k = 0; k < voiceCount; ++k)
+    for (std::size_t k = 0; k < touchVoices; ++k)
         if (voices[k].fadeSteps > 0 && voices[k].bodies == touch.bodies)
             return k;
-    for (std::size_t k = 0; k < voiceCount; ++k)
+    for (std::size_t k = 0; k < touchVoices; ++k)
         if (!(voices[k].fadeSteps > 0)) {
             voices[k].bodies = touch.bodies;
             voices[k].isPlaced = false;
             now[k] = {.pair = ++pairCount};
             return k;
         }
-    return voiceCount;
+    return touchVoices;
 }
 
 void TouchTracker::follow(std::span<const Touch> touches,
@@ -49,10 +49,10 @@ void TouchTracker::follow(std::span<const Touch> touches,
         return loudness(*one) > loudness(*other);
     });
 
-    std::array<const Touch*, voiceCount> touching{};
+    std::array<const Touch*, touchVoices> touching{};
     for (const Touch* touch : loudest) {
         const auto voice = voiceFor(*touch);
-        if (voice == voiceCount)
+        if (voice == touchVoices)
             continue;
         voices[voice].fadeSteps = longestPauseSteps;
         touching[voice] = touch;
@@ -60,7 +60,7 @@ void TouchTracker::follow(std::span<const Touch> touches,
             now[voice].slots[side] = slots[touch->bodies[side]];
         move(voice, *touch, roles);
     }
-    for (std::size_t k = 0; k < voiceCount; ++k) {
+    for (std::size_t k = 0; k < touchVoices; ++k) {
         const Touch* touch = touching[k];
         const auto approach = [this](double& value, double goal) {
             value += share * (goal - value);
@@ -80,8 +80,11 @@ void TouchTracker::move(std::size_t voice, const Touch& touch, std::span<const s
     const auto role = [&](std::size_t side) { return roles[touch.bodies[side]]; };
     const auto& all = assets->roles();
     // The rougher surface sounds.
-    state.soundRole =
-        all[role(0)].sound.roughness > all[role(1)].sound.roughness ? role(0) : role(1);
+    const auto surface = [&](std::size_t side) { return all[role(side)].surfaceIndex; };
+    const auto roughness = [&](std::size_t side) {
+        return assets->surfaces()[surface(side)].roughness;
+    };
+    state.surface = surface(roughness(0) > roughness(1) ? 0 : 1);
     for (std::size_t side = 0; side < 2; ++side) {
         auto& last = voices[voice].pointMetres[side];
         const Eigen::Vector3d& place = touch.pointMetres[side];

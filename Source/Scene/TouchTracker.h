@@ -4,7 +4,7 @@
 
 #include "Scene/Contact.h"
 #include "Scene/SceneAssets.h"
-#include "Synth/ForceCell.h"
+#include "World/TouchVoices.h"
 
 #include <array>
 #include <cstdint>
@@ -14,23 +14,9 @@
 
 namespace idiophone {
 
-/// The state of a contact voice at a time.
-struct TouchState {
-    std::uint32_t pair = 0;    ///< counts the pairs that the voice has had; 0 before the first
-    std::size_t soundRole = 0; ///< role of the body whose surface is heard
-    std::array<std::size_t, 2> slots{};
-    std::array<ForcePoint, 2> points{}; ///< contact points of both bodies, for 1 N
-    double forceNewtons = 0;
-    double slideMetresPerSecond = 0;
-    double rollMetresPerSecond = 0;
-};
-
 /// One thread at a time. Not for the audio thread.
 class TouchTracker {
 public:
-    static constexpr std::size_t voiceCount = 24;
-    static_assert(voiceCount <= forceCapacity);
-
     TouchTracker(std::shared_ptr<const SceneAssets> assets, double stepSeconds);
 
     /// Takes the contacts of a step. `roles` and `slots` are indexed by body.
@@ -38,7 +24,7 @@ public:
                 std::span<const std::size_t> roles,
                 std::span<const std::size_t> slots);
 
-    std::span<const TouchState, voiceCount> states() const { return now; }
+    std::span<const TouchState, touchVoices> states() const { return now; }
 
 private:
     struct Voice {
@@ -54,8 +40,8 @@ private:
     std::shared_ptr<const SceneAssets> assets;
     double share; ///< smoothing factor of a step
     double longestPauseSteps;
-    std::array<Voice, voiceCount> voices;
-    std::array<TouchState, voiceCount> now;
+    std::array<Voice, touchVoices> voices;
+    std::array<TouchState, touchVoices> now;
     std::uint32_t pairCount = 0;
     std::vector<const Touch*> loudest;
 };

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The click of a rigid body: the sound of its acceleration when it is struck (acceleration noise,
 // Chadwick, Zheng & James 2012). It is the response of the rigid-body modes, which objects do not
 // store.

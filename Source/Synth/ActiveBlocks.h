@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The blocks of a bank that move cell by cell. The other blocks rest: their states stay as they are
 // until something needs them, and then follow in closed form.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The modes of a bank that ring (above τ) and those that are mixed, which the budget and contacts
 // decide. Blocks without any of them rest, and so do blocks whose modes the budget leaves out.
 #pragma once

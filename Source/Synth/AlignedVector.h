@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A vector whose elements start on a cache line, as the SIMD loops require.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Checks that input values are finite or bounded, without a branch per value.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // An upper bound of an object's amplitude, which falls from period to period. Quality scaling ranks
 // sleeping objects by it, at a cost that does not depend on their modes.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The slots that move cell by cell, and the number of modes that each may mix. If the mode budget
 // does not suffice, the quietest objects sleep: nothing of theirs is moved until they are louder
 // than others or the budget suffices again.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The path of a bank's sound into the cell: fades of modes, the damper, and a motor's discs in the
 // tubes. Sounds are rendered for open discs, and then the part that the discs block is removed. So
 // the states do not depend on damper and discs.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The friction of a bow on a point of an object, sample by sample (docs/decisions/0039). It knows
 // neither keys nor the rest of the object.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The destination of a cell of sound: 64 samples of one or two channels.
 #pragma once
 

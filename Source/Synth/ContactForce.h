@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The force of a contact that scrapes or rolls over a surface, cell by cell (van den Doel, Kry &
 // Pai 2001, sections 5.2 and 5.3). It knows neither the object nor the place of the contact on it.
 #pragma once

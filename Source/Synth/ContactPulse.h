@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The response of a mode to a raised-cosine force, in closed form (docs/decisions/0014): a forced
 // part during the contact, and free motion that starts and ends with it.
 #pragma once

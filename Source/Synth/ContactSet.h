@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The contacts of mallets with a resonator that are under way, and the clicks of its rigid body.
 #pragma once
 

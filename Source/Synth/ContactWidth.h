@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The width of a bow, over which an object's higher modes average (docs/decisions/0039).
 #pragma once
 

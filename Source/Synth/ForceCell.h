@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A cell of continuous force that scrapes or rolls exert on an object.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The effect of a cell of continuous force on many modes, with SIMD chosen at run time. Counts are
 // whole blocks.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // An object's response to an impulse of 1 N s at one point, kept from cell to cell while a contact
 // is near.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Continuous contact of a resonator (docs/decisions/0006): output += force ∗ local impulse
 // response. The states take in the effect of the force by the next grid point.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Computes the residue of each group of modes for a strike at a point: near, far or a blend.
 #pragma once
 

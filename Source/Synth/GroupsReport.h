@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Copies the groups of a resonator for display.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How a continuous force is heard over one cell.
 #pragma once
 

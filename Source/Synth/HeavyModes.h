@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Modes near or beyond critical damping. They do not fit the rotations of the SIMD loops, which
 // pass over them; scalar code then replaces their results. They are few and faint.
 #pragma once

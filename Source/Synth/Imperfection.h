@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The asymmetry of real bodies: no cast bell or thrown bowl is as round as its mesh. Each pair of
 // equal modes splits in frequency and beats.
 #pragma once

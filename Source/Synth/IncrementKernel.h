@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Computes state increments of oscillating modes and moves their states, with SIMD chosen at run
 // time. Counts are whole blocks.
 #pragma once

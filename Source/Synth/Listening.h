@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How a mode's motion is heard: near, as the velocity of the struck point; or far, as the pressure
 // that the whole surface radiates, if the object has a radiation table.
 #pragma once

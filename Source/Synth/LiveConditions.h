@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The effect of the settings on an object while it is played: its poles, its gain and its
 // radiation. Pure numbers: no bank, no time, no samples.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The states of one object's modes (or groups of merged modes). The bank moves and renders modes;
 // its owner decides which of them sound.
 #pragma once

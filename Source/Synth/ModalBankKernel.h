@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The inner loops of synthesis, with SIMD chosen at run time: they move the states of many modes by
 // a cell and add their sound to a buffer. They read and write arrays and keep no state.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The equation of one mode, z'' + d z' + λ z = 0, solved in closed form for any damping. It knows
 // neither samples nor objects.
 #pragma once

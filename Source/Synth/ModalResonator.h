@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A resonator, one slot of the synthesiser: an object that sounds. It renders cells and takes
 // strikes and forces; the budget comes from the synthesiser.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Sets of modes as one bit each in blocks of `modeBlock`.
 #pragma once
 

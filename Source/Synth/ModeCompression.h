@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Merges modes that the ear cannot tell apart into groups: pure functions of poles, material and
 // residues (docs/decisions/0015). They know neither time nor samples.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Fades modes out and in without a click. It renders the next 3 ms of their sound under a raised
 // cosine into a separate buffer. So the bank only knows modes that are in or out, and modes that
 // are struck during a fade need no special case.

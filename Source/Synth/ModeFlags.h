@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The modes of a bank that ring and those that are mixed, one bit each, and the mixed ones as list
 // and runs.
 #pragma once

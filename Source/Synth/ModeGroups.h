@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The groups of an object's modes that are heard as one (docs/decisions/0015). They follow the
 // poles, which live material, thickness, imperfection and compression move.
 #pragma once

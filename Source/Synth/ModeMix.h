@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Mixes a batch of modes whose states at the start of each sub-block are known.
 #pragma once
 

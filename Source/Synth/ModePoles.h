@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The poles of an object's modes (or groups of merged modes), with their rotations and tables, in
 // arrays for the SIMD loops.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The residues of modes: how loudly and in which phase a strike at one point is heard in each mode.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Sets of modes, as runs of consecutive numbers or as shares. Numbers of modes and blocks are
 // stored in 32 bits.
 #pragma once

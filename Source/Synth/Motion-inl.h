@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Free motion of modes in single precision over any time, for the kernels of increments and resting
 // states. Include it after foreach_target.h.
 #if defined(IDIOPHONE_MOTION_INL_H) == defined(HWY_TARGET_TOGGLE)

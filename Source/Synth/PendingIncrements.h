@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The state increments of the last strike or the last end of a contact. They sound from their
 // sample on, and join the states at the next grid point. Joining them at once would make cells with
 // many strikes too slow.

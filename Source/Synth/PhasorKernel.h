@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Interpolates complex numbers by magnitude and phase, with SIMD chosen at run time. Compiled
 // without fused multiply-adds: the bits are those of `phasorBetween`.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "Synth/PointModes.h"
 
 #include "Synth/ContactWidth.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The modes of an object that yield most at one place, for a contact that depends on the motion of
 // the place sample by sample.
 #pragma once

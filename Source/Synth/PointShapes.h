@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The shapes of an object at a point of its surface, as the kernels read them.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Computes rotations and tables of oscillating modes from their poles, with SIMD chosen at run
 // time. Counts are whole blocks.
 #pragma once

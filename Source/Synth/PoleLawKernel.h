@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Poles of many modes under one law, and which of them may merge with their neighbours, with SIMD
 // chosen at run time. Compiled without fused multiply-adds: the bits are those of PoleLaw::pole.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Fetches a large object into the cache before its use.
 #pragma once
 

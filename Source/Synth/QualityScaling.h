@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Shares the mode budget among ringing objects (Raghuvanshi & Lin 2006, quality scaling). It counts
 // modes, never measured time, so that renders repeat.
 #pragma once

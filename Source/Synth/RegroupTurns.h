@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Spreads grouping after a change of material or pitch over the cells, counted in modes, so that no
 // cell groups all slots.
 #pragma once

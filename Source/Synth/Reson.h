@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A resonance as one complex pole, z[n] = p z[n−1] + x[n]. Each step shrinks |z| by |p| before it
 // adds the input, so the pole may move at every sample without a burst. The two real coefficients
 // of a direct form do not guarantee this.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The SIMD kernels share this file, which is compiled for each instruction set: vector types,
 // complex numbers in lanes, and conversions between double states and single-precision sums.
 // Include it after foreach_target.h.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How one slot of the synthesiser sounds, for displays and reports.
 #pragma once
 

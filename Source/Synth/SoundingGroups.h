@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A snapshot of one object's groups of modes for display, copied out of the synthesis. Plain data;
 // reading it changes nothing.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // State increments: what impacts add to the states of modes. Single precision suffices for them,
 // though not for states, which keep their phase for hours.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The strike of a hard body on an object: place, impulse and duration.
 #pragma once
 

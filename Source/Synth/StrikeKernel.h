@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Computes the effect of a contact on many modes, with SIMD chosen at run time: residues from
 // shapes, and the closed-form response to a raised cosine.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Finds the point where an object is struck: a vertex with shapes near a given place.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The sound of a surface when a body is dragged or rolled over it: plain data, after van den Doel,
 // Kry & Pai 2001, section 5. File format: docs/surfaces.md.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A surface prepared for one sample rate: a periodic noise table of its profile, and gains that
 // bring every speed to unit rms. Immutable; contacts may share it.
 #pragma once

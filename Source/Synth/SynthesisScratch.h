@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Working memory that all resonators of a synthesiser share, so that it stays in the cache from one
 // strike to the next. Only two parts outlive a call: the responses to forces, which name their
 // owner, and the opening of the tubes, which the synthesiser sets.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Settings that may change while objects ring. They act at grid points.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Mixes ringing objects to one stream of samples: modal banks on the fixed grid, strikes at their
 // sample, truncation by τ, quality scaling by S. It knows neither notes, meshes nor hosts.
 #pragma once

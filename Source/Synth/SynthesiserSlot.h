@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One object in the mix, with its size and pitch.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The opening of the tubes under the bars by a motor's discs, over one cell.
 #pragma once
 

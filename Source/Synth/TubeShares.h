@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The share of a bar's sound that comes out of its tube.
 #pragma once
 

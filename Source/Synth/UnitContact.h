@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The response of modes of residue 1 to a contact.
 #pragma once
 

@@ -3,7 +3,7 @@
 #include "Analysis/FactoryBars.h"
 #include "Analysis/ModalAnalysis.h"
 #include "Analysis/Pitch.h"
-#include "Geometry/ObjectMesh.h"
+#include "Mesh/ObjectMesh.h"
 #include "StoredObject.h"
 
 #include <algorithm>

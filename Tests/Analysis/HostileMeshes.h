@@ -1,7 +1,7 @@
 // Hostile meshes for tests that no mesh can crash the program. The same seed gives the same mesh.
 #pragma once
 
-#include "Geometry/Mesh.h"
+#include "Mesh/Mesh.h"
 
 #include <cstdint>
 #include <string>

@@ -3,7 +3,7 @@
 
 #include "Analysis/Eigensolver.h"
 #include "Analysis/ElasticLaw.h"
-#include "Geometry/Mesh.h"
+#include "Mesh/Mesh.h"
 #include "Object/Material.h"
 
 #include <functional>

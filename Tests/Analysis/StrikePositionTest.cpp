@@ -1,7 +1,7 @@
 // Tests from mesh to sound: the strike position decides which modes sound.
 #include "Analysis/ModalAnalysis.h"
 #include "Geometry/ParametricMesh.h"
-#include "Geometry/SurfaceQuery.h"
+#include "Mesh/SurfaceQuery.h"
 #include "Synth/Synthesiser.h"
 #include "TestMaterials.h"
 

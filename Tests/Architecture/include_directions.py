@@ -20,20 +20,24 @@ MODULES = {
     # module: (modules it may include, third-party headers it may include, by prefix)
     "Object": ("", "nlohmann/ tl/"),
     "Parameters": ("", ""),
+    "Python": ("Analysis World Synth Geometry Mesh Object", "Eigen/ nanobind/"),
     "AudioFiles": ("Object", "sndfile.h"),
-    "Geometry": ("Object", "Eigen/ igl/ CGAL/"),
+    "Mesh": ("Object", "Eigen/ igl/"),
+    "Geometry": ("Mesh Object", "Eigen/ igl/ CGAL/"),
     "Synth": ("Object", "hwy/"),
-    "Analysis": ("Geometry Object", "Eigen/ unsupported/Eigen/ igl/ tetgen.h"),
-    "Instrument": ("Synth Geometry Object Parameters", "Eigen/ nlohmann/ Tunings.h"),
-    "Scene": ("Instrument Synth Geometry Object Parameters",
+    "World": ("Synth Mesh Object", "Eigen/ boost/lockfree/"),
+    "C": ("World Synth Mesh Object", "Eigen/"),
+    "Analysis": ("Geometry Mesh Object", "Eigen/ unsupported/Eigen/ igl/ tetgen.h"),
+    "Instrument": ("World Synth Geometry Mesh Object Parameters", "Eigen/ nlohmann/ Tunings.h"),
+    "Scene": ("Instrument World Synth Geometry Mesh Object Parameters",
               "Eigen/ boost/lockfree/ BulletCollision/ LinearMath/ btBulletDynamicsCommon.h nlohmann/"),
     "Output": ("Object Parameters", "juce_core/ juce_dsp/"),
-    "Sampling": ("AudioFiles Output Instrument Synth Geometry Parameters Object",
+    "Sampling": ("AudioFiles Output Instrument World Synth Geometry Mesh Parameters Object",
                  "juce_audio_basics/ nlohmann/ ebur128.h"),
-    "Editor": ("Parameters Object Geometry", "Eigen/ juce_ GL/ X11/"),
-    "Plugin": ("Editor Sampling Output Scene Instrument Analysis Synth Geometry Parameters AudioFiles Object",
+    "Editor": ("Parameters Object Geometry Mesh", "Eigen/ juce_ GL/ X11/"),
+    "Plugin": ("Editor Sampling Output Scene Instrument Analysis World Synth Geometry Mesh Parameters AudioFiles Object",
                "boost/lockfree/ juce_ nlohmann/ libMTSClient.h pluginterfaces/"),
-    "Console": ("Sampling Output Scene Instrument Analysis Synth Geometry Parameters AudioFiles Object",
+    "Console": ("Sampling Output Scene Instrument Analysis World Synth Geometry Mesh Parameters AudioFiles Object",
                 "juce_ CLI/ nlohmann/ mysofa.h"),
 }
 
@@ -41,8 +45,8 @@ HEADER_ENDINGS = {".h", ".hpp"}
 SOURCE_ENDINGS = HEADER_ENDINGS | {".cpp", ".cc", ".mm"}
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*(?:<([^>]+)>|"([^"]+)"|(\S+))', re.MULTILINE)
 COMMENT_OR_TEXT = re.compile(r'//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"', re.DOTALL)
-# Headers without folder and extension (<vector>, <cmath>) and those of operating systems.
-STANDARD = re.compile(r"^[a-z_0-9]+$|^(immintrin|unistd|fcntl|malloc|signal|io|sys/\w+)\.h$")
+# Headers without folder and extension (<vector>, <cmath>) and those of C and operating systems.
+STANDARD = re.compile(r"^[a-z_0-9]+$|^(immintrin|unistd|fcntl|malloc|signal|io|stddef|stdint|sys/\w+)\.h$")
 
 
 def words(text):
@@ -88,7 +92,7 @@ def faults_of_file(file, module, source):
         if fault:
             yield f"{name}:{line}: {match.group().strip()}: {fault}"
     if file.suffix in HEADER_ENDINGS:
-        if not text.startswith(("//", "/*")):
+        if not re.sub(r"\A// SPDX.*\n", "", text).startswith(("//", "/*")):
             yield f"{name}:1: a header opens with a comment that says what it is for"
         # Highway's -inl.h files are included once for each instruction set.
         guard = "HWY_TARGET_TOGGLE" if file.name.endswith("-inl.h") else r"^#pragma once$"
@@ -182,7 +186,7 @@ PLANTED = {
     "a header without #pragma once": ("Object/Twice.h", "// Twice.\n", "#pragma once"),
     "an -inl.h that is not read for each target": ("Synth/Twice-inl.h", "// Twice.\n",
                                                    "#pragma once"),
-    "a header without an opening comment": ("Object/Mute.h", "#pragma once\n",
+    "a header without an opening comment": ("Object/Mute.h", "// SPDX-x\n#pragma once\n",
                                             "opens with a comment"),
     "an upward include after text that looks like a comment": (
         "Object/T.cpp", 'auto all = "/*";\n#include "Synth/Bank.cpp"\nauto end = "*/";\n',

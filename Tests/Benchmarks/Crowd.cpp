@@ -1,7 +1,7 @@
 #include "Benchmarks/Benchmarks.h"
 #include "Benchmarks/Timer.h"
-#include "Instrument/CellStrikes.h"
 #include "Plugin/BlockPieces.h"
+#include "Synth/CellStrikes.h"
 
 #include <array>
 #include <benchmark/benchmark.h>

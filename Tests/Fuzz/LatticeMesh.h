@@ -2,7 +2,7 @@
 // meet, fold, repeat and pass through each other.
 #pragma once
 
-#include "Geometry/Mesh.h"
+#include "Mesh/Mesh.h"
 
 #include <string_view>
 

@@ -2,8 +2,8 @@
 
 #include "Geometry/MeshCheck.h"
 #include "Geometry/ParametricMesh.h"
-#include "Geometry/SurfaceQuery.h"
 #include "Geometry/TestMeshes.h"
+#include "Mesh/SurfaceQuery.h"
 #include "Support/GeneratedMeshes.h"
 
 #include <catch2/catch_approx.hpp>

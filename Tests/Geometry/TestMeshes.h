@@ -1,8 +1,8 @@
 // Difficult meshes and mesh checks for the tests of Geometry.
 #pragma once
 
-#include "Geometry/Mesh.h"
 #include "Geometry/ParametricMesh.h"
+#include "Mesh/Mesh.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "Instrument/CellRenderer.h"
-#include "Instrument/SharedSurfaceProfile.h"
 #include "Support/Level.h"
 #include "Support/RenderNotes.h"
+#include "Synth/SharedSurfaceProfile.h"
 #include "TestInstruments.h"
 
 #include <algorithm>

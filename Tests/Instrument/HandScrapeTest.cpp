@@ -1,7 +1,6 @@
 // Tests a hand that drags over a surface.
 #include "Instrument/HandScrape.h"
 #include "Instrument/FactoryContent.h"
-#include "Instrument/ObjectSurface.h"
 #include "Instrument/Player.h"
 #include "Support/AllocationCounter.h"
 #include "Support/Highs.h"
@@ -10,6 +9,7 @@
 #include "Support/Level.h"
 #include "Support/RenderNotes.h"
 #include "TestInstruments.h"
+#include "World/ObjectSurface.h"
 
 #include <algorithm>
 #include <catch2/catch_test_macros.hpp>

@@ -1,7 +1,7 @@
 #include "Instrument/KeyState.h"
 #include "Instrument/MidiControllers.h"
-#include "Instrument/SharedSurfaceProfile.h"
 #include "Support/RenderNotes.h"
+#include "Synth/SharedSurfaceProfile.h"
 #include "TestInstruments.h"
 
 #include <catch2/catch_test_macros.hpp>

@@ -1,10 +1,10 @@
 #include "Instrument/Modulation.h"
 
 #include "Instrument/MidiControllers.h"
-#include "Instrument/SharedSurfaceProfile.h"
 #include "Support/RenderNotes.h"
 #include "Support/Routes.h"
 #include "Support/WithParameter.h"
+#include "Synth/SharedSurfaceProfile.h"
 #include "TestInstruments.h"
 
 #include <catch2/catch_approx.hpp>

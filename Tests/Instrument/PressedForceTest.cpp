@@ -1,6 +1,6 @@
 #include "Instrument/PressedForce.h"
 
-#include "Instrument/SharedSurfaceProfile.h"
+#include "Synth/SharedSurfaceProfile.h"
 
 #include <algorithm>
 #include <array>

@@ -1,9 +1,9 @@
 #include "Instrument/StrikeStrip.h"
 
 #include "Instrument/ObjectLibrary.h"
-#include "Instrument/ObjectSurface.h"
-#include "Instrument/PlaceBetween.h"
 #include "Support/SyntheticObject.h"
+#include "Synth/PlaceBetween.h"
+#include "World/ObjectSurface.h"
 
 #include <catch2/catch_approx.hpp>
 #include <catch2/catch_test_macros.hpp>

@@ -1,6 +1,7 @@
 """Tests `cmake --install`: the plugins, the programs and their desktop files."""
 import configparser
 import json
+import os
 import re
 import shutil
 import subprocess
@@ -32,7 +33,7 @@ def test_nothing_of_other_projects_is_installed(prefix):
     programs = {path.name for path in (prefix / "bin").iterdir()}
     assert programs == {"idiophone", "idiophone-standalone"}
     assert {path.name for path in prefix.iterdir()} == {"bin", "include", "lib", "share"}
-    assert {path.name for path in (prefix / "include").iterdir()} == {"idiophone"}
+    assert {path.name for path in (prefix / "include").iterdir()} == {"idiophone", "idiophone.h"}
     assert {path.name for path in (prefix / "lib/cmake").iterdir()} == {"Idiophone"}
 
 
@@ -144,6 +145,34 @@ def test_a_game_loop_on_the_library_hears_its_impacts(examples, sources, tmp_pat
         around = samples[int(48000 * seconds):][:240]
         return abs(around).max()
     assert loudness(fall + 0.001) > 2 * loudness(fall + 1.55 * fall)
+
+
+def test_a_program_in_c_is_heard(prefix, examples, sources, tmp_path):
+    plate = sources / "Resources/Objects/plate.modal"
+    libraries = next(prefix.glob("lib/*/libidiophone.so")).parent
+    flags = subprocess.run(["pkg-config", "--cflags", "--libs", "idiophone"], text=True, check=True,
+                           env={**os.environ, "PKG_CONFIG_PATH": libraries / "pkgconfig"},
+                           capture_output=True).stdout.split()
+    subprocess.run(["cc", "-std=c99", sources / "docs/library/hit.c", "-o", tmp_path / "hit",
+                    *flags], check=True)
+    for program in (tmp_path / "hit", examples / "hit"):
+        subprocess.run([program, plate, tmp_path / "hit.f32"], check=True,
+                       env={"LD_LIBRARY_PATH": libraries})
+        samples = numpy.fromfile(tmp_path / "hit.f32", "<f4")
+        assert len(samples) == 2 * 48000 and numpy.isfinite(samples).all()
+        assert abs(samples).max() > 1e-3
+
+
+@pytest.mark.skipif(shutil.which("sdl2-config") is None, reason="there is no libsdl2-dev")
+def test_boxes_that_are_thrown_about_are_heard(prefix, examples, sources, tmp_path):
+    sound = tmp_path / "boxes.f32"
+    subprocess.run([examples / "boxes", sources / "Resources/Objects/die.modal", "2"], check=True,
+                   env={"LD_LIBRARY_PATH": next(prefix.glob("lib/*/libidiophone.so")).parent,
+                        "SDL_VIDEODRIVER": "dummy", "SDL_AUDIODRIVER": "disk",
+                        "SDL_DISKAUDIOFILE": sound})
+    samples = numpy.fromfile(sound, "<f4")
+    assert len(samples) > 48000 and numpy.isfinite(samples).all()
+    assert abs(samples).max() > 0.01
 
 
 def test_slides_and_rolls_on_the_library_are_heard_by_both_ears_and_differ(

@@ -1,7 +1,8 @@
 // Tests the sound of scenes.
-#include "Scene/SceneSound.h"
 #include "Scene/FactoryScenes.h"
+#include "Scene/SceneSimulation.h"
 #include "Synth/AlignedVector.h"
+#include "World/HeardBodies.h"
 
 #include <algorithm>
 #include <catch2/catch_test_macros.hpp>
@@ -20,7 +21,8 @@ constexpr double rateHz = 48000;
 class Rig {
 public:
     Rig(const SceneAssets& assets, const SceneSimulation& motion)
-        : synth(motion.slots(), rateHz, 1), sound(assets, synth.slotCount(), rateHz),
+        : synth(motion.slots(), rateHz, 1),
+          sound(synth.slotCount(), assets.surfaces(), assets.scene().listener, rateHz),
           slotSamples(synth.slotCount() * cellSamples), cells(cellsOfSlotsIn(slotSamples)) {}
 
     double cellStartSeconds() const {
@@ -31,7 +33,8 @@ public:
         synth.beginCell(cells);
     }
     bool strike(const SceneImpact& impact) {
-        return sound.strike(impact, (impact.seconds - cellStartSeconds()) * rateHz,
+        return sound.strike(impact.slot, impact.strike,
+                            (impact.seconds - cellStartSeconds()) * rateHz,
                             {synth, cells, cellIndex});
     }
     /// Appends the cell at the left ear to `samples`.
@@ -46,7 +49,7 @@ public:
 
 private:
     Synthesiser synth;
-    SceneSound sound;
+    HeardBodies sound;
     AlignedVector<float> slotSamples;
     std::vector<CellOutput> cells;
     std::int64_t cellIndex = -1;

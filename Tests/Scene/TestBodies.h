@@ -1,8 +1,8 @@
 // Bodies of known mass and form for tests.
 #pragma once
 
-#include "Geometry/ObjectMesh.h"
 #include "Geometry/ParametricMesh.h"
+#include "Mesh/ObjectMesh.h"
 #include "Scene/RigidWorld.h"
 
 #include <cmath>

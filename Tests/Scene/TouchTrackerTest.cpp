@@ -123,7 +123,7 @@ TEST_CASE("If there are more pairs than voices, the loudest get voices and keep 
         touches.push_back(sliding(2 * k, 2 * k + 1, 1 + static_cast<double>(k)));
     rig.follow(touches);
     for (std::size_t k = 0; k < touches.size(); ++k)
-        CHECK((rig.of(touches[k]) != nullptr) == (k >= touches.size() - TouchTracker::voiceCount));
+        CHECK((rig.of(touches[k]) != nullptr) == (k >= touches.size() - touchVoices));
     // A louder pair waits until a voice is free.
     const auto loudest = sliding(90, 91, 1000);
     touches.push_back(loudest);
@@ -134,14 +134,14 @@ TEST_CASE("If there are more pairs than voices, the loudest get voices and keep 
     CHECK(rig.of(loudest) != nullptr);
 }
 
-TEST_CASE("A voice returns the slots of its bodies and the role of the rougher one") {
+TEST_CASE("A voice returns the slots of its bodies and the rougher surface") {
     Rig rig;
     for (const auto& [bodies, role] : {std::pair{std::array<std::size_t, 2>{0, 1}, doubled},
                                        {std::array<std::size_t, 2>{4, 6}, doubled}}) {
         const auto touch = sliding(bodies[0], bodies[1]);
         rig.follow({touch});
         REQUIRE(rig.of(touch) != nullptr);
-        CHECK(rig.of(touch)->soundRole == role);
+        CHECK(rig.of(touch)->surface == rig.assets->roles()[role].surfaceIndex);
     }
 }
 

@@ -1,5 +1,5 @@
 // Tests sliding and rolling as forces on the slots of both bodies.
-#include "Scene/TouchVoices.h"
+#include "World/TouchVoices.h"
 
 #include "Scene/FactoryScenes.h"
 #include "Scene/SceneSimulation.h"
@@ -18,7 +18,7 @@ class Rig {
 public:
     Rig()
         : synthesiser({assets->slotOf(0), assets->slotOf(0)}, rateHz),
-          cells(cellsOfSlotsIn(samples)), voices(*assets, rateHz, 1) {}
+          cells(cellsOfSlotsIn(samples)), voices(assets->surfaces(), rateHz, 1) {}
 
     /// Renders the next cell under a state. Returns whether each slot sounds in it.
     std::array<bool, 2> press(const TouchState& state, std::size_t rollSlots = 0) {
@@ -39,7 +39,7 @@ public:
 };
 
 TouchState sliding() {
-    TouchState state{.pair = 1, .soundRole = 0, .slots = {0, 1}};
+    TouchState state{.pair = 1, .surface = 0, .slots = {0, 1}};
     for (auto& point : state.points)
         point.direction = {0, 0, -1};
     state.forceNewtons = 2;

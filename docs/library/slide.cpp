@@ -3,8 +3,8 @@
 // radiates to them.
 //
 //     slide scrape|roll OBJECT.modal SOUND.f32        (32-bit float, stereo, 48 kHz)
-#include "Geometry/ShapeMesh.h"
-#include "Geometry/SurfaceQuery.h"
+#include "Mesh/ShapeMesh.h"
+#include "Mesh/SurfaceQuery.h"
 #include "Object/ModalObjectFile.h"
 #include "Synth/ContactForce.h"
 #include "Synth/Synthesiser.h"
