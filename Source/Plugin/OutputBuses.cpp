@@ -7,6 +7,7 @@ namespace idiophone {
 void OutputBuses::prepare(double sampleRateHz, OutputSet outputs) {
     connected = outputs;
     connected.set(0);
+    hasSounded = 1;
     // Blocks are rendered in pieces of our own size, because the host's blocks may have any size.
     for (std::size_t output = 0; output < maximumOutputs; ++output)
         if (connected[output])
@@ -14,6 +15,7 @@ void OutputBuses::prepare(double sampleRateHz, OutputSet outputs) {
 }
 
 void OutputBuses::reset() noexcept {
+    hasSounded = 1;
     for (std::size_t output = 0; output < maximumOutputs; ++output)
         if (connected[output])
             stages[output].reset();
@@ -43,12 +45,20 @@ bool OutputBuses::silent() const noexcept {
 bool OutputBuses::process(std::span<const StereoSpan> sounds,
                           const Channels& channels,
                           const ParameterValues& values) noexcept {
+    const auto isSilent = [](float sample) { return sample == 0; };
+    const auto count = sounds.front().size();
     bool isFinite = true;
     for (std::size_t output = 0; output < maximumOutputs; ++output) {
         const auto& [left, right] = sounds[output];
-        if (!connected[output])
+        if (connected[output] && !hasSounded[output]) {
+            hasSounded[output] =
+                !std::ranges::all_of(left, isSilent) || !std::ranges::all_of(right, isSilent);
+            if (!hasSounded[output])
+                stages[output].skip(count);
+        }
+        if (!hasSounded[output])
             for (float* channel : channels[output])
-                std::fill_n(channel, sounds.front().size(), 0.0f);
+                std::fill_n(channel, count, 0.0f);
         else if (!stages[output].process(left, right, channels[output], values))
             isFinite = false;
     }

@@ -42,6 +42,7 @@ public:
 
 private:
     OutputSet connected{1};
+    OutputSet hasSounded{1}; ///< since the last reset; the main one is always processed
     std::array<OutputStage, maximumOutputs> stages;
     OutputMemory rendered;
     std::array<std::array<float, BlockPieces::maximumSamples>, 2> summed{};
