@@ -60,6 +60,11 @@ constexpr Condition conditions[]{
      [](const auto& values, const auto&) {
          return motorSyncBeats(static_cast<int>(values[motorSync])) == 0;
      }},
+    {{outputs},
+     "there is one output only",
+     [](const auto& values, const auto&) {
+         return static_cast<int>(values[outputs]) == mainOutput;
+     }},
     {{roomDecay},
      "it needs room above 0",
      [](const auto& values, const auto&) { return values[room] > 0; }},

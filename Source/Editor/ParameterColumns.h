@@ -28,6 +28,9 @@ public:
             for (const auto& info : parameterTable())
                 if (info.group == name && std::ranges::find(first, info.parameter) == first.end())
                     order.push_back(info.parameter);
+            std::erase_if(order, [&](ParameterId one) { return !view.parameters.isOffered(one); });
+            if (order.empty())
+                continue;
             Group group{.title = fromUtf8(name), .column = column, .controls = {}, .heading = {}};
             for (const auto parameter : order) {
                 group.controls.push_back(

@@ -25,6 +25,9 @@ public:
     /// False if the parameter has no effect on the current sound: its objects would need a new
     /// analysis, or no key has a pitch to keep.
     virtual bool isLive(ParameterId parameter) const = 0;
+    /// False if the parameter never has an effect in this plugin, because nothing comes in or there
+    /// is one output only. Windows leave it out.
+    virtual bool isOffered(ParameterId parameter) const = 0;
     /// A gesture by hand: `beginChange`, any number of `change`s, `endChange`. The host records it.
     virtual void beginChange(ParameterId parameter) = 0;
     virtual void change(ParameterId parameter, double value) = 0;

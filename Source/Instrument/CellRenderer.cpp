@@ -29,7 +29,7 @@ CellRenderer::CellRenderer(const Instrument& played,
     : instrument(played),
       synth(copySlots(played), sampleRateHz, cellStrategy->hasMallets() ? 2 : 1),
       strategy(std::move(cellStrategy)), held(contacts), hand(scrapingHand), input(soundIn),
-      motor(cellSamples / sampleRateHz),
+      motor(cellSamples / sampleRateHz), slotOutputs(played),
       slotDampers(played, synth.slotCount(), strategy->hasMallets()) {
     for (std::size_t slot = 0; slot < synth.slotCount(); ++slot)
         if (const auto* part = played.part(slot))
@@ -61,6 +61,7 @@ void CellRenderer::beginCell(const ParameterValues& values,
                              StrikeScheduler& strikes) {
     synth.setSettings(synthesisSettings(values));
     updateDampers(values, keys);
+    followOutputs(values);
     sound(values, cell);
     addRemains();
     ++index;
@@ -68,6 +69,20 @@ void CellRenderer::beginCell(const ParameterValues& values,
     if (strategy->hasMallets())
         input.beginCell(values);
     strategy->finish(begunCell(), strikes, cell);
+}
+
+/// Ringing slots change their output after a fade over one cell, and before another one.
+void CellRenderer::followOutputs(const ParameterValues& values) {
+    const bool differs =
+        slotOutputs.find(static_cast<int>(values[ParameterId::outputs]), connected);
+    const bool changes = differs && !hasRemains && (index < 0 || openAtEnd == 0);
+    if (changes) {
+        slotOutputs.change();
+        cell.route(slotOutputs.ofSlots());
+        remains.route(slotOutputs.ofSlots());
+    }
+    openAtStart = openAtEnd;
+    openAtEnd = differs && !changes ? 0.0f : 1.0f;
 }
 
 void CellRenderer::sound(const ParameterValues& values, StereoCell& into) {
@@ -99,8 +114,10 @@ void CellRenderer::addRemains() {
     for (std::size_t k = 0; k < cellSamples; ++k) {
         const double fraction = static_cast<double>(k + 1) / cellSamples;
         const auto gain = static_cast<float>((1 + std::cos(std::numbers::pi * fraction)) / 2);
-        cell.left[k] += gain * remains.left[k];
-        cell.right[k] += gain * remains.right[k];
+        for (std::size_t output = 0; output < remains.outputsInUse; ++output) {
+            cell.channels[output].left[k] += gain * remains.channels[output].left[k];
+            cell.channels[output].right[k] += gain * remains.channels[output].right[k];
+        }
         for (std::size_t at = k; at < cell.slotSamples.size(); at += cellSamples)
             cell.slotSamples[at] += gain * remains.slotSamples[at];
     }
@@ -128,22 +145,39 @@ void CellRenderer::soundInput(std::span<const float> heard,
         input.endCell(synth);
 }
 
-void CellRenderer::copyOut(const StereoSpan& output,
+void CellRenderer::copyOut(std::span<const StereoSpan> to,
+                           std::size_t from,
+                           std::size_t until,
                            std::span<const float> heard,
                            StrikeScheduler& strikes) {
-    const int count = static_cast<int>(output.size());
+    const auto count = until - from;
     if (strategy->hasMallets())
-        soundInput(heard, output.size(), strikes);
+        soundInput(heard.empty() ? heard : heard.subspan(from, count), count, strikes);
     else
-        strikes.strikeBefore(position + count, begunCell());
-    for (std::size_t k = 0; k < output.size(); ++k) {
-        const auto from = static_cast<std::size_t>(position) + k;
-        const float part = static_cast<float>(from + 1) / cellSamples;
-        const float gain = gainAtStart + part * (gainAtEnd - gainAtStart);
-        output.left[k] = gain * cell.left[from];
-        output.right[k] = gain * cell.right[from];
+        strikes.strikeBefore(position + static_cast<int>(count), begunCell());
+    const auto begin = static_cast<std::size_t>(position);
+    alignas(64) std::array<float, cellSamples> gains;
+    for (std::size_t k = 0; k < count; ++k) {
+        const float part = static_cast<float>(begin + k + 1) / cellSamples;
+        gains[k] = (gainAtStart + part * (gainAtEnd - gainAtStart)) *
+                   (openAtStart + part * (openAtEnd - openAtStart));
     }
-    position += count;
+    const auto copy = [&](std::span<const float> samples, std::span<float> into) {
+        for (std::size_t k = 0; k < count; ++k)
+            into[from + k] = gains[k] * samples[begin + k];
+    };
+    for (std::size_t output = 0; output < to.size(); ++output) {
+        if (to[output].left.data() == nullptr)
+            continue;
+        if (output < cell.outputsInUse) {
+            copy(cell.channels[output].left, to[output].left);
+            copy(cell.channels[output].right, to[output].right);
+        } else {
+            std::ranges::fill(to[output].left.subspan(from, count), 0.0f);
+            std::ranges::fill(to[output].right.subspan(from, count), 0.0f);
+        }
+    }
+    position += static_cast<int>(count);
 }
 
 StrikeMoment CellRenderer::moment(const ParameterValues& values, double softness) {
@@ -176,11 +210,11 @@ void CellRenderer::setSilencedModes(const SilencedModes& modes) {
 
 void CellRenderer::reset() {
     synth.reset();
-    cell.left.fill(0);
-    cell.right.fill(0);
+    for (auto& output : cell.channels)
+        output.output().clear();
     position = cellSamples;
     index = -1;
-    gainAtStart = gainAtEnd = 1;
+    gainAtStart = gainAtEnd = openAtStart = openAtEnd = 1;
     motor.reset();
     slotDampers.reset();
     held.forgetAll();
@@ -194,7 +228,9 @@ bool CellRenderer::silent() const {
                            [](float x) { return x == 0; });
     };
     return !hasRemains && synth.silent() && held.silent() && hand.silent() && input.silent() &&
-           isCopied(cell.left) && isCopied(cell.right);
+           std::ranges::all_of(cell.used(), [&](const StereoCell::Channels& output) {
+               return isCopied(output.left) && isCopied(output.right);
+           });
 }
 
 } // namespace idiophone

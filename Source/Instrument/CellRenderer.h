@@ -10,6 +10,7 @@
 #include "Instrument/KeyState.h"
 #include "Instrument/Motor.h"
 #include "Instrument/SilencedModes.h"
+#include "Instrument/SlotOutputs.h"
 #include "Instrument/StereoSpan.h"
 
 #include <memory>
@@ -38,6 +39,8 @@ public:
                    double beatsPerMinute,
                    std::optional<double> songTurns,
                    bool isAtOnce);
+    /// Says where sound is heard from the next cell on. At first only on the main output.
+    void connect(OutputSet outputs) { connected = outputs; }
     void beginCell(const ParameterValues& values, const KeyState& keys, StrikeScheduler& strikes);
     /// Moves the gain towards its goal over the newest cell. The first cell starts at the goal.
     void moveGain(float goal);
@@ -45,9 +48,14 @@ public:
     bool cellIsOver() const { return position == cellSamples; }
     bool isWithinCell() const { return position > 0 && !cellIsOver(); }
     int samplesLeft() const { return cellSamples - position; }
-    /// Plays the strikes and the input of the cell's next part and copies this part to the output.
-    /// Without input, `heard` is empty.
-    void copyOut(const StereoSpan& output, std::span<const float> heard, StrikeScheduler& strikes);
+    /// Plays the strikes and the input of the cell's next part and copies this part to samples
+    /// `from` to `until` of the connected outputs, of which there are at most `maximumOutputs`.
+    /// `heard` is the input of the whole block, or empty.
+    void copyOut(std::span<const StereoSpan> outputs,
+                 std::size_t from,
+                 std::size_t until,
+                 std::span<const float> heard,
+                 StrikeScheduler& strikes);
 
     /// Returns the moment of a strike at the next sample.
     StrikeMoment moment(const ParameterValues& values, double softness);
@@ -79,6 +87,7 @@ private:
     void sound(const ParameterValues& values, StereoCell& into);
     void soundInput(std::span<const float> heard, std::size_t count, StrikeScheduler& strikes);
     void addRemains();
+    void followOutputs(const ParameterValues& values);
 
     const Instrument& instrument;
     Synthesiser synth;
@@ -94,6 +103,9 @@ private:
     int position = cellSamples;           ///< next sample to copy out
     std::int64_t index = -1;              ///< of the newest cell
     float gainAtStart = 1, gainAtEnd = 1; ///< of the newest cell; linear in between
+    OutputSet connected{1};
+    SlotOutputs slotOutputs;
+    float openAtStart = 1, openAtEnd = 1; ///< another gain, which shuts while outputs change
     Dampers slotDampers;
 };
 

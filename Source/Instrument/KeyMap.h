@@ -93,6 +93,9 @@ struct KitPart {
     /// 1 to `maximumChokeGroup`: a strike on one key of the group damps the group's other keys. 0:
     /// none.
     int chokeGroup = 0;
+    /// 1 to `maximumOutputs`: where it sounds if ParameterId::outputs chooses by parts. 0: the
+    /// parts go round the outputs.
+    int output = 0;
 
     bool operator==(const KitPart&) const = default;
 };

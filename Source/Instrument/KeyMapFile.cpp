@@ -1,6 +1,7 @@
 #include "Instrument/KeyMapFile.h"
 
 #include "Instrument/JsonPlace.h"
+#include "Instrument/StereoSpan.h"
 #include "Object/OneLine.h"
 #include "Parameters/ParameterTable.h"
 
@@ -101,6 +102,7 @@ KitPart parsePart(const JsonPlace& place) {
     read(place, "mallet", part.mallet, parseChoice, ParameterId::mallet);
     read(place, "levelDb", part.levelDb, &JsonPlace::number, -40, 40);
     read(place, "chokeGroup", part.chokeGroup, &JsonPlace::integer, 0, maximumChokeGroup);
+    read(place, "output", part.output, &JsonPlace::integer, 1, int{maximumOutputs});
     return part;
 }
 
@@ -134,6 +136,8 @@ ordered_json partToJson(const KitPart& part) {
         json["material"] = name(ParameterId::material, *part.material);
     if (part.mallet)
         json["mallet"] = name(ParameterId::mallet, *part.mallet);
+    if (part.output > 0)
+        json["output"] = part.output;
     return json;
 }
 

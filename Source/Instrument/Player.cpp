@@ -69,7 +69,7 @@ void Player::setOffline(bool isOffline) noexcept {
     stage().setOffline(isOffline);
 }
 
-void Player::process(const StereoSpan& output,
+void Player::process(std::span<const StereoSpan> outputs,
                      std::span<const MidiEvent> events,
                      const ParameterValues& parameters,
                      std::span<const float> input) {
@@ -77,7 +77,8 @@ void Player::process(const StereoSpan& output,
         inputForce.connect();
     glide.setGoal(parameters);
     keys.bend().setParameters(glide.values());
-    const int count = static_cast<int>(output.size());
+    renderer.connect(connectedOutputs(outputs));
+    const int count = static_cast<int>(outputs.front().size());
     const double beatsPerSample = tempo / 60 / synthesiser().sampleRateHz();
     const auto placeAt = [this, beatsPerSample](int position) {
         return songPlace ? std::optional(*songPlace + position * beatsPerSample) : std::nullopt;
@@ -94,10 +95,8 @@ void Player::process(const StereoSpan& output,
         int until = std::min(count, position + renderer.samplesLeft());
         if (!events.empty())
             until = std::min(until, events.front().sampleOffset);
-        const auto from = static_cast<std::size_t>(position);
-        const auto length = static_cast<std::size_t>(until - position);
-        renderer.copyOut(output.subspan(from, length),
-                         input.empty() ? input : input.subspan(from, length), scheduler);
+        renderer.copyOut(outputs, static_cast<std::size_t>(position),
+                         static_cast<std::size_t>(until), input, scheduler);
         position = until;
         if (renderer.isSilenced())
             silencedSamples = static_cast<std::size_t>(position);

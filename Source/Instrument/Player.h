@@ -59,8 +59,10 @@ public:
     /// Returns the position of the modulation wheel.
     int modulationWheel() const noexcept { return keys.modulationWheel(); }
 
-    /// Renders the next `output.size()` samples (full scale 1, before `width` and `level`). Without
-    /// radiation both channels are the same.
+    /// Renders the next samples of the connected outputs (full scale 1, before `width` and
+    /// `level`), of which the main one is the first. There are at most `maximumOutputs`, all
+    /// equally long or not connected (`connectedOutputs`). Without radiation both channels are the
+    /// same.
     /// Events are in order of time; those beyond the block's end act at the start of the next
     /// block. Strikes act at their sample. All else acts at the first point of the 64-sample grid
     /// at or after its time; for parameters that time is the block's first sample. From there
@@ -69,10 +71,17 @@ public:
     /// point.
     /// `input` (mono, full scale 1) presses on the object of the last key, at its own sample. It
     /// is as long as the output, or empty. A stage does not hear it.
-    void process(const StereoSpan& output,
+    void process(std::span<const StereoSpan> outputs,
                  std::span<const MidiEvent> events,
                  const ParameterValues& parameters,
                  std::span<const float> input = {});
+    /// Renders the main output only.
+    void process(const StereoSpan& output,
+                 std::span<const MidiEvent> events,
+                 const ParameterValues& parameters,
+                 std::span<const float> input = {}) {
+        process(std::span(&output, 1), events, parameters, input);
+    }
 
     /// Strikes at the first sample of the next non-empty block. From the strike until the hand
     /// lifts, the object is held as by a key. Ignores slots and rows that this instrument does not

@@ -110,6 +110,11 @@ bool OutputStage::process(std::span<const float> left,
     return true;
 }
 
+void OutputStage::skip(std::size_t samples) noexcept {
+    gridPosition = (gridPosition + samples) % cell;
+    room.skip(samples);
+}
+
 bool OutputStage::processPiece(std::span<const float> left,
                                std::span<const float> right,
                                std::span<float* const> channels,

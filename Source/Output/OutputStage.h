@@ -18,8 +18,8 @@ namespace idiophone {
 /// allocate, lock or throw. At constant parameters the samples do not depend on block sizes.
 class OutputStage {
 public:
-    /// The ramp of level, bypass, width, brightness, room and limiter switch. It is long enough to avoid steps
-    /// and too short to be heard as a fade (by ear).
+    /// The ramp of level, bypass, width, brightness, room and limiter switch. It is long enough to
+    /// avoid steps and too short to be heard as a fade (by ear).
     static constexpr double rampSeconds = 0.02;
     static_assert(rampSeconds <= Room::earliestSeconds);
 
@@ -43,6 +43,10 @@ public:
                  std::span<const float> right,
                  std::span<float* const> channels,
                  const ParameterValues& values) noexcept;
+
+    /// Passes over silence before the first sound since `prepare` or `reset`. What follows is as if
+    /// `process` had been called for it at constant values.
+    void skip(std::size_t samples) noexcept;
 
     /// Fades the reverb out over the ramp. Only input after the next `unanswered` samples makes new
     /// reverb.

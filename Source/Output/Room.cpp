@@ -47,6 +47,12 @@ void Room::hush(std::size_t samples) noexcept {
     isSilent = true;
 }
 
+void Room::skip(std::size_t samples) noexcept {
+    unanswered -= std::min(unanswered, samples);
+    gridPosition =
+        static_cast<int>((static_cast<std::size_t>(gridPosition) + samples) % gridSamples);
+}
+
 bool Room::isShut() const noexcept {
     return !amount.isSmoothing() && amount.getTargetValue() == 0;
 }

@@ -42,6 +42,9 @@ public:
     /// until the next call. At most `maximumBlockSize` samples.
     Sound process(const Sound& sound, const ParameterValues& values) noexcept;
 
+    /// Passes over silence before the first sound since `prepare` or `reset`.
+    void skip(std::size_t samples) noexcept;
+
     /// Returns true if there is no more reverb.
     bool silent() const noexcept { return isSilent && fadeLeft == 0; }
 

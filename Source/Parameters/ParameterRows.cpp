@@ -19,6 +19,9 @@ constexpr std::array<ParameterInfo, parameterCount> rows{{
 
 constexpr std::array<std::string_view, 5> contactNames{"Strike", "Scrape", "Roll", "Bow", "Rub"};
 
+constexpr std::array<std::string_view, outputChoices> outputsNames{"Main only", "Kit parts",
+                                                                   "Octaves", "Keys"};
+
 // Append only: hosts store the position.
 constexpr std::array<std::string_view, 9> motorSyncNames{"Free",  "1/1", "1/2",   "1/2 T", "1/4",
                                                          "1/4 T", "1/8", "1/8 T", "1/16"};
@@ -89,6 +92,8 @@ std::span<const std::string_view> choiceNames(ParameterId parameter) {
         return contactNames;
     if (parameter == motorSync)
         return motorSyncNames;
+    if (parameter == outputs)
+        return outputsNames;
     return modulationNames(parameter);
 }
 

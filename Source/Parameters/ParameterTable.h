@@ -126,6 +126,15 @@ enum MotorSyncChoice { freeMotor = 0, firstSyncedMotor = 1 };
 /// Returns the beats of the note length of a ParameterId::motorSync choice, 0 for the free one.
 double motorSyncBeats(int choice);
 
+/// Choices of ParameterId::outputs: what decides on which output a key sounds.
+enum OutputsChoice {
+    mainOutput = 0,
+    outputsByPart = 1,
+    outputsByOctave = 2,
+    outputsByKey = 3,
+    outputChoices = 4
+};
+
 /// Choices of ParameterId::contact: the action of a held key.
 enum ContactChoice {
     strikeContact = 0,

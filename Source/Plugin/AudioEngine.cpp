@@ -20,17 +20,17 @@ void AudioEngine::process(const HostBuffer& buffer,
     strikeKeysHeldFor(next);
     while (const auto piece = pieces.next()) {
         const auto length = static_cast<std::size_t>(piece->length);
-        const StereoSpan rendered{std::span(left).first(length), std::span(right).first(length)};
+        const auto rendered = output.memory(length);
         const auto channels = channelsFrom(buffer, piece->start);
         takeInput(buffer, *piece);
         takeEvents(*piece);
         render(rendered, piece->events);
         write(rendered, channels);
         if (buffer.isEffect)
-            dryWet.process(std::span(heardChannels).first(heardCount), channels, values);
+            dryWet.process(std::span(heardChannels).first(heardCount), channels.front(), values);
         sendReport(channels, piece->length);
         if (!isOffline) // it would replace what was played
-            report.lastSound.write(channels, length);
+            report.lastSound.write(output.sum(channels, length), length);
     }
     midi.clear(); // some wrappers would send the remaining events on
 }
@@ -117,7 +117,7 @@ void AudioEngine::takeWindowEvents() noexcept {
 /// Strikes keys pressed before the requested program could play, at the first sample.
 void AudioEngine::strikeKeysHeldFor(const Player* next) noexcept {
     if (const auto keys = programs.takeKeys(next); !keys.empty())
-        sound.process({}, keys, values);
+        sound.process(StereoSpan{}, keys, values);
 }
 
 void AudioEngine::takeEvents(const BlockPieces::Piece& piece) noexcept {
@@ -144,9 +144,10 @@ void AudioEngine::takeInput(const HostBuffer& buffer, const BlockPieces::Piece& 
         pressing[k] = (heard[0][k] + second[k]) / 2;
 }
 
-void AudioEngine::render(const StereoSpan& rendered, std::span<const MidiEvent> events) noexcept {
+void AudioEngine::render(std::span<const StereoSpan> rendered,
+                         std::span<const MidiEvent> events) noexcept {
     sound.process(rendered, events, values,
-                  std::span(pressing).first(heardCount > 0 ? rendered.size() : 0));
+                  std::span(pressing).first(heardCount > 0 ? rendered.front().size() : 0));
     if (auto* player = sound.player()) {
         followGivenBends(*player);
         if (const auto silenced = player->takeSilenced())
@@ -170,21 +171,23 @@ void AudioEngine::followGivenBends(Player& player) noexcept {
 
 /// Resets a player whose output is not finite, because it would not recover. The next note then
 /// starts from silence.
-void AudioEngine::write(const StereoSpan& rendered, std::span<float* const> channels) noexcept {
-    if (output.process(rendered.left, rendered.right, channels, values))
+void AudioEngine::write(std::span<const StereoSpan> rendered,
+                        const OutputBuses::Channels& channels) noexcept {
+    if (output.process(rendered, channels, values))
         return;
     sound.reset();
     ++report.notFinite;
 }
 
-void AudioEngine::sendReport(std::span<float* const> channels, int count) noexcept {
-    for (std::size_t channel = 0; channel < channels.size(); ++channel) {
-        const auto range = juce::FloatVectorOperations::findMinAndMax(channels[channel], count);
-        const float highest = std::max(-range.getStart(), range.getEnd());
-        report.monitor.addPeak(channel, highest);
-        if (highest > report.peak.load())
-            report.peak = highest;
-    }
+void AudioEngine::sendReport(const OutputBuses::Channels& channels, int count) noexcept {
+    for (const auto& ofOutput : channels)
+        for (std::size_t channel = 0; channel < ofOutput.size(); ++channel) {
+            const auto range = juce::FloatVectorOperations::findMinAndMax(ofOutput[channel], count);
+            const float highest = std::max(-range.getStart(), range.getEnd());
+            report.monitor.addPeak(channel, highest);
+            if (highest > report.peak.load())
+                report.peak = highest;
+        }
     if (auto* player = sound.player()) {
         report.modulationWheel = player->modulationWheel();
         report.modesMixed = player->synthesiser().modesMixed();
@@ -195,11 +198,17 @@ void AudioEngine::sendReport(std::span<float* const> channels, int count) noexce
     }
 }
 
-std::span<float* const> AudioEngine::channelsFrom(const HostBuffer& buffer, int start) noexcept {
-    const auto count = static_cast<std::size_t>(buffer.outputs);
-    for (std::size_t i = 0; i < count; ++i)
-        channelPointers[i] = buffer.samples.getWritePointer(static_cast<int>(i), start);
-    return std::span(channelPointers).first(count);
+OutputBuses::Channels AudioEngine::channelsFrom(const HostBuffer& buffer, int start) noexcept {
+    OutputBuses::Channels channels;
+    std::size_t first = 0;
+    for (std::size_t bus = 0; bus < maximumOutputs; ++bus) {
+        const auto count = static_cast<std::size_t>(buffer.outputs[bus]);
+        for (std::size_t i = first; i < first + count; ++i)
+            channelPointers[i] = buffer.samples.getWritePointer(static_cast<int>(i), start);
+        channels[bus] = std::span(channelPointers).subspan(first, count);
+        first += count;
+    }
+    return channels;
 }
 
 AudioEngine::AudioEngine(HostParameters& hostParameters,
@@ -209,9 +218,8 @@ AudioEngine::AudioEngine(HostParameters& hostParameters,
     : parameters(hostParameters), messages(engineMessages), programs(programChanges),
       report(engineReport), sound(engineMessages.players) {}
 
-void AudioEngine::prepare(double sampleRateHz, std::unique_ptr<Player> player) {
-    // Blocks are rendered in pieces of our own size, because the host's blocks may have any size.
-    output.prepare(sampleRateHz, BlockPieces::maximumSamples);
+void AudioEngine::prepare(double sampleRateHz, std::unique_ptr<Player> player, OutputSet outputs) {
+    output.prepare(sampleRateHz, outputs);
     dryWet.prepare(sampleRateHz, OutputStage::rampSeconds);
     report.monitor.prepare(sampleRateHz);
     report.lastSound.prepare(sampleRateHz);

@@ -3,11 +3,11 @@
 #pragma once
 
 #include "Output/DryWet.h"
-#include "Output/OutputStage.h"
 #include "Plugin/BlockPieces.h"
 #include "Plugin/EngineMessages.h"
 #include "Plugin/EngineReport.h"
 #include "Plugin/HostTransport.h"
+#include "Plugin/OutputBuses.h"
 #include "Plugin/PlayerCrossfade.h"
 #include "Plugin/ProgramChanges.h"
 
@@ -21,9 +21,10 @@ namespace idiophone {
 /// A block of the host. Its first channels hold the input, and are then overwritten by the output.
 struct HostBuffer {
     juce::AudioBuffer<float>& samples;
-    int inputs = 0;        ///< channels that come in, 0 to 2
-    int outputs = 2;       ///< channels that go out, 0 to 2
-    bool isEffect = false; ///< the output is mixed with the input
+    int inputs = 0; ///< channels that come in, 0 to 2
+    /// Channels of each output, 0 to 2, one output after another. 0: not connected.
+    std::array<int, maximumOutputs> outputs{2};
+    bool isEffect = false; ///< the main output is mixed with the input
 };
 
 /// The references must outlive it. All fields are the audio thread's; `prepare` may use them
@@ -36,7 +37,8 @@ public:
                 EngineReport& report);
 
     /// [message side] Call while no callback runs. Plays this player from its start, or nothing.
-    void prepare(double sampleRateHz, std::unique_ptr<Player> player);
+    /// Later only these outputs can sound.
+    void prepare(double sampleRateHz, std::unique_ptr<Player> player, OutputSet outputs = {1});
     /// [any thread] Returns whether `prepare` was ever called.
     bool isPrepared() const noexcept { return prepared; }
 
@@ -63,12 +65,13 @@ private:
     void strikeKeysHeldFor(const Player* next) noexcept;
     void takeEvents(const BlockPieces::Piece& piece) noexcept;
     void takeInput(const HostBuffer& buffer, const BlockPieces::Piece& piece) noexcept;
-    void render(const StereoSpan& rendered, std::span<const MidiEvent> events) noexcept;
+    void render(std::span<const StereoSpan> rendered, std::span<const MidiEvent> events) noexcept;
     void followGivenBends(Player& player) noexcept;
-    void write(const StereoSpan& rendered, std::span<float* const> channels) noexcept;
-    void sendReport(std::span<float* const> channels, int count) noexcept;
+    void write(std::span<const StereoSpan> rendered,
+               const OutputBuses::Channels& channels) noexcept;
+    void sendReport(const OutputBuses::Channels& channels, int count) noexcept;
     void forgetEvents() noexcept;
-    std::span<float* const> channelsFrom(const HostBuffer& buffer, int start) noexcept;
+    OutputBuses::Channels channelsFrom(const HostBuffer& buffer, int start) noexcept;
 
     HostParameters& parameters;
     EngineMessages& messages;
@@ -80,14 +83,13 @@ private:
     PlayerCrossfade sound;
     HostTransport transport;
     BlockPieces pieces;
-    OutputStage output;
+    OutputBuses output;
     DryWet dryWet;
-    std::array<float, BlockPieces::maximumSamples> left{}, right{};
     std::array<std::array<float, BlockPieces::maximumSamples>, 2> heard{}; ///< the piece's input
     std::array<float, BlockPieces::maximumSamples> pressing{};             ///< its mean
     std::array<std::span<const float>, 2> heardChannels{};
     std::size_t heardCount = 0; ///< channels of the input; 0: none
-    std::array<float*, 2> channelPointers{};
+    std::array<float*, 2 * maximumOutputs> channelPointers{};
 };
 
 } // namespace idiophone

@@ -51,6 +51,17 @@ bool ParameterEdits::isLive(ParameterId parameter) const {
                                                 : hasPitch(playing->slots()));
 }
 
+/// An effect's input is open from the start, and the side chain of an instrument is not.
+bool ParameterEdits::isOffered(ParameterId parameter) const {
+    using enum ParameterId;
+    const auto* input = plugin.getBus(true, 0);
+    if (parameter == dryWet)
+        return input != nullptr && input->isEnabledByDefault();
+    if (parameter == inputDrive || parameter == inputLowCut)
+        return input != nullptr;
+    return parameter != outputs || plugin.getBusCount(false) > 1;
+}
+
 // A figure that makes a material custom changes within a gesture of its own. Only the outer gesture
 // counts.
 void ParameterEdits::beginChange(ParameterId parameter) {

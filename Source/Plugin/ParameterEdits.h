@@ -13,10 +13,12 @@ namespace idiophone {
 /// For the message thread.
 class ParameterEdits final : public ParameterView {
 public:
-    ParameterEdits(HostParameters& hostParameters,
+    ParameterEdits(const juce::AudioProcessor& processor,
+                   HostParameters& hostParameters,
                    const SoundSession& soundSession,
                    SoundHistory& soundHistory)
-        : parameters(hostParameters), session(soundSession), history(soundHistory) {}
+        : plugin(processor), parameters(hostParameters), session(soundSession),
+          history(soundHistory) {}
 
     double value(ParameterId parameter) const override {
         return parameters[parameter].exactValue();
@@ -25,6 +27,7 @@ public:
     double presetValue(ParameterId parameter) const override;
     void makeCustom(ParameterId figure) override;
     bool isLive(ParameterId parameter) const override;
+    bool isOffered(ParameterId parameter) const override;
     void beginChange(ParameterId parameter) override;
     void change(ParameterId parameter, double value) override;
     void endChange(ParameterId parameter) override;
@@ -34,6 +37,7 @@ public:
     void changeTo(const ParameterValues& wanted, std::span<const ParameterId> changed);
 
 private:
+    const juce::AudioProcessor& plugin;
     HostParameters& parameters;
     const SoundSession& session;
     SoundHistory& history;

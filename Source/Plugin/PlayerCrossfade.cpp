@@ -40,32 +40,39 @@ void PlayerCrossfade::changeTo(Player* next,
     }
 }
 
-void PlayerCrossfade::process(const StereoSpan& output,
+void PlayerCrossfade::process(std::span<const StereoSpan> outputs,
                               std::span<const MidiEvent> events,
                               const ParameterValues& values,
                               std::span<const float> input) noexcept {
     if (current != nullptr) {
-        current->process(output, events, values, input);
+        current->process(outputs, events, values, input);
     } else {
-        std::ranges::fill(output.left, 0.0f);
-        std::ranges::fill(output.right, 0.0f);
+        for (const auto& output : outputs) {
+            std::ranges::fill(output.left, 0.0f);
+            std::ranges::fill(output.right, 0.0f);
+        }
     }
     if (fading != nullptr)
-        addFading(output);
+        addFading(outputs);
 }
 
-void PlayerCrossfade::addFading(const StereoSpan& output) noexcept {
+void PlayerCrossfade::addFading(std::span<const StereoSpan> outputs) noexcept {
     const auto length =
         static_cast<int>(std::lround(fadeSeconds * fading->synthesiser().sampleRateHz()));
-    const auto count = std::min(output.size(), static_cast<std::size_t>(length - fadePosition));
-    const StereoSpan old{std::span(fadingLeft).first(count), std::span(fadingRight).first(count)};
+    const auto count =
+        std::min(outputs.front().size(), static_cast<std::size_t>(length - fadePosition));
+    const auto connected = connectedOutputs(outputs);
+    const auto old = fadingMemory.first(count, connected);
     fading->process(old, {}, fadingValues);
     for (std::size_t i = 0; i < count; ++i, ++fadePosition) {
         const float gain =
             fadingLevel *
             static_cast<float>((1 + std::cos(std::numbers::pi * fadePosition / length)) / 2);
-        output.left[i] += gain * old.left[i];
-        output.right[i] += gain * old.right[i];
+        for (std::size_t output = 0; output < outputs.size(); ++output)
+            if (connected[output]) {
+                outputs[output].left[i] += gain * old[output].left[i];
+                outputs[output].right[i] += gain * old[output].right[i];
+            }
     }
     if (fadePosition == length)
         handoff.retire(std::exchange(fading, nullptr));

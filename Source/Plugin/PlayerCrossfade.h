@@ -2,13 +2,11 @@
 #pragma once
 
 #include "Instrument/Player.h"
-#include "Plugin/BlockPieces.h"
 #include "Plugin/Handoff.h"
+#include "Plugin/OutputMemory.h"
 
-#include <array>
-#include <cstddef>
-#include <cstdint>
 #include <memory>
+#include <span>
 
 namespace idiophone {
 
@@ -36,10 +34,17 @@ public:
 
     /// Renders the next samples, at most `BlockPieces::maximumSamples`; see `Player::process`. The
     /// input presses on the current player's objects only.
-    void process(const StereoSpan& output,
+    void process(std::span<const StereoSpan> outputs,
                  std::span<const MidiEvent> events,
                  const ParameterValues& values,
                  std::span<const float> input = {}) noexcept;
+    /// Renders the main output only.
+    void process(const StereoSpan& output,
+                 std::span<const MidiEvent> events,
+                 const ParameterValues& values,
+                 std::span<const float> input = {}) noexcept {
+        process(std::span(&output, 1), events, values, input);
+    }
 
     /// Silences everything at once.
     void reset() noexcept;
@@ -47,7 +52,7 @@ public:
     Player* player() const noexcept { return current; }
 
 private:
-    void addFading(const StereoSpan& output) noexcept;
+    void addFading(std::span<const StereoSpan> outputs) noexcept;
 
     Handoff<Player>& handoff;
     Player* current = nullptr;
@@ -55,7 +60,7 @@ private:
     int fadePosition = 0;
     float fadingLevel = 1;        ///< relative to the current player's level
     ParameterValues fadingValues; ///< from before the change, to keep the fading sound
-    std::array<float, BlockPieces::maximumSamples> fadingLeft{}, fadingRight{};
+    OutputMemory fadingMemory;
 };
 
 } // namespace idiophone

@@ -16,16 +16,19 @@ int presetCount() {
 
 } // namespace
 
-/// An instrument's side chain is closed at first. An LV2 has none, because its hosts connect every
-/// input of a plugin.
+/// An instrument's side chain and further outputs are closed at first. An LV2 has none, because its
+/// hosts connect every port of a plugin.
 juce::AudioProcessor::BusesProperties Processor::busesOf(PluginKind kind) {
     const auto stereo = juce::AudioChannelSet::stereo();
     const auto outputs = BusesProperties().withOutput("Output", stereo, true);
     if (kind == PluginKind::resonator)
         return outputs.withInput("Input", stereo, true);
-    if (juce::PluginHostType::getPluginLoadedAs() == wrapperType_VST3)
-        return outputs.withInput("Side chain", stereo, false);
-    return outputs;
+    if (juce::PluginHostType::getPluginLoadedAs() != wrapperType_VST3)
+        return outputs;
+    auto buses = outputs.withInput("Side chain", stereo, false);
+    for (std::size_t number = 2; number <= maximumOutputs; ++number)
+        buses.addBus(false, "Out " + juce::String(static_cast<int>(number)), stereo, false);
+    return buses;
 }
 
 Processor::Processor(PluginKind kindOfPlugin)
@@ -52,7 +55,7 @@ void Processor::processBlock(juce::AudioBuffer<float>& buffer, juce::MidiBuffer&
     }
     engine.process({.samples = buffer,
                     .inputs = getTotalNumInputChannels(),
-                    .outputs = getTotalNumOutputChannels(),
+                    .outputs = outputChannels(),
                     .isEffect = kind == PluginKind::resonator},
                    midi, getPlayHead(), isNonRealtime());
     if (isNonRealtime())
@@ -76,14 +79,30 @@ bool Processor::isBusesLayoutSupported(const BusesLayout& layouts) const {
         return isMonoOrStereo(set) || (set.isDisabled() && kind == PluginKind::instrument);
     };
     return layouts.inputBuses.size() == getBusCount(true) &&
-           std::ranges::all_of(layouts.inputBuses, mayComeIn) && layouts.outputBuses.size() == 1 &&
-           isMonoOrStereo(layouts.outputBuses.getReference(0));
+           std::ranges::all_of(layouts.inputBuses, mayComeIn) &&
+           layouts.outputBuses.size() == getBusCount(false) &&
+           isMonoOrStereo(layouts.outputBuses.getReference(0)) &&
+           std::all_of(layouts.outputBuses.begin() + 1, layouts.outputBuses.end(),
+                       [](const juce::AudioChannelSet& set) {
+                           return set.isDisabled() || set == juce::AudioChannelSet::stereo();
+                       });
+}
+
+std::array<int, maximumOutputs> Processor::outputChannels() const noexcept {
+    std::array<int, maximumOutputs> channels{};
+    for (int bus = 0; bus < getBusCount(false); ++bus)
+        channels[static_cast<std::size_t>(bus)] = getChannelCountOfBus(false, bus);
+    return channels;
 }
 
 void Processor::prepareToPlay(double sampleRateHz, int) {
     const double rateHz = std::isfinite(sampleRateHz) && sampleRateHz > 0 ? sampleRateHz : 44100;
-    session.prepare(
-        rateHz, [&](std::unique_ptr<Player> player) { engine.prepare(rateHz, std::move(player)); });
+    OutputSet outputs;
+    for (std::size_t bus = 0; bus < maximumOutputs; ++bus)
+        outputs[bus] = outputChannels()[bus] > 0;
+    session.prepare(rateHz, [&](std::unique_ptr<Player> player) {
+        engine.prepare(rateHz, std::move(player), outputs);
+    });
 }
 
 void Processor::releaseResources() {

@@ -13,7 +13,7 @@ namespace idiophone {
 
 /// The plugins that are built from this processor.
 enum class PluginKind {
-    instrument, ///< plays notes; a VST3 also has a side-chain input
+    instrument, ///< plays notes; a VST3 also has a side-chain input and further outputs
     resonator   ///< an effect: what comes in presses on an object, and notes may strike it
 };
 
@@ -77,6 +77,7 @@ private:
     bool isVst3() const noexcept { return wrapperType == wrapperType_VST3; }
 
     static BusesProperties busesOf(PluginKind kind);
+    std::array<int, maximumOutputs> outputChannels() const noexcept;
 
     PluginKind kind;
 

@@ -14,9 +14,10 @@ namespace idiophone {
 struct SharedParts {
     /// `pollSoon` is for the HostReporter, `programCount` for the ProgramChanges.
     SharedParts(juce::AudioProcessor& processor, int programCount, std::function<void()> pollSoon)
-        : parameters(processor), programs(programCount),
+        : plugin(processor), parameters(processor), programs(programCount),
           reporter(processor, parameters, std::move(pollSoon)) {}
 
+    const juce::AudioProcessor& plugin;
     HostParameters parameters;
     EngineMessages messages;
     EngineReport report;

@@ -6,7 +6,7 @@ namespace idiophone {
 
 WindowSession::WindowSession(SharedParts& shared, SoundSession& session)
     : controllers(shared.messages.controllers), history(session, shared.parameters, shared.loads),
-      variants(session, history), edits(shared.parameters, session, history),
+      variants(session, history), edits(shared.plugin, shared.parameters, session, history),
       materials(shared.parameters, session, history, edits), instrument(shared, session),
       stage(shared, session), modes(shared, session, history),
       imports(shared, session, history, materials),

@@ -326,7 +326,7 @@ class Render(ConsoleTest):
                 (XYLOPHONE, "motor_speed=9", ("motor_depth=100",)),
                 (XYLOPHONE, "motor_sync=1/4", None), (plate, "motor_depth=90", None),
                 (XYLOPHONE, "room_decay=5", ("room=50",)),
-                (XYLOPHONE, "thickness=50", None),
+                (XYLOPHONE, "thickness=50", None), (XYLOPHONE, "outputs=Octaves", None),
                 (plate, "keep_pitch=off", None), (dice, "keep_pitch=off", None),
                 (plate, "width=0", ("radiation=100", "strike_across=50")),
                 (dice, "chatter=100", None), (dice, "let_ring=off", None)):

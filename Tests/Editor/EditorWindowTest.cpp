@@ -7,6 +7,7 @@
 #include "Editor/Preferences.h"
 #include "Editor/WindowParts.h"
 #include "Plugin/FactoryPrograms.h"
+#include "Plugin/Vst3Instrument.h"
 #include "Support/GestureLog.h"
 #include "Support/TestSound.h"
 #include "Support/UserSettings.h"
@@ -74,7 +75,8 @@ const auto sizes = {std::pair(WindowSize::minimumWidth, WindowSize::minimumHeigh
 } // namespace
 
 TEST_CASE("The window cuts no text at any size and any parameter value") {
-    Processor processor;
+    Vst3Instrument vst3;
+    auto& processor = *vst3.processor;
     const auto window = open(processor);
     auto& deck = deckOf(*window);
     for (const auto& [width, height] : sizes) {
@@ -93,7 +95,8 @@ TEST_CASE("The window cuts no text at any size and any parameter value") {
 }
 
 TEST_CASE("Each parameter is inside a page at every window size, and controls do not overlap") {
-    Processor processor;
+    Vst3Instrument vst3; // offers most of them
+    auto& processor = *vst3.processor;
     const auto window = open(processor);
     auto& deck = deckOf(*window);
     for (const auto& [width, height] : sizes) {
@@ -104,7 +107,9 @@ TEST_CASE("Each parameter is inside a page at every window size, and controls do
             std::vector<juce::Rectangle<int>> places;
             for (const auto& info : parameterTable()) {
                 auto* control = find<juce::Component>(*window, info.name);
-                REQUIRE(control != nullptr);
+                REQUIRE((control != nullptr) == (info.parameter != ParameterId::dryWet));
+                if (control == nullptr)
+                    continue;
                 if (!isOnScreen(*control, *window))
                     continue;
                 seen.insert(info.parameter);
@@ -117,7 +122,7 @@ TEST_CASE("Each parameter is inside a page at every window size, and controls do
                 for (std::size_t j = 0; j < i; ++j)
                     CHECK_FALSE(places[i].intersects(places[j]));
         }
-        CHECK(seen.size() == parameterCount);
+        CHECK(seen.size() == parameterCount - 1);
     }
 }
 
@@ -192,7 +197,8 @@ TEST_CASE("Names and details in the file chooser are readable in both looks, sel
 }
 
 TEST_CASE("Every enabled control has an accessible name") {
-    Processor processor;
+    Vst3Instrument vst3;
+    auto& processor = *vst3.processor;
     const auto window = open(processor);
     window->setSize(3840, 2160);
     juce::StringArray nameless;

@@ -1,8 +1,10 @@
 // Tests of the pages that show the sound, with a processor.
 #include "Editor/ModesPage.h"
+#include "Editor/ParameterPage.h"
 #include "Editor/QualityPage.h"
 #include "Editor/StrikePage.h"
 #include "Editor/WindowParts.h"
+#include "Plugin/Vst3Instrument.h"
 #include "Support/TestSound.h"
 
 #include <catch2/catch_test_macros.hpp>
@@ -42,6 +44,29 @@ struct Prepared {
 };
 
 } // namespace
+
+TEST_CASE("The output page leaves out what has no effect in the plugin") {
+    using enum ParameterId;
+    const auto offered = [](Processor& processor) {
+        ParameterPage page("Output", std::vector<ParameterGroup>{{"Output", 0}, {"Sound in", 1}},
+                           processor.view());
+        page.setSize(DeckPage::minimumWidth, DeckPage::minimumHeight);
+        std::vector<ParameterId> parameters;
+        visit(page, [&](juce::Component& part) {
+            if (const auto* control = dynamic_cast<const ParameterControl*>(&part))
+                parameters.push_back(control->parameter().parameter);
+        });
+        return parameters;
+    };
+    using Parameters = std::vector<ParameterId>;
+    Processor standalone, resonator(PluginKind::resonator);
+    Vst3Instrument vst3;
+    CHECK(offered(standalone) == Parameters{level, limiter, bypass});
+    CHECK(offered(resonator) ==
+          Parameters{level, limiter, bypass, inputDrive, inputLowCut, dryWet});
+    CHECK(offered(*vst3.processor) ==
+          Parameters{level, limiter, outputs, bypass, inputDrive, inputLowCut});
+}
 
 TEST_CASE("The modes page shows the object played last, or the chosen one") {
     Prepared prepared;

@@ -130,7 +130,7 @@ TEST_CASE("A player reports the silenced samples at the start of a block, up to 
     // A note at its sample sounds, but effects behind the player must end the old sound.
     CHECK(silencedIn({allSoundOff(0), midi(0, 0x90, 60, 90)}, 480) == Silenced(0));
     CHECK(player.takeSilenced() == Silenced());
-    player.process({}, std::vector{allSoundOff(0)}, {});
+    player.process(StereoSpan{}, std::vector{allSoundOff(0)}, {});
     CHECK(player.takeSilenced() == Silenced(0));
     CHECK(silencedIn({}, 480) == Silenced(480));
     player.reset();

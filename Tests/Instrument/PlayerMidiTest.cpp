@@ -248,7 +248,7 @@ TEST_CASE("A note of an empty block sounds as it does in the next block") {
                             6400 + offset, 256, parameters);
         const std::vector again{midi(0, 0x90, 69, 100)};
         if (ahead)
-            player.process({}, again, parameters);
+            player.process(StereoSpan{}, again, parameters);
         const auto rest =
             render(player, ahead ? std::vector<MidiEvent>() : again, 9600, 256, parameters);
         sound.insert(sound.end(), rest.begin(), rest.end());

@@ -72,7 +72,8 @@ TEST_CASE("A kit written and read back is equal") {
           .material = firstLibraryMaterial,
           .mallet = firstRackMallet,
           .levelDb = -3.5,
-          .chokeGroup = 2},
+          .chokeGroup = 2,
+          .output = 5},
          {.keyMap = {
               .kind = KeyMapKind::zones, .lowestNote = 36, .highestNote = 36, .object = "plate"}}});
     const auto back = parsePreset(encodePreset(preset), "kit.json");
@@ -98,6 +99,7 @@ TEST_CASE("A kit with a fault is refused by a sentence that names its place") {
            "keyMap.parts[0].material is 'Cheese', which is no choice of 'Material'");
     refuse("[" + part + R"(,"material":"Custom"}])",
            "keyMap.parts[0].material is 'Custom', but the custom figures belong to all parts");
+    refuse("[" + part + R"(,"output":9}])", "keyMap.parts[0].output is not between 1 and 8");
     refuse(R"([{"keyMap":{"kind":"kit","parts":[)" + part + "}]}}]",
            "keyMap.parts have a scene or a kit among them");
 }

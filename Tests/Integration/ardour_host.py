@@ -36,17 +36,17 @@ class Ardour:
         assert result.returncode == 0, (
             f"{command} ended with {result.returncode}: {result.stdout}{result.stderr}")
 
-    def make_session(self, folder, midi_file, plugin_type, program, parameters=()):
+    def make_session(self, folder, midi_file, plugin_type, program, parameters=(), output=1):
         values = [text for pair in parameters for text in pair]
         try:
             self.run(self.lua, SCRIPTS / "ardour_session.lua", folder, SESSION, SAMPLE_RATE,
-                     "Idiophone", plugin_type, program, *values)
+                     "Idiophone", plugin_type, program, output, *values)
         except AssertionError as error:
             # On a busy machine Ardour may register a port of the new track twice, and abort.
             if "register_port: Port already exists" not in str(error):
                 raise
             shutil.rmtree(folder)
-            return self.make_session(folder, midi_file, plugin_type, program, parameters)
+            return self.make_session(folder, midi_file, plugin_type, program, parameters, output)
         put_song(folder, midi_file)
 
     def render(self, folder, frames):

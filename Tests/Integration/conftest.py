@@ -39,12 +39,12 @@ def song(songs):
 
 @pytest.fixture(scope="session")
 def render_in_console(console, songs, tmp_path_factory):
-    """Returns a function that renders the song in the console: [channels, frames], 48 kHz float."""
-    def render(preset, *assignments):
+    """Returns a function that renders a song in the console: [channels, frames], 48 kHz float."""
+    def render(preset, *assignments, song=songs / "TheEntertainer.mid"):
         wave = tmp_path_factory.mktemp("console") / "song.wav"
         changes = [argument for assignment in assignments for argument in ("--set", assignment)]
         subprocess.run([console, "render", "--preset", preset, *changes, "-o", wave,
-                        "--midi", songs / "TheEntertainer.mid", "--sample-rate", "48000"],
+                        "--midi", song, "--sample-rate", "48000"],
                        check=True)
         assert soundfile.info(wave).subtype == "FLOAT"
         samples, rate = soundfile.read(wave, dtype="float32", always_2d=True)

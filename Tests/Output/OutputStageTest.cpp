@@ -219,3 +219,24 @@ TEST_CASE("A block without samples or channels is ignored") {
     stage.process(input, input, {}, valuesWith(0));
     CHECK(processed(stage, input, 10, valuesWith(0)) == input);
 }
+
+TEST_CASE("A stage that skips silence goes on as one that has processed it") {
+    auto values = valuesWithWidth(120);
+    values.set(ParameterId::room, 30);
+    values.set(ParameterId::roomDecay, 0.4);
+    values.set(ParameterId::brightness, 40);
+    const Stereo silence{std::vector<float>(1000), std::vector<float>(1000)};
+    PreparedStage skipping, processing;
+    skipping.hush(1200);
+    processing.hush(1200);
+    skipping.skip(300);
+    skipping.skip(700);
+    processed(processing, silence, 100, values);
+    for (int block = 0; block < 50; ++block) { // until the reverb ends at a point of its grid
+        const auto input = block == 0 ? Stereo{sine(1000), sine(1000, 700)} : silence;
+        REQUIRE(processed(skipping, input, 100, values) ==
+                processed(processing, input, 100, values));
+    }
+    CHECK(skipping.silent());
+    CHECK(processing.silent());
+}

@@ -398,11 +398,12 @@ TEST_CASE("A parameter that the host moves during a scrape or roll changes the s
 
 TEST_CASE("The jump tables cover every parameter that a host may move") {
     for (const auto& info : parameterTable()) {
-        // Tested elsewhere: motorSync in HostSongTest, limiter in LimiterTest, imperfection in
-        // ImperfectionTest, sound that comes in in InputForceTest and DryWetTest, LFOs and the
-        // envelope in ModulationTest. All routes of modulation are alike.
+        // Tested elsewhere: motorSync in HostSongTest, limiter in LimiterTest, outputs in
+        // SlotOutputsTest, imperfection in ImperfectionTest, sound that comes in in InputForceTest
+        // and DryWetTest, LFOs and the envelope in ModulationTest. All routes of modulation are
+        // alike.
         const std::string_view group(info.group);
-        if (info.parameter == motorSync || info.parameter == limiter ||
+        if (info.parameter == motorSync || info.parameter == limiter || info.parameter == outputs ||
             info.parameter == imperfection || group == "Sound in" || group.starts_with("LFO") ||
             group == "Envelope" || group == "Modulation")
             continue;

@@ -1,11 +1,10 @@
 // Tests the effect, and the side chain of the instrument's VST3.
 #include "Plugin/FactoryPrograms.h"
+#include "Plugin/Vst3Instrument.h"
 #include "Support/TestSound.h"
 
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
-#include <memory>
-#include <utility>
 
 using namespace idiophone;
 using namespace idiophone::test;
@@ -15,23 +14,11 @@ namespace {
 using Set = juce::AudioChannelSet;
 
 bool supports(Processor& processor, const Set& input, const Set& output) {
-    juce::AudioProcessor::BusesLayout layout;
-    layout.inputBuses.add(input);
-    layout.outputBuses.add(output);
+    auto layout = processor.getBusesLayout();
+    layout.inputBuses.getReference(0) = input;
+    layout.outputBuses.getReference(0) = output;
     return processor.isBusesLayoutSupported(layout);
 }
-
-/// An instrument as a VST3 host loads it.
-struct Vst3Instrument {
-    Vst3Instrument() {
-        using Host = juce::PluginHostType;
-        const auto before = std::exchange(Host::jucePlugInClientCurrentWrapperType,
-                                          juce::AudioProcessor::wrapperType_VST3);
-        processor = std::make_unique<Processor>();
-        Host::jucePlugInClientCurrentWrapperType = before;
-    }
-    std::unique_ptr<Processor> processor;
-};
 
 juce::AudioBuffer<float> noise(int channels, int samples) {
     juce::AudioBuffer<float> buffer(channels, samples);

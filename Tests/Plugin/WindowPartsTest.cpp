@@ -18,7 +18,7 @@ namespace {
 
 struct EditParts : SessionParts {
     EditParts() { play(); }
-    ParameterEdits edits{parameters, session, history};
+    ParameterEdits edits{host, parameters, session, history};
     MaterialSession materials{parameters, session, history, edits};
 };
 
