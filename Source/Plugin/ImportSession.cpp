@@ -32,10 +32,10 @@ void ImportSession::open(const File& file) {
 /// Waits for the object of another key, which would remain a preview.
 void ImportSession::openFileOnKey(const std::filesystem::path& file, int midiNote) {
     const File opened{.path = file, .key = midiNote};
-    if (keyOfJob && origin == session.origin() && workshop.status().isWorking())
-        pendingFiles.push_back(opened);
-    else
-        open(opened);
+    if (!keyOfJob || origin != session.origin())
+        return open(opened);
+    pendingFiles.push_back(opened);
+    poll(); // opens it now if nothing is being made
 }
 
 void ImportSession::cancelImport() {
@@ -139,7 +139,6 @@ void ImportSession::poll() {
             oneLine(product->object->name));
         if (!played)
             session.reportError(played.error().message);
-        return;
     }
     if (status.stage == ImportStatus::Stage::failed && !std::exchange(failureShown, true))
         session.reportError(status.error);
