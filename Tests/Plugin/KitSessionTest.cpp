@@ -246,6 +246,9 @@ TEST_CASE("An edited kit is saved in states and presets, and is the factory's pr
         part.mallet = firstRackMallet;
     });
     rig.kit.removePart(5);
+    rig.processor.view().workshop.openFileOnKey(cowbell(), 70);
+    finish(rig.processor);
+    REQUIRE(rig.kit.kitParts().back().object == "Cowbell");
     const auto parts = rig.kit.kitParts();
     CHECK(rig.processor.soundSession().loadedSound().presetId.empty());
     Processor opened;
