@@ -103,8 +103,12 @@ for look in light dark; do
     nodal_lines
     drag 540 190 640 330 "$look-handbell-scraped"
     choose breathing
-    click 911 374
+    click 823 374
     shot "$look-modulation"
+    choose junkyard
+    click 1013 374
+    click 500 820 # a key, whose part is shown
+    shot "$look-kit"
     click 160 374
     choose 'rosewood xylophone'
     other_look

@@ -15,6 +15,7 @@ keep() { convert "$shots/$1.png" -strip "docs/$2.png"; }
 keep light-vibraphone images/standalone
 keep vibraphone-Bell-glass images/glass-vibraphone
 keep light-modulation manual/images/modulation
+keep light-kit manual/images/kit
 keep light-browser manual/images/browser
 keep dark-material-form manual/images/material-form
 keep dropped manual/images/dropped

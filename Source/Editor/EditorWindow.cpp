@@ -2,6 +2,7 @@
 
 #include "Editor/DroppedFiles.h"
 #include "Editor/ImportPage.h"
+#include "Editor/KitPage.h"
 #include "Editor/MaterialPage.h"
 #include "Editor/ModesPage.h"
 #include "Editor/PlainPages.h"
@@ -95,6 +96,11 @@ void EditorWindow::makePages() {
     addPlainPages(deck, view);
     importPage = deck.pageCount();
     deck.add(std::make_unique<ImportPage>(view));
+    kitPage = deck.pageCount();
+    auto kit = std::make_unique<KitPage>(view);
+    kit->onKeysShown = [this](const auto& keys) { keyboard.mark(keys); };
+    keyboard.onKey = [page = kit.get()](int note) { page->chooseKey(note); };
+    deck.add(std::move(kit));
     deck.add(std::make_unique<QualityPage>(view));
 }
 
@@ -252,7 +258,7 @@ void EditorWindow::filesDropped(const juce::StringArray& files, int x, int y) {
     if (dropped.kind() == DroppedFiles::Kind::tuning)
         showPage(tuningPage);
     else if (dropped.kind() == DroppedFiles::Kind::object)
-        showPage(importPage);
+        showPage(noteAt(x, y) ? kitPage : importPage);
 }
 
 void EditorWindow::resized() {

@@ -110,7 +110,7 @@ private:
     PresetPhrase phrase{view.instrument, view.stage};
     DropFrame dropFrame;
     FocusRing focusRing;
-    int importPage = 0, tuningPage = 0; ///< page numbers in the deck
+    int importPage = 0, kitPage = 0, tuningPage = 0; ///< page numbers in the deck
     ControlHint hint;
     FirstHints firstHints;
     int ticksAtRest = 0;

@@ -17,6 +17,8 @@ public:
     struct KeyRange {
         int lowest = 0; ///< MIDI notes
         int highest = 127;
+
+        bool operator==(const KeyRange&) const = default;
     };
 
     enum class KeySound {

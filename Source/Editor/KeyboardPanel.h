@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <juce_audio_utils/juce_audio_utils.h>
+#include <optional>
 
 namespace idiophone {
 
@@ -38,6 +40,15 @@ public:
     ~KeyboardPanel() override {
         state.allNotesOff(0);
         state.removeListener(this);
+    }
+
+    /// Called when the user plays a key here.
+    std::function<void(int midiNote)> onKey;
+
+    /// Marks keys with a line at their feet, or none.
+    void mark(const std::optional<InstrumentView::KeyRange>& keys) {
+        marked = keys;
+        keyboard.repaint();
     }
 
     /// Shows the current instrument's range and the pressed keys.
@@ -102,12 +113,13 @@ private:
 
     void handleNoteOn(juce::MidiKeyboardState*, int, int note, float velocity) override {
         view.instrument.playNote(note, juce::jlimit(1, 127, juce::roundToInt(velocity * 127)));
+        juce::NullCheckedInvocation::invoke(onKey, note);
     }
     void handleNoteOff(juce::MidiKeyboardState*, int, int note, float) override {
         view.instrument.playNote(note, 0);
     }
 
-    /// Greys keys that play nothing, and dims keys that play another key's object.
+    /// Greys keys that play nothing, dims keys that play another key's object, and marks others.
     class Keys final : public juce::MidiKeyboardComponent {
     public:
         explicit Keys(KeyboardPanel& panel)
@@ -128,7 +140,7 @@ private:
                            juce::Colour textColour) override {
             MidiKeyboardComponent::drawWhiteNote(note, g, area, isDown, isOver, lineColour,
                                                  textColour);
-            shadeUnlessOwn(note, g, area);
+            drawState(note, g, area);
         }
         void drawBlackNote(int note,
                            juce::Graphics& g,
@@ -137,17 +149,21 @@ private:
                            bool isOver,
                            juce::Colour fillColour) override {
             MidiKeyboardComponent::drawBlackNote(note, g, area, isDown, isOver, fillColour);
-            shadeUnlessOwn(note, g, area);
+            drawState(note, g, area);
         }
 
     private:
-        void shadeUnlessOwn(int note, juce::Graphics& g, juce::Rectangle<float> area) const {
+        void drawState(int note, juce::Graphics& g, juce::Rectangle<float> area) const {
             using enum InstrumentView::KeySound;
             const auto sound = owner.sounds[static_cast<std::size_t>(note)];
-            if (sound == own)
-                return;
-            g.setColour(juce::Colour(sound == resized ? 0x58707a88 : 0xa0808286));
-            g.fillRect(area);
+            if (sound != own) {
+                g.setColour(juce::Colour(sound == resized ? 0x58707a88 : 0xa0808286));
+                g.fillRect(area);
+            }
+            if (owner.marked && owner.marked->lowest <= note && note <= owner.marked->highest) {
+                g.setColour(colourOf(*this, LookColour::accent));
+                g.fillRect(area.removeFromBottom(5).reduced(1, 0));
+            }
         }
 
         KeyboardPanel& owner;
@@ -156,7 +172,7 @@ private:
     void showRange() {
         const auto range = view.instrument.keyRange();
         const auto now = view.instrument.keySounds();
-        if (range.lowest == shown.lowest && range.highest == shown.highest && now == sounds)
+        if (range == shown && now == sounds)
             return;
         shown = range;
         sounds = now;
@@ -188,6 +204,7 @@ private:
 
     ProcessorView& view;
     InstrumentView::KeyRange shown{.lowest = -1, .highest = -1};
+    std::optional<InstrumentView::KeyRange> marked;
     std::array<InstrumentView::KeySound, 128> sounds{};
     int lowest = 0, highest = 127;  ///< MIDI notes, of the drawn keys
     int baseNote = 0;               ///< MIDI note of the computer's first key

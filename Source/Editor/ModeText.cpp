@@ -29,6 +29,22 @@ juce::String noteName(int midiNote) {
     return juce::MidiMessage::getMidiNoteName(midiNote, true, true, 4);
 }
 
+juce::String keysText(InstrumentView::KeyRange keys) {
+    return keys.lowest == keys.highest
+               ? noteName(keys.lowest)
+               : noteName(keys.lowest) + fromUtf8("\xe2\x80\x93") + noteName(keys.highest); // –
+}
+
+std::optional<int> parseNoteName(const juce::String& text) {
+    const auto typed = text.trim();
+    for (int note = 0; note < 128; ++note)
+        for (const auto& name : {juce::String(note), noteName(note),
+                                 juce::MidiMessage::getMidiNoteName(note, false, true, 4)})
+            if (name.equalsIgnoreCase(typed))
+                return note;
+    return std::nullopt;
+}
+
 juce::String objectText(const InstrumentView::PlayedObject& played) {
     const auto name = fromUtf8(played.object->name);
     return played.lowestNote == played.highestNote ? noteName(played.lowestNote) + "  " + name

@@ -5,6 +5,7 @@
 #include "Editor/SoundView.h"
 
 #include <juce_core/juce_core.h>
+#include <optional>
 
 namespace idiophone {
 
@@ -20,6 +21,10 @@ juce::String frequencyText(double frequencyHz);
 juce::String secondsText(double seconds);
 /// "A4" for MIDI note 69.
 juce::String noteName(int midiNote);
+/// "C2" or "C2–B2".
+juce::String keysText(InstrumentView::KeyRange keys);
+/// Parses "A4", "f#3", "Bb2" or "69". Returns nothing if it is no MIDI note.
+std::optional<int> parseNoteName(const juce::String& text);
 /// The name of an object, behind its note if one key alone plays it.
 juce::String objectText(const InstrumentView::PlayedObject& played);
 /// The nearest note and the deviation in cents: "A4 +3 ct", with A4 = 440 Hz. Empty outside the

@@ -89,7 +89,8 @@ public:
     void resized() override { arrange(); }
 
 private:
-    static constexpr int widestTab = 130, minimumTabGap = 14, unitsWidth = 54;
+    static constexpr int widestTab = 130, minimumTabGap = 14;
+    static constexpr int unitsWidth = 54, narrowUnitsWidth = 44;
 
     /// A page's name, underlined while the page is visible.
     class Tab final : public juce::Button {
@@ -158,11 +159,12 @@ private:
         }
         const auto& last = tabPlaces.back();
         const auto beside = last.withLeft(last.getRight()).withRight(getWidth());
-        units.setBounds(hasTwoRows ? beside.withSizeKeepingCentre(unitsWidth, beside.getHeight())
-                                   : backs.back()
-                                         .second.withHeight(titleHeight)
-                                         .reduced(DeckPage::padding, 2)
-                                         .removeFromRight(unitsWidth));
+        units.setBounds(hasTwoRows
+                            ? beside.withSizeKeepingCentre(narrowUnitsWidth, beside.getHeight())
+                            : backs.back()
+                                  .second.withHeight(titleHeight)
+                                  .reduced(DeckPage::padding, 2)
+                                  .removeFromRight(unitsWidth));
         repaint();
     }
     /// Removes the tabs from the top of the area, and returns their places.
@@ -177,15 +179,16 @@ private:
             return places;
         }
         const auto strip = area.removeFromTop(aboveHeight).withTrimmedBottom(4);
-        const int columns = pageCount() / 2 + 1; // leaves a place for the switch of the units
+        const auto upper = (tabs.size() + 1) / 2; // the switch of the units is in the lower row
         auto left = std::span(tabs);
         for (const bool isUpper : {true, false}) {
-            const auto row = left.first(isUpper ? static_cast<std::size_t>(columns) : left.size());
+            const auto row = left.first(isUpper ? upper : left.size());
             left = left.subspan(row.size());
             const int text =
-                std::accumulate(row.begin(), row.end(), isUpper ? 0 : unitsWidth,
+                std::accumulate(row.begin(), row.end(), isUpper ? 0 : narrowUnitsWidth,
                                 [](int sum, const auto& tab) { return sum + tab->textWidth(); });
-            const int spare = (strip.getWidth() - text) / columns;
+            const int spare =
+                (strip.getWidth() - text) / static_cast<int>(row.size() + (isUpper ? 0 : 1));
             auto line = strip.withHeight(strip.getHeight() / 2);
             if (!isUpper)
                 line.setY(line.getBottom());

@@ -4,6 +4,7 @@
 
 #include "Editor/EditHistory.h"
 #include "Editor/InstrumentView.h"
+#include "Editor/KitView.h"
 #include "Editor/MaterialFitView.h"
 #include "Editor/MaterialView.h"
 #include "Editor/MidiLearnView.h"
@@ -29,6 +30,7 @@ struct ProcessorView {
     StageView& stage;
     SoundView& sound;
     WorkshopView& workshop;
+    KitView& kit;
     TuningView& tuning;
     PresetShelf& presets;
     EditHistory& history;

@@ -8,24 +8,39 @@
 #include "Plugin/ImportSummary.h"
 #include "Plugin/KitSound.h"
 #include "Plugin/OwnSlots.h"
+#include "Plugin/PlayInstead.h"
 #include "Plugin/WithinMemory.h"
 
-#include <map>
 #include <utility>
 
 namespace idiophone {
-void ImportSession::begin(int originOfJob) {
+void ImportSession::begin(int originOfJob, std::optional<int> midiNote) {
     history.keepAudition(); // analysing an auditioned sound keeps it
     origin = originOfJob;
-    keyOfJob.reset();
+    keyOfJob = midiNote;
+    if (!keyOfJob)
+        pendingFiles.clear();
     failureShown = false;
 }
 
-void ImportSession::open(const std::filesystem::path& file, std::optional<int> midiNote) {
-    begin(session.origin());
-    keyOfJob = midiNote;
+void ImportSession::open(const File& file) {
+    begin(session.origin(), file.key);
     importSettings.longestMetres = 0; // a new file has its own size
-    workshop.open(file, importSettings);
+    workshop.open(file.path, importSettings);
+}
+
+/// Waits for the object of another key, which would remain a preview.
+void ImportSession::openFileOnKey(const std::filesystem::path& file, int midiNote) {
+    const File opened{.path = file, .key = midiNote};
+    if (!keyOfJob || origin != session.origin())
+        return open(opened);
+    pendingFiles.push_back(opened);
+    poll(); // opens it now if nothing is being made
+}
+
+void ImportSession::cancelImport() {
+    pendingFiles.clear();
+    workshop.cancel();
 }
 
 /// Returns the playing single object if it was not made from the workshop's mesh.
@@ -73,11 +88,11 @@ bool ImportSession::canAnalyseAgain() const {
 
 void ImportSession::analyseAgain() {
     const auto now = session.loaded();
-    const bool isOurs = origin == now.origin && workshop.hasMesh();
+    const bool isOurs = followsSettings();
     if (!isOurs && !canAnalyseAgain())
         return;
     importSettings = settingsInForce(); // the mesh is the workshop's from now on
-    begin(now.origin);
+    begin(now.origin, std::nullopt);
     if (isOurs)
         return workshop.analyseAgain(importSettings);
     const auto& object = *now.sound.instrument->slots().front().object;
@@ -110,7 +125,8 @@ bool ImportSession::playsPreview() const {
 
 void ImportSession::poll() {
     if (origin != session.origin())
-        return workshop.cancel();
+        return cancelImport();
+    const auto status = workshop.status(); // before the product, which may be made meanwhile
     if (const auto product = workshop.takeProduct()) {
         const auto played = withinMemory(
             [&]() -> Result<void> {
@@ -123,11 +139,14 @@ void ImportSession::poll() {
             oneLine(product->object->name));
         if (!played)
             session.reportError(played.error().message);
-        return;
     }
-    if (const auto status = workshop.status();
-        status.stage == ImportStatus::Stage::failed && !std::exchange(failureShown, true))
+    if (status.stage == ImportStatus::Stage::failed && !std::exchange(failureShown, true))
         session.reportError(status.error);
+    if (!status.isWorking() && !pendingFiles.empty()) {
+        const auto next = std::move(pendingFiles.front());
+        pendingFiles.pop_front();
+        open(next);
+    }
 }
 
 void ImportSession::play(const ObjectWorkshop::Product& product) {
@@ -140,7 +159,9 @@ void ImportSession::play(const ObjectWorkshop::Product& product) {
     if (!sound)
         return session.reportError(sound.error().message);
     std::optional<int> number;
-    const auto play = [&] { number = playInstead(now, *sound); };
+    const auto play = [&] {
+        number = playInstead(shared, session, now, *sound, LoadOrigin::isNew);
+    };
     if (product.isFirst)
         history.record((product.isNewFile ? "Open " : "Analyse ") + product.object->name, play);
     else
@@ -151,13 +172,22 @@ void ImportSession::play(const ObjectWorkshop::Product& product) {
     imported = product.object;
     importedIsPreview = product.isPreview;
     if (!product.isFirst && now.sound.instrument != nullptr)
-        renewHistory(*now.sound.instrument->slots().front().object, *sound);
+        renewHistory(now.sound.instrument->slots().front().object, product,
+                     {{now.sound.instrument.get(), sound->instrument}});
 }
 
-/// Waits for the whole object: a preview would be a second step to undo.
+/// The preview and the whole object are one step of undo.
 void ImportSession::putOnKey(const ObjectWorkshop::Product& product, int midiNote) {
-    if (product.isPreview)
-        return;
+    if (product.isFirst)
+        putFirst(product, midiNote);
+    else
+        replacePreview(product);
+    imported = product.object;
+    importedIsPreview = product.isPreview;
+}
+
+void ImportSession::putFirst(const ObjectWorkshop::Product& product, int midiNote) {
+    imported.reset();
     history.keepAudition();
     const auto now = session.loaded();
     if (now.origin != origin)
@@ -166,57 +196,51 @@ void ImportSession::putOnKey(const ObjectWorkshop::Product& product, int midiNot
     const auto& name = product.object->name;
     const auto sound =
         withObjectOnKey(now.sound, midiNote, product.object, product.objectName, session.rateHz());
-    if (!sound)
+    if (!sound) {
+        workshop.cancel(); // the whole object would be refused too
         return session.reportError(name + " cannot be put on " + key + ": " +
                                    sound.error().message + ".");
-    history.record("Put " + name + " on " + key, [&] { playInstead(now, *sound); });
-    origin = -1; // the mesh is not the whole sound, so settings do not follow it
-}
-
-/// Replaces the preview by the whole object in all undo steps, with their own key maps.
-void ImportSession::renewHistory(const ModalObject& preview, const Sound& whole) {
-    const auto& object = whole.instrument->slots().front().object;
-    std::map<const Instrument*, std::shared_ptr<const Instrument>> renewed;
-    history.renewSounds([&](Sound& known) {
-        if (!plays(known.instrument, preview))
-            return;
-        auto map = known.preset.keyMap;
-        map.object = whole.preset.keyMap.object;
-        auto& instrumentNow = renewed[known.instrument.get()];
-        if (instrumentNow == nullptr && map == whole.preset.keyMap)
-            instrumentNow = whole.instrument;
-        if (instrumentNow == nullptr)
-            instrumentNow = buildSingleObject(map, object).value_or(nullptr);
-        if (instrumentNow == nullptr)
-            return;
-        known.instrument = instrumentNow;
-        known.preset.keyMap = map;
-    });
-}
-
-/// Plays the wanted sound instead of the loaded one, and changes only the parameters that differ
-/// between the two. Returns the number of the load. Returns nothing if the loaded sound no longer
-/// plays, or if memory does not suffice, which it reports.
-std::optional<int> ImportSession::playInstead(const SoundSession::Loaded& now,
-                                              const Sound& wanted) {
-    int number;
-    {
-        const auto held = session.lock();
-        if (session.number() != now.number)
-            return std::nullopt;
-        const auto& before = now.sound.parameters;
-        auto player = session.newPlayer(wanted.instrument, wanted.preset,
-                                        shared.parameters.valuesAfter(before, wanted.parameters));
-        if (!player) {
-            session.fail(player.error().message);
-            return std::nullopt;
-        }
-        session.play(wanted, std::move(*player),
-                     [&] { shared.parameters.loadChanges(before, wanted.parameters); });
-        number = session.number();
     }
-    shared.reporter.reportSound();
-    return number;
+    history.record("Put " + name + " on " + key,
+                   [&] { playInstead(shared, session, now, *sound, LoadOrigin::stays); });
+}
+
+/// The user may have changed the kit meanwhile, or undone the step of the preview.
+void ImportSession::replacePreview(const ObjectWorkshop::Product& whole) {
+    const auto preview = imported.lock();
+    if (preview == nullptr) // no step keeps it
+        return;
+    const auto now = session.loaded();
+    Renewed renewed;
+    if (plays(now.sound.instrument, *preview)) {
+        const auto sound =
+            withWholeObject(now.sound, preview, whole.object, whole.objectName, session.rateHz());
+        if (!sound)
+            return session.reportError(whole.object->name +
+                                       " stays a preview: " + sound.error().message + ".");
+        playInstead(shared, session, now, *sound, LoadOrigin::stays);
+        renewed[now.sound.instrument.get()] = sound->instrument;
+    }
+    renewHistory(preview, whole, std::move(renewed));
+}
+
+/// Replaces the preview by the whole object in all undo steps, with their own key maps. `renewed`
+/// holds the instruments that have it already.
+void ImportSession::renewHistory(const std::shared_ptr<const ModalObject>& preview,
+                                 const ObjectWorkshop::Product& whole,
+                                 Renewed renewed) {
+    history.renewSounds([&](Sound& known) {
+        if (!plays(known.instrument, *preview))
+            return;
+        auto& instrumentNow = renewed[known.instrument.get()];
+        if (instrumentNow == nullptr)
+            instrumentNow =
+                withWholeObject(known, preview, whole.object, whole.objectName, session.rateHz())
+                    .value_or(known)
+                    .instrument;
+        known.instrument = instrumentNow;
+        known.preset.keyMap = instrumentNow->keyMap();
+    });
 }
 
 void ImportSession::setKeyLayout(KeyLayout layout) {
@@ -262,12 +286,8 @@ void ImportSession::playMapped(const SoundSession::Loaded& now,
                  .stored = now.sound.preset.parameters};
     mapped.preset.keyMap = map;
     mapped = asLoudAs(now.sound, std::move(mapped), session.rateHz());
-    const bool isOurs = origin == now.origin;
     history.keepAudition(); // changing the keys of an auditioned sound keeps it
-    std::optional<int> number;
-    history.record(step, [&] { number = playInstead(now, mapped); });
-    if (number)
-        origin = isOurs ? *number : -1;
+    history.record(step, [&] { playInstead(shared, session, now, mapped, LoadOrigin::stays); });
 }
 
 } // namespace idiophone

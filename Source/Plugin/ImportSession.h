@@ -9,6 +9,8 @@
 #include "Plugin/SoundHistory.h"
 #include "Plugin/SoundSession.h"
 
+#include <deque>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -30,14 +32,12 @@ public:
         return matches(file, objectFiles);
     }
     std::string openPatterns() const override { return objectFiles; }
-    void openFile(const std::filesystem::path& file) override { open(file, std::nullopt); }
-    void openFileOnKey(const std::filesystem::path& file, int midiNote) override {
-        open(file, midiNote);
-    }
+    void openFile(const std::filesystem::path& file) override { open({.path = file}); }
+    void openFileOnKey(const std::filesystem::path& file, int midiNote) override;
     bool canAnalyseAgain() const override;
     void setImportSettings(const ImportSettings& settings) override;
     void analyseAgain() override;
-    void cancelImport() override { workshop.cancel(); }
+    void cancelImport() override;
     ImportStatus importStatus() const override;
     bool playsPreview() const override;
     std::optional<KeyLayout> keyLayout() const override { return layoutOf(session.instrument()); }
@@ -49,16 +49,27 @@ public:
     void poll();
 
 private:
-    void begin(int originOfJob);
-    void open(const std::filesystem::path& file, std::optional<int> midiNote);
-    bool followsSettings() const { return origin == session.origin() && workshop.hasMesh(); }
+    struct File {
+        std::filesystem::path path;
+        std::optional<int> key = {}; ///< the key that gets its object; otherwise all keys do
+    };
+    using Renewed = std::map<const Instrument*, std::shared_ptr<const Instrument>>;
+
+    void begin(int originOfJob, std::optional<int> midiNote);
+    void open(const File& file);
+    bool followsSettings() const {
+        return !keyOfJob && origin == session.origin() && workshop.hasMesh();
+    }
     std::shared_ptr<const ModalObject> foreignObject() const;
     ImportSettings settingsInForce() const;
     void play(const ObjectWorkshop::Product& product);
     void putOnKey(const ObjectWorkshop::Product& product, int midiNote);
-    void renewHistory(const ModalObject& preview, const Sound& whole);
+    void putFirst(const ObjectWorkshop::Product& product, int midiNote);
+    void replacePreview(const ObjectWorkshop::Product& whole);
+    void renewHistory(const std::shared_ptr<const ModalObject>& preview,
+                      const ObjectWorkshop::Product& whole,
+                      Renewed renewed);
     void playMapped(const SoundSession::Loaded& now, const KeyMap& map, const std::string& step);
-    std::optional<int> playInstead(const SoundSession::Loaded& now, const Sound& wanted);
 
     SharedParts& shared;
     SoundSession& session;
@@ -67,7 +78,8 @@ private:
     ObjectWorkshop workshop;
     ImportSettings importSettings; ///< settings given for opened files
     int origin = -1; ///< SoundSession::origin that the workshop's job began from or led to
-    std::optional<int> keyOfJob; ///< the key that gets the job's object; otherwise all keys do
+    std::optional<int> keyOfJob;   ///< as `File::key`, of the job
+    std::deque<File> pendingFiles; ///< for keys, opened when the job has ended
     bool failureShown = true;
     std::weak_ptr<const ModalObject> imported; ///< the last product that played
     bool importedIsPreview = false;

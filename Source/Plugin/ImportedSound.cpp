@@ -35,9 +35,17 @@ Preset presetOf(const ObjectWorkshop::Product& product, Preset preset) {
 
 } // namespace
 
+std::optional<std::size_t> slotOf(const std::shared_ptr<const Instrument>& instrument,
+                                  const ModalObject& object) {
+    if (instrument != nullptr)
+        for (std::size_t slot = 0; slot < instrument->slots().size(); ++slot)
+            if (instrument->slots()[slot].object.get() == &object)
+                return slot;
+    return std::nullopt;
+}
+
 bool plays(const std::shared_ptr<const Instrument>& instrument, const ModalObject& object) {
-    return instrument != nullptr && !instrument->slots().empty() &&
-           instrument->slots().front().object.get() == &object;
+    return slotOf(instrument, object).has_value();
 }
 
 std::optional<KeyLayout> layoutOf(const std::shared_ptr<const Instrument>& instrument) {

@@ -19,7 +19,11 @@ soundOf(const ObjectWorkshop::Product& product, const Sound& before, double samp
 /// headroom.
 Sound asLoudAs(const Sound& before, Sound sound, double sampleRateHz);
 
-/// Returns whether the instrument's first object is this one.
+/// Returns the first slot of an object; nothing if the instrument, which may be null, has it not.
+std::optional<std::size_t> slotOf(const std::shared_ptr<const Instrument>& instrument,
+                                  const ModalObject& object);
+
+/// Returns whether this is one of the instrument's objects.
 bool plays(const std::shared_ptr<const Instrument>& instrument, const ModalObject& object);
 
 /// Returns nothing if each key has an object of its own.

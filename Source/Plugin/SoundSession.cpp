@@ -138,7 +138,7 @@ bool SoundSession::playSound(const Sound& wanted) {
         } else {
             play(wanted, std::move(*player), [&] { shared.parameters.load(wantedNow()); });
             if (keepsObject)
-                loadOfObjects = origin;
+                keepOrigin(origin);
         }
     }
     shared.reporter.reportSound();

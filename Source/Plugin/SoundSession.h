@@ -61,7 +61,7 @@ public:
     /// Changes with each load.
     int number() const noexcept { return loads; }
     /// Returns the number of the load that brought the objects. Undo steps between key layouts of
-    /// one object keep it; another preset of the same object does not.
+    /// one object keep it, and so do edits of a kit; another preset of the same object does not.
     int origin() const noexcept { return loadOfObjects; }
     /// Returns the factory program that plays, or −1.
     int program() const noexcept { return playingProgram; }
@@ -87,6 +87,8 @@ public:
     /// [lock] Plays a sound with the player from `newPlayer`. `loadValues` sets the parameter
     /// values.
     void play(Sound sound, std::unique_ptr<Player> player, const LoadValues& loadValues);
+    /// [lock] Call it after `play` if the sound has the objects of that earlier load.
+    void keepOrigin(int load) noexcept { loadOfObjects = load; }
     /// [lock]
     ModeSet& modesHeardAlone() noexcept { return heardAlone; }
     void sendSilences();

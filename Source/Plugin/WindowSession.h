@@ -4,6 +4,7 @@
 #include "Editor/ProcessorView.h"
 #include "Plugin/ImportSession.h"
 #include "Plugin/InstrumentSession.h"
+#include "Plugin/KitSession.h"
 #include "Plugin/MaterialFitSession.h"
 #include "Plugin/MaterialSession.h"
 #include "Plugin/ModeSession.h"
@@ -34,6 +35,7 @@ struct WindowSession {
     StageSession stage;
     ModeSession modes;
     ImportSession imports;
+    KitSession kit;
     MaterialFitSession materialFits;
     TuningSession tuning;
     PresetCollection presets;

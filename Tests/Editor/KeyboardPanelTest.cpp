@@ -75,3 +75,25 @@ TEST_CASE("Z and X shift the computer's keys by one octave per press; key repeat
     CHECK_FALSE(panel.pressOctaveKey({'z', juce::ModifierKeys::ctrlModifier, 'z'}));
     CHECK(panel.computerKeysNote() == first + 24);
 }
+
+TEST_CASE("Marked keys have a line at their feet, in both looks") {
+    Processor processor;
+    for (const auto scheme : {LookScheme::dark, LookScheme::light}) {
+        Look look(scheme);
+        KeyboardPanel panel(processor.view());
+        panel.setLookAndFeel(&look);
+        panel.setBounds(0, 0, 57 * 40, 100); // C0 to C8
+        const auto footOf = [&](int octave, int step) {
+            const auto picture = panel.createComponentSnapshot(panel.getLocalBounds());
+            return picture.getPixelAt((7 * octave + step) * 40 + 20, 97);
+        };
+        const auto plain = footOf(4, 3); // F4
+        panel.mark(InstrumentView::KeyRange{.lowest = 65, .highest = 67});
+        CHECK(footOf(4, 3) == colourOf(scheme, LookColour::accent));
+        CHECK(footOf(4, 4) == colourOf(scheme, LookColour::accent)); // G4
+        CHECK(footOf(4, 5) == plain);                                // A4
+        panel.mark(std::nullopt);
+        CHECK(footOf(4, 3) == plain);
+        panel.setLookAndFeel(nullptr);
+    }
+}

@@ -7,6 +7,7 @@
 #include "Plugin/Processor.h"
 #include "Support/ImportedFiles.h"
 #include "Support/SyntheticObject.h"
+#include "Support/TestSound.h"
 
 #include <catch2/catch_test_macros.hpp>
 
@@ -34,9 +35,42 @@ void choose(Processor& processor, const char* preset) {
     REQUIRE(processor.view().presets.loadPreset(factoryPresetId(preset)));
 }
 
+/// A file whose analysis is so short that a test can wait for it, and that has a preview.
+std::filesystem::path plate() {
+    return meshFile("plate.obj", sheetMesh(0.045, 0.027, 60));
+}
+
 std::shared_ptr<const Instrument> instrumentOf(Processor& processor) {
     return processor.soundSession().loadedSound().instrument;
 }
+
+std::shared_ptr<const ModalObject> objectOn(Processor& processor, int midiNote) {
+    const auto playing = instrumentOf(processor);
+    const int slot = playing->key(midiNote).slot;
+    return slot < 0 ? nullptr : playing->slots()[static_cast<std::size_t>(slot)].object;
+}
+
+/// A processor with a kit of the test keyboard, 60 to 72.
+struct Rig {
+    Rig() {
+        restore(processor, testState());
+        processor.prepareToPlay(rateHz, 512);
+        kit.makeKit();
+    }
+
+    bool isHeard(int midiNote) {
+        render(processor, 9600, 512, {}); // the crossfade
+        processor.reset();
+        juce::MidiBuffer midi;
+        midi.addEvent(juce::MidiMessage::noteOn(1, midiNote, juce::uint8{100}), 10);
+        return loudest(render(processor, 4800, 512, midi)) > 0;
+    }
+
+    Processor processor;
+    KitView& kit = processor.view().kit;
+    WorkshopView& workshop = processor.view().workshop;
+    SoundHistory& history = processor.windowSession().history;
+};
 
 } // namespace
 
@@ -112,4 +146,71 @@ TEST_CASE("A key of a scene takes no object") {
     const auto status = processor.view().status.takeStatus();
     CHECK(status.isError);
     CHECK(status.sentence == "Cowbell cannot be put on C4: the keys play a scene.");
+}
+
+TEST_CASE("A dropped mesh is heard on its key as a preview, which the whole object replaces") {
+    Rig rig;
+    std::shared_ptr<const ModalObject> preview;
+    rig.workshop.openFileOnKey(plate(), 40);
+    finish(rig.processor, [&] {
+        if (preview != nullptr || !rig.workshop.playsPreview())
+            return;
+        preview = objectOn(rig.processor, 40);
+        CHECK_FALSE(rig.workshop.importStatus().followsSettings);
+        CHECK(rig.history.undoName() == "Put plate on E2");
+        CHECK(rig.isHeard(40));
+        auto part = rig.kit.kitParts().at(1);
+        part.chokeGroup = 5;
+        rig.kit.changePart(1, part); // the job goes on
+    });
+    REQUIRE(preview != nullptr);
+    const auto whole = objectOn(rig.processor, 40);
+    CHECK(whole != preview);
+    CHECK(whole->modeCount() > 0);
+    CHECK_FALSE(rig.workshop.playsPreview());
+    CHECK(rig.kit.kitParts().at(1).chokeGroup == 5);
+    CHECK(rig.isHeard(40));
+    CHECK(rig.history.undoName() == "Choke group of plate");
+    rig.history.undo();
+    CHECK(rig.history.undoName() == "Put plate on E2");
+    CHECK(objectOn(rig.processor, 40) == whole);
+    rig.history.undo();
+    CHECK(objectOn(rig.processor, 40) == nullptr);
+    rig.history.redo();
+    CHECK(objectOn(rig.processor, 40) == whole);
+}
+
+TEST_CASE("An object whose drop is undone during the preview comes back whole") {
+    Rig rig;
+    rig.workshop.openFileOnKey(plate(), 40);
+    bool isUndone = false;
+    std::weak_ptr<const ModalObject> preview;
+    finish(rig.processor, [&] {
+        if (!rig.workshop.playsPreview())
+            return;
+        preview = objectOn(rig.processor, 40);
+        rig.history.undo();
+        isUndone = true;
+    });
+    REQUIRE(isUndone);
+    CHECK(rig.kit.kitParts().size() == 1);
+    rig.history.redo();
+    REQUIRE(rig.kit.kitParts().size() == 2);
+    CHECK(preview.expired());
+}
+
+TEST_CASE("Files dropped on several keys are opened one after the other, until one is cancelled") {
+    Rig rig;
+    const auto file = cowbell();
+    for (const int key : {40, 41, 42})
+        rig.workshop.openFileOnKey(file, key);
+    waitUntil([&] { return rig.kit.kitParts().size() == 4; }, [&] { rig.processor.poll(); });
+    for (const int key : {40, 41, 42})
+        CHECK(instrumentOf(rig.processor)->hasOwn(key));
+    rig.workshop.openFileOnKey(plate(), 43);
+    rig.workshop.openFileOnKey(file, 44);
+    rig.workshop.cancelImport();
+    finish(rig.processor);
+    CHECK_FALSE(instrumentOf(rig.processor)->hasOwn(44));
+    CHECK(rig.workshop.importStatus().stage == ImportStatus::Stage::cancelled);
 }

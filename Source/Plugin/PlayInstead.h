@@ -1,0 +1,23 @@
+// Plays a sound that was made from the loaded one.
+#pragma once
+
+#include "Plugin/SoundSession.h"
+
+#include <optional>
+
+namespace idiophone {
+
+/// What SoundSession::origin becomes: the number of the new load if it brings an object for all
+/// keys. Otherwise it stays, and jobs that began with the loaded sound go on.
+enum class LoadOrigin { isNew, stays };
+
+/// Plays the wanted sound instead of the loaded one, and changes only the parameters that differ
+/// between the two. Returns the number of the load. Returns nothing if the loaded sound no longer
+/// plays, or if memory does not suffice, which it reports. For the message thread.
+std::optional<int> playInstead(SharedParts& shared,
+                               SoundSession& session,
+                               const SoundSession::Loaded& now,
+                               const Sound& wanted,
+                               LoadOrigin origin);
+
+} // namespace idiophone
