@@ -286,8 +286,13 @@ void ImportSession::playMapped(const SoundSession::Loaded& now,
                  .stored = now.sound.preset.parameters};
     mapped.preset.keyMap = map;
     mapped = asLoudAs(now.sound, std::move(mapped), session.rateHz());
+    const bool isOurs = origin == now.origin;
     history.keepAudition(); // changing the keys of an auditioned sound keeps it
-    history.record(step, [&] { playInstead(shared, session, now, mapped, LoadOrigin::stays); });
+    std::optional<int> number;
+    history.record(step,
+                   [&] { number = playInstead(shared, session, now, mapped, LoadOrigin::isNew); });
+    if (number)
+        origin = isOurs ? *number : -1;
 }
 
 } // namespace idiophone

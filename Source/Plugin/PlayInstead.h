@@ -7,8 +7,8 @@
 
 namespace idiophone {
 
-/// What SoundSession::origin becomes: the number of the new load if it brings an object for all
-/// keys. Otherwise it stays, and jobs that began with the loaded sound go on.
+/// What SoundSession::origin becomes. New: the number of the new load. If it stays, jobs that began
+/// with the loaded sound go on, as during edits of a kit.
 enum class LoadOrigin { isNew, stays };
 
 /// Plays the wanted sound instead of the loaded one, and changes only the parameters that differ
