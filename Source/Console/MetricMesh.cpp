@@ -1,6 +1,6 @@
 #include "Console/MetricMesh.h"
 
-#include "Geometry/MeshReader.h"
+#include <utility>
 
 namespace idiophone {
 namespace {
@@ -31,7 +31,8 @@ Result<MetricMesh> readMetricMesh(const std::filesystem::path& file,
     read->mesh.vertices *= guess->unit.metresPerUnit;
     return MetricMesh{.mesh = std::move(read->mesh),
                       .notes = std::move(read->notes),
-                      .unitSentence = guess->sentence};
+                      .unitSentence = guess->sentence,
+                      .groups = std::move(read->groups)};
 }
 
 } // namespace idiophone
