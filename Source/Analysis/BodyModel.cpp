@@ -126,12 +126,16 @@ void storeSupport(const BodyModel& body,
             place += body.surface.vertices.row(vertex);
         }
     place /= std::max<double>(1, static_cast<double>(object.clampedVertices.size()));
-    const auto& [clamps, resistance, board] = body.support;
-    if (!resistance && !board)
+    const auto resistance = body.support.resistanceNsPerM, quality = body.support.quality,
+               board = body.support.boardKgPerM2;
+    if (!resistance && !quality && !board)
         return;
     const auto forces = supportForces(body.model, held, modes);
-    if (resistance)
-        object.extraDecaysPerSecond = supportDecays(forces, modes.eigenvalues, *resistance);
+    const double taking = resistance ? *resistance
+                          : quality  ? resistanceOf(*quality, forces, modes.eigenvalues)
+                                     : 0;
+    if (taking > 0)
+        object.extraDecaysPerSecond = supportDecays(forces, modes.eigenvalues, taking);
     if (board && !object.radiation.empty())
         addBoard(object.radiation, modes.eigenvalues, forces.row(2),
                  place - Eigen::Vector3d(object.mass.centreMetres.data()), *board);

@@ -4,6 +4,7 @@
 
 #include "Analysis/AnalysedBand.h"
 #include "Analysis/Clamp.h"
+#include "Analysis/HeldSurface.h"
 #include "Analysis/Radiation.h"
 #include "Analysis/VibrationModel.h"
 #include "Mesh/Mesh.h"
@@ -11,6 +12,7 @@
 #include "Object/WorkControl.h"
 
 #include <initializer_list>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -35,6 +37,8 @@ struct BodyModel {
     double servedBandHz = highestAnalysedHz;
     int components = 1; ///< separate parts; each has six rigid motions
     Support support;
+    /// The support's faces and vertices of the mesh that was analysed; null: none.
+    std::shared_ptr<const HeldSurface> heldSurface = nullptr;
     std::string notes; ///< remarks for the user about how the model was made
 };
 

@@ -36,6 +36,8 @@ bool parseSide(std::string_view text, ClampSide& side) {
 Result<void> validate(const Support& support) {
     if (!(support.resistanceNsPerM.value_or(1) > 0))
         return failure("The support's resistance must be a positive number of N s/m.");
+    if (!(support.quality.value_or(1) > 0))
+        return failure("The quality factor of the support must be a positive number.");
     if (!(support.boardKgPerM2.value_or(1) > 0))
         return failure("The board's mass must be a positive number of kg/m².");
     return {};

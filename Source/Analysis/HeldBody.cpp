@@ -1,6 +1,7 @@
 #include "Analysis/HeldBody.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace idiophone {
@@ -33,20 +34,62 @@ Sparse freePart(const Sparse& whole, const std::vector<Index>& numbers, Index fr
     return part;
 }
 
+/// Returns the points of the model on the held part of the analysed mesh. A surface that was
+/// decimated or remeshed may lie off that mesh, and so may the middles of its curved edges. Points
+/// inside the body are farther away.
+std::vector<Index> pointsOnHeldSurface(const BodyModel& body) {
+    constexpr double vertexReach = 0.05; // of the body's diagonal
+    constexpr double middleReach = 0.08; // of an edge
+    const double reachMetres = vertexReach * boundingDiagonalMetres(body.surface);
+    const double middleReachMetres = middleReach * meanEdgeLengthMetres(body.surface);
+    const Index vertices = body.surface.vertexCount(),
+                pointsPerVertex = body.model.rowsPerVertex / 3;
+    std::vector<Index> points;
+    for (Index vertex = 0; vertex < vertices; ++vertex)
+        if (body.heldSurface->holds(body.surface.vertices.row(vertex).transpose(), reachMetres))
+            points.push_back(pointsPerVertex * vertex);
+    for (Index point = pointsPerVertex * vertices; point < body.pointsMetres.rows(); ++point)
+        if (body.heldSurface->holds(body.pointsMetres.row(point).transpose(), middleReachMetres))
+            points.push_back(point);
+    return points;
+}
+
 } // namespace
 
+Result<void> holdBody(BodyModel& body, const Mesh& mesh, const Support& support) {
+    auto surface = HeldSurface::of(mesh, support);
+    if (!surface)
+        return tl::unexpected(surface.error());
+    body.support = support;
+    body.heldSurface = std::move(*surface);
+    return {};
+}
+
 Result<std::vector<bool>> heldRows(const BodyModel& body) {
-    if (body.support.clamps.empty())
+    const auto& support = body.support;
+    if (!support.holds())
         return {};
     const auto rows = static_cast<std::size_t>(body.model.stiffness.rows());
     const auto rowsPerVertex = static_cast<std::size_t>(body.model.rowsPerVertex);
     std::vector<bool> held(rows, false);
-    for (Index point = 0; point < body.pointsMetres.rows(); ++point)
-        if (isClamped(body.support.clamps, body.pointsMetres.row(point).transpose())) {
-            const std::size_t first =
-                3 * static_cast<std::size_t>(point) / rowsPerVertex * rowsPerVertex;
-            std::fill_n(held.begin() + static_cast<std::ptrdiff_t>(first), rowsPerVertex, true);
-        }
+    const auto hold = [&](Index point) {
+        const std::size_t first =
+            3 * static_cast<std::size_t>(point) / rowsPerVertex * rowsPerVertex;
+        std::fill_n(held.begin() + static_cast<std::ptrdiff_t>(first), rowsPerVertex, true);
+    };
+    for (Index point = 0; point < body.pointsMetres.rows(); ++point) {
+        const Eigen::Vector3d place = body.pointsMetres.row(point).transpose();
+        if (isClamped(support.clamps, place) ||
+            std::ranges::any_of(support.balls,
+                                [&](const ClampBall& ball) { return ball.contains(place); }))
+            hold(point);
+    }
+    const Index pointsPerVertex = body.model.rowsPerVertex / 3;
+    for (const auto& ball : support.balls)
+        hold(pointsPerVertex * nearestVertex(body.surface, ball.centreMetres.transpose()));
+    if (body.heldSurface != nullptr)
+        for (const auto point : pointsOnHeldSurface(body))
+            hold(point);
     const auto count = static_cast<std::size_t>(std::ranges::count(held, true));
     if (count == 0)
         return failure("The clamps hold no point of the object; check their places, in metres.");
@@ -88,6 +131,16 @@ supportForces(const VibrationModel& model, const std::vector<bool>& held, const 
         if (held[static_cast<std::size_t>(row)])
             forces.row(row % 3) += ofRows.row(row);
     return forces;
+}
+
+double
+resistanceOf(double quality, const Eigen::Matrix3Xd& forces, const Eigen::VectorXd& eigenvalues) {
+    constexpr Index lowestModes = 4;
+    double resistance = 0;
+    for (Index mode = 0; mode < std::min(lowestModes, eigenvalues.size()); ++mode)
+        resistance = std::max(resistance, quality * forces.col(mode).squaredNorm() /
+                                              std::pow(eigenvalues(mode), 1.5));
+    return resistance;
 }
 
 std::vector<double> supportDecays(const Eigen::Matrix3Xd& forces,

@@ -9,6 +9,10 @@
 
 namespace idiophone {
 
+/// Gives the body its support. `mesh`, in metres, is the one whose faces and vertices the support
+/// names. Error, one sentence: one of them does not exist.
+Result<void> holdBody(BodyModel& body, const Mesh& mesh, const Support& support);
+
 /// Returns, for each row of the body's model, whether the body's clamps hold it; empty if it has
 /// none. A shell is held in both of its layers. Errors, each one sentence: the clamps hold no
 /// point, or all.
@@ -25,6 +29,11 @@ Result<Modes> solveHeldModes(const VibrationModel& model,
 /// 1 m √kg: F = Σ (K − λM) φ over the held rows. The three rows of each point follow each other.
 Eigen::Matrix3Xd
 supportForces(const VibrationModel& model, const std::vector<bool>& held, const Modes& modes);
+
+/// Returns the resistance with which α of the four lowest modes is at most ω/(2Q). It is 0 if none
+/// of them pulls at the support.
+double
+resistanceOf(double quality, const Eigen::Matrix3Xd& forces, const Eigen::VectorXd& eigenvalues);
 
 /// Returns the decay rates [M] that a resistance R of the support adds: α = |F|²/(2 R ω²). The
 /// power that reaches a support much heavier than the body is |F|²/(2R).

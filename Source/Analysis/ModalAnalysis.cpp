@@ -2,6 +2,7 @@
 
 #include "Analysis/BodyModel.h"
 #include "Analysis/Eigensolver.h"
+#include "Analysis/HeldBody.h"
 #include "Analysis/MethodChoice.h"
 #include "Analysis/ShellBody.h"
 #include "Analysis/SolidBody.h"
@@ -20,8 +21,7 @@
 namespace idiophone {
 namespace {
 
-// Repair and decimation of 20,000 triangles take half of a preview's time (measured), and this many
-// elements take the other half.
+// Measured: repair and decimation of 20,000 triangles take as long as this many elements.
 constexpr int previewElements = 300, previewShellVertices = 300;
 /// More modes would make previews longer than two seconds (docs/decisions/0023).
 constexpr int previewModes = 350;
@@ -49,8 +49,7 @@ Result<MethodChoice> methodFor(const Mesh& mesh, const Task& task) {
 
 void makeSortedSet(std::vector<int>& values) {
     std::ranges::sort(values);
-    const auto repeated = std::ranges::unique(values);
-    values.erase(repeated.begin(), repeated.end());
+    values.erase(std::ranges::unique(values).begin(), values.end());
 }
 
 /// Returns the vertices of the repaired mesh that carry shapes, ascending.
@@ -236,7 +235,8 @@ Result<ModalObject> analysed(const Mesh& mesh, const Task& task) {
         return tl::unexpected(body.error());
     body->method = methodName(choice->method);
     body->components = componentsOf(*body, repaired->report);
-    body->support = settings.support;
+    if (const auto held = holdBody(*body, mesh, settings.support); !held)
+        return tl::unexpected(held.error());
     body->notes =
         joinedSentences({repaired->report.text(), choice->reason, body->notes,
                          noteOnBand(*body, settings), noteOnParts(*body, repaired->report)});

@@ -37,12 +37,20 @@ struct AnalyseOptions {
     bool json = false;
 };
 
+/// Returns the name in "group:feet", or nothing for a region.
+std::optional<std::string_view> groupOfClamp(std::string_view clamp) {
+    constexpr std::string_view prefix = "group:";
+    return clamp.starts_with(prefix) ? std::optional(clamp.substr(prefix.size())) : std::nullopt;
+}
+
 Result<AnalysisSettings> settingsFrom(const AnalyseOptions& options) {
     const auto material = findOrReadMaterial(options.material);
     if (!material)
         return tl::unexpected(material.error());
-    Support support{.clamps = {}, .resistanceNsPerM = options.supportResistanceNsPerM};
+    Support support{.resistanceNsPerM = options.supportResistanceNsPerM};
     for (const auto& text : options.clamps) {
+        if (groupOfClamp(text))
+            continue; // the mesh has the groups
         const auto region = parseClamp(text);
         if (!region)
             return failure("--clamp: " + inQuotes(text) + " " + region.error().message);
@@ -64,12 +72,20 @@ Result<AnalysisSettings> settingsFrom(const AnalyseOptions& options) {
 }
 
 Result<ModalObject> analyseFile(const AnalyseOptions& options) {
-    const auto settings = settingsFrom(options);
+    auto settings = settingsFrom(options);
     if (!settings)
         return tl::unexpected(settings.error());
     const auto file = readMetricMesh(options.mesh, options.unit);
     if (!file)
         return tl::unexpected(file.error());
+    for (const auto& text : options.clamps)
+        if (const auto name = groupOfClamp(text)) {
+            const auto group = findGroup(file->groups, *name);
+            if (!group)
+                return failure(options.mesh.string() + ": --clamp: " + group.error().message);
+            auto& faces = settings->support.faces;
+            faces.insert(faces.end(), (*group)->faces.begin(), (*group)->faces.end());
+        }
     ProgressLine progress(options.mesh.filename().string());
     auto object = analyse(file->mesh, *settings, progress.control());
     if (!object && object.error().message != cancelledMessage)
@@ -157,9 +173,9 @@ void addAnalyse(CLI::App& program, Action& chosen) {
                       "Analyses only the largest connected part");
     command
         ->add_option("--clamp", options->clamps,
-                     "Holds the part where this is true, in metres: x<0.02 or x>0.1,z<0; may be "
-                     "repeated")
-        ->type_name("REGION")
+                     "Holds the part where this is true, in metres: x<0.02 or x>0.1,z<0; or the "
+                     "faces that the mesh file names: group:feet. May be repeated")
+        ->type_name("REGION|group:NAME")
         ->take_all()
         ->expected(1);
     command

@@ -1,6 +1,7 @@
 #include "Console/Command.h"
 #include "Console/JsonText.h"
 #include "Console/MaterialChoice.h"
+#include "Geometry/MeshReader.h"
 #include "Object/FileBytes.h"
 #include "Object/ModalObjectFile.h"
 #include "Synth/ModalPole.h"
@@ -126,7 +127,34 @@ void print(const ModalObject& object) {
     printModes(object);
 }
 
+/// Describes a mesh file and the groups that `analyse --clamp group:NAME` can hold.
+Result<void> describeMesh(const InfoOptions& options) {
+    const auto file = readMeshFile(options.file);
+    if (!file)
+        return tl::unexpected(file.error());
+    if (options.json) {
+        ordered_json groups = ordered_json::array();
+        for (const auto& group : file->groups)
+            groups.push_back({{"name", group.name}, {"faces", group.faces.size()}});
+        std::cout << jsonText({{"vertices", file->mesh.vertexCount()},
+                               {"faces", file->mesh.faceCount()},
+                               {"notes", file->notes},
+                               {"groups", groups}});
+        return {};
+    }
+    std::cout << "mesh          " << file->mesh.vertexCount() << " vertices, "
+              << file->mesh.faceCount() << " faces\n";
+    if (!file->notes.empty())
+        std::cout << "notes         " << file->notes << '\n';
+    for (const auto& group : file->groups)
+        std::cout << "group         " << shownName(group.name) << ", " << group.faces.size()
+                  << (group.faces.size() == 1 ? " face\n" : " faces\n");
+    return {};
+}
+
 Result<void> info(const InfoOptions& options) {
+    if (isMeshFile(options.file))
+        return describeMesh(options);
     const auto object = readModalObject(options.file);
     if (!object)
         return tl::unexpected(object.error());
@@ -140,9 +168,9 @@ Result<void> info(const InfoOptions& options) {
 } // namespace
 
 void addInfo(CLI::App& program, Action& chosen) {
-    const auto [command, options] =
-        addCommand<InfoOptions>(program, chosen, "info", "Describes a modal object", info);
-    command->add_option("OBJECT", options->file, "A .modal file")->required();
+    const auto [command, options] = addCommand<InfoOptions>(
+        program, chosen, "info", "Describes a modal object or a mesh", info);
+    command->add_option("OBJECT", options->file, "A .modal file, or a mesh")->required();
     command->add_flag("--json", options->json, "Writes everything except the shapes as JSON");
 }
 

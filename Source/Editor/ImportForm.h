@@ -1,6 +1,7 @@
-// The import settings as a form: unit, material, size, thickness and method.
+// The import settings as a form: unit, material, size, thickness, method, and how it is held.
 #pragma once
 
+#include "Editor/HeldList.h"
 #include "Editor/ImportMeasures.h"
 #include "Editor/Look.h"
 #include "Editor/ProcessorView.h"
@@ -25,27 +26,27 @@ public:
     explicit ImportForm(ProcessorView& processor) : view(processor) {
         describe(unit, "Unit", "Unit", "The unit of length of the mesh file");
         describe(material, "Material", "Material", "The material of the object");
+        describe(held, "Held", "Held",
+                 "Where the object is held still while it sounds. For a painted region, drag over "
+                 "the object in the picture.");
         describe(size, "Longest side", "Longest side",
                  "Type a length, in cm or with a unit, to scale the object");
         describe(thickness, "Thickness", "Thickness of shells",
                  "Wall thickness if the mesh is a shell, in mm or with a unit");
         describe(method, "Method", "Method",
                  "What the mesh is: a solid body, or a shell if it is thin or open");
+        describe(support, "Support", "Support",
+                 "What holds the object: the softer, the more of its vibration it takes");
         fill(unit, units);
+        fill(support, supports);
         fill(method, methods);
         fillMaterials();
         material.beforeOpening = [this] { fillMaterials(); };
         size.setEditable(true);
         thickness.setEditable(true);
-        unit.onChange = method.onChange = material.onChange = [this] {
-            auto wanted = settings;
-            wanted.unit = chosen(unit, units);
-            if (wanted.unit != settings.unit)
-                wanted.longestMetres = 0; // the unit says the size now
-            wanted.method = chosen(method, methods);
-            wanted.material = material.getText().toStdString();
-            changeTo(wanted);
-        };
+        for (auto* list : {&unit, &method, &support})
+            list->onChange = [this] { takeChoices(); };
+        held.onChange = material.onChange = [this] { takeChoices(); };
         size.onTextChange = [this] {
             typed(size, &ImportSettings::longestMetres, parseSizeMetres(size.getText()));
         };
@@ -59,10 +60,19 @@ public:
     /// Shows the settings, and the values that automatic settings chose.
     void show(const ImportStatus& status) {
         settings = status.settings;
-        select(unit, units, settings.unit, status.unit);
-        select(method, methods, settings.method, status.method);
+        select(unit, units, settings.unit, fromUtf8(status.unit));
+        const auto* taken = find(methods, status.method);
+        select(method, methods, settings.method,
+               taken == nullptr || status.method.empty() ? "" : taken->name);
         if (material.getText() != fromUtf8(settings.material))
             material.setText(fromUtf8(settings.material), juce::dontSendNotification);
+        held.show(status);
+        support.setEnabled(settings.held.kind != HeldSettings::Kind::free);
+        const auto known =
+            std::ranges::find(supports, settings.held.quality, &SupportChoice::quality);
+        const int item = static_cast<int>(known - supports.begin()) + 1; // none: no such item
+        if (support.getSelectedId() != item)
+            support.setSelectedId(item, juce::dontSendNotification);
         longestMetres = *std::ranges::max_element(status.sidesMetres);
         for (auto* field : {&size, &thickness}) {
             if (!field->isBeingEdited())
@@ -72,8 +82,8 @@ public:
     }
 
     void resized() override {
-        constexpr int gap = 12, nameHeight = 17, rowGap = 6;
-        const int half = (getWidth() - gap) / 2, quarter = (half - gap) / 2;
+        constexpr int gap = 8, nameHeight = 17, rowGap = 6;
+        const int third = (getWidth() - 2 * gap) / 3, fields = getWidth() - 3 * gap;
         auto area = getLocalBounds();
         auto upper = area.removeFromTop((getHeight() - rowGap) / 2);
         area.removeFromTop(rowGap);
@@ -84,11 +94,13 @@ public:
             names[next++].setBounds(cell.removeFromTop(nameHeight));
             field.setBounds(cell);
         };
-        place(unit, upper, half);
-        place(material, upper, half);
-        place(size, area, quarter);
-        place(thickness, area, quarter);
-        place(method, area, half);
+        place(unit, upper, third);
+        place(material, upper, third);
+        place(held, upper, third);
+        place(size, area, fields / 4);
+        place(thickness, area, fields / 5);
+        place(method, area, (area.getWidth() - gap) / 2);
+        place(support, area, area.getWidth());
     }
 
 private:
@@ -97,6 +109,14 @@ private:
         const char* name;
     };
 
+    struct SupportChoice {
+        double quality; ///< value in HeldSettings
+        const char* name;
+    };
+
+    // A mode of 400 Hz sounds for 5, 1 and 0.2 s in the latter three.
+    static constexpr std::array supports{SupportChoice{0, "Rigid"}, SupportChoice{1000, "Metal"},
+                                         SupportChoice{200, "Wood"}, SupportChoice{40, "Soft"}};
     static constexpr std::array units{Choice{"", "Guessed"},       Choice{"m", "Metres"},
                                       Choice{"cm", "Centimetres"}, Choice{"mm", "Millimetres"},
                                       Choice{"in", "Inches"},      Choice{"ft", "Feet"}};
@@ -105,7 +125,7 @@ private:
                                         Choice{"spring-mass", "Shell of springs, as published"},
                                         Choice{"van-gelder", "Shell of van Gelder's springs"}};
 
-    static void fill(juce::ComboBox& list, std::span<const Choice> choices) {
+    static void fill(juce::ComboBox& list, const auto& choices) {
         int item = 1;
         for (const auto& choice : choices)
             list.addItem(choice.name, item++);
@@ -121,15 +141,14 @@ private:
         return found == choices.end() ? nullptr : &*found;
     }
 
-    /// Selects the choice `id`. `taken` is the value that the automatic first choice led to, or
-    /// empty.
+    /// Selects the choice `id`. `taken` names what the automatic first choice led to, or is empty.
     static void select(juce::ComboBox& list,
                        std::span<const Choice> choices,
                        const std::string& id,
-                       const std::string& taken) {
+                       const juce::String& taken) {
         juce::String text(choices[0].name);
-        if (const auto* automatic = find(choices, taken); automatic != nullptr && !taken.empty())
-            text << ": " << automatic->name;
+        if (taken.isNotEmpty())
+            text << ": " << taken;
         if (list.getItemText(0) != text) {
             list.changeItemText(1, text);
             if (list.getSelectedId() == 1)
@@ -177,6 +196,20 @@ private:
             material.addItem(fromUtf8(name), item++);
         material.setText(fromUtf8(settings.material), juce::dontSendNotification);
     }
+    /// Takes what is selected in the lists.
+    void takeChoices() {
+        auto wanted = settings;
+        wanted.unit = chosen(unit, units);
+        if (wanted.unit != settings.unit)
+            wanted.longestMetres = 0; // the unit says the size now
+        wanted.method = chosen(method, methods);
+        wanted.material = material.getText().toStdString();
+        wanted.held = held.chosen(settings.held);
+        if (const auto item = static_cast<std::size_t>(support.getSelectedItemIndex());
+            item < supports.size())
+            wanted.held.quality = supports[item].quality;
+        changeTo(wanted);
+    }
     /// Takes a typed length, or shows the former one again.
     void
     typed(juce::Label& field, double ImportSettings::*length, const std::optional<double>& metres) {
@@ -202,11 +235,12 @@ private:
 
     ProcessorView& view;
     ImportSettings settings;
-    juce::ComboBox unit, method;
+    juce::ComboBox unit, method, support;
+    HeldList held;
     MaterialList material;
     juce::Label size, thickness;
     double longestMetres = 0; ///< of the object, or 0
-    std::array<TextLabel, 5> names;
+    std::array<TextLabel, 7> names;
     std::size_t described = 0; ///< number of fields with a name
 };
 

@@ -20,6 +20,7 @@ enum class LookColour : int {
     accent,
     onAccent,
     error,
+    held, ///< where an object is held; readable as `text` is
     count
 };
 

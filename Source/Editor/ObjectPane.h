@@ -8,6 +8,7 @@
 #include "Editor/ObjectView.h"
 
 #include <numeric>
+#include <utility>
 #include <vector>
 
 namespace idiophone {
@@ -27,12 +28,18 @@ public:
         add(nodes, "Show where the strongest sounding mode does not move", true);
         add(path, "Show where the keys strike", true);
         add(draw, "Draw on an object to set where the keys strike it", true);
+        add(held,
+            "Show where objects are held. If the Object page holds a painted region, drag over the "
+            "object to paint it, with Shift to let it go.",
+            true);
         vibration.setToggleState(true, juce::dontSendNotification);
-        for (auto* button : {&vibration, &nodes, &path, &draw})
+        for (auto* button : {&vibration, &nodes, &path, &draw, &held})
             button->onClick = [this] { setLayers(); };
         draw.onClick = [this] {
-            if (draw.getToggleState())
+            if (draw.getToggleState()) {
                 path.setToggleState(true, juce::dontSendNotification);
+                held.setToggleState(false, juce::dontSendNotification);
+            }
             setLayers();
         };
         add(play, "Set the bodies in motion, as a key in the middle does", false);
@@ -64,6 +71,7 @@ public:
 
     void refresh() {
         object.refresh();
+        followHeld();
         pause.setToggleState(view.stage.isStagePaused(), juce::dontSendNotification);
         if (object.isOnStage() != play.isVisible())
             showStageButtons();
@@ -97,30 +105,48 @@ private:
         button.setClickingTogglesState(isSwitch);
         addAndMakeVisible(button);
     }
+    /// The choice of a painted region takes up its brush.
+    void followHeld() {
+        const bool paints =
+            view.workshop.canAnalyseAgain() &&
+            view.workshop.importStatus().settings.held.kind == HeldSettings::Kind::places;
+        if (std::exchange(paintsHeld, paints) == paints)
+            return;
+        if (paints) {
+            held.setToggleState(true, juce::dontSendNotification);
+            draw.setToggleState(false, juce::dontSendNotification);
+        }
+        setLayers();
+    }
     void setLayers() {
-        object.setLayers({.vibration = vibration.getToggleState(),
-                          .nodes = nodes.getToggleState(),
-                          .path = path.getToggleState(),
-                          .drawsPath = draw.getToggleState()});
+        object.setLayers(
+            {.vibration = vibration.getToggleState(),
+             .nodes = nodes.getToggleState(),
+             .path = path.getToggleState(),
+             .drawsPath = draw.getToggleState(),
+             .held = held.getToggleState(),
+             .paintsHeld = paintsHeld && held.getToggleState() && !draw.getToggleState()});
     }
     /// On a stage, shows the stage's buttons instead of those of the strike path.
     void showStageButtons() {
         for (auto* button : strip)
             button->setVisible(button == &vibration || button == &nodes ||
-                               (button == &path || button == &draw) != object.isOnStage());
+                               (button == &path || button == &draw || button == &held) !=
+                                   object.isOnStage());
         resized();
     }
 
     ProcessorView& view;
     ObjectView object;
     juce::TextButton vibration{"Vibration"}, nodes{"Nodal lines"}, path{"Strike path"},
-        draw{"Draw path"};
+        draw{"Draw path"}, held{"Held"};
     // These are visible on a stage only.
     juce::TextButton play{"Play"}, pause{"Pause"}, reset{"Reset"};
     CaptureButton<juce::TextButton> midi, impulses;
     IconButton framing{"Frame", icons::frame()};
-    const std::vector<juce::TextButton*> strip{&vibration, &nodes, &path, &draw,    &play,
-                                               &pause,     &reset, &midi, &impulses};
+    const std::vector<juce::TextButton*> strip{&vibration, &nodes, &path,  &draw, &held,
+                                               &play,      &pause, &reset, &midi, &impulses};
+    bool paintsHeld = false; ///< whether a painted region holds the object
 };
 
 } // namespace idiophone

@@ -64,6 +64,7 @@ void ObjectView::newScene() {
     paths.reset();
     if (!shown.onStage)
         paths.showStruckPlaces(view, shown.played, *shown.scene);
+    brush.show(view, shown);
     strikes.reset(*shown.scene, shown.onStage);
     hover(std::nullopt);
     vibration.reset(shown.played);
@@ -98,7 +99,7 @@ void ObjectView::showMode(std::optional<std::size_t> mode) {
 }
 
 void ObjectView::setLayers(const Layers& wanted) {
-    if (wanted.drawsPath != layers.drawsPath)
+    if (wanted.draws() != layers.draws())
         hand.lift();
     layers = wanted;
     vibration.setShown(layers.vibration, layers.nodes);
@@ -122,7 +123,7 @@ void ObjectView::timerCallback() {
 }
 
 void ObjectView::cameraMoved() {
-    if (layers.path || paths.isDrawing() || outline.hover())
+    if (layers.path || layers.held || isDrawing() || outline.hover())
         repaint();
     redraw();
 }
@@ -159,15 +160,12 @@ void ObjectView::paint(juce::Graphics& g) {
     if (isPlain)
         paintPlainPicture(g, getLocalBounds().toFloat(), frameNow());
     paths.paint(g, *this, *shown.scene, camera, layers.path);
+    if (layers.held)
+        brush.paint(g, *this, *shown.scene, camera);
     outline.paint(g, *this, *shown.scene, camera);
 }
 
 // Mouse input.
-
-float ObjectView::aspect() const {
-    return static_cast<float>(juce::jmax(1, getWidth())) /
-           static_cast<float>(juce::jmax(1, getHeight()));
-}
 
 std::optional<ScenePick> ObjectView::pickAt(juce::Point<float> position) const {
     if (getLocalBounds().isEmpty())
@@ -199,9 +197,12 @@ std::optional<ScenePick> ObjectView::strikeAt(juce::Point<float> position, doubl
     return pick;
 }
 
-void ObjectView::drawTo(juce::Point<float> position) {
-    if (const auto pick = pickAt(position)) {
-        paths.drawTo(*pick);
+void ObjectView::drawTo(const juce::MouseEvent& event) {
+    if (const auto pick = pickAt(event.position)) {
+        if (layers.paintsHeld)
+            brush.drawTo(*pick, event.mods.isShiftDown());
+        else
+            paths.drawTo(*pick);
         repaint();
     }
 }
@@ -209,7 +210,7 @@ void ObjectView::drawTo(juce::Point<float> position) {
 /// Outlines the object under the mouse, on a stage only while it rests.
 void ObjectView::hover(std::optional<ScenePick> pick) {
     std::optional<HoverOutline::Hover> next;
-    if (pick && (pick->body ? shown.rests(*pick->body) : !layers.drawsPath)) {
+    if (pick && (pick->body ? shown.rests(*pick->body) : !layers.draws())) {
         const auto& own = shown.played[pick->object];
         const bool playsNote = shown.onStage || own.lowestNote == own.highestNote;
         next = {.object = pick->object,
@@ -231,9 +232,9 @@ void ObjectView::mouseMove(const juce::MouseEvent& event) {
 }
 
 void ObjectView::mouseDown(const juce::MouseEvent& event) {
-    if (event.mods.isLeftButtonDown() && layers.drawsPath && !shown.onStage) {
-        drawTo(event.position);
-        if (paths.isDrawing())
+    if (event.mods.isLeftButtonDown() && layers.draws() && !shown.onStage) {
+        drawTo(event);
+        if (isDrawing())
             return;
     } else if (event.mods.isLeftButtonDown()) {
         // If the mouse stood still before the click, its speed is 0.
@@ -246,10 +247,10 @@ void ObjectView::mouseDown(const juce::MouseEvent& event) {
 }
 
 void ObjectView::mouseDrag(const juce::MouseEvent& event) {
-    if (paths.isDrawing())
-        return drawTo(event.position);
+    if (isDrawing())
+        return drawTo(event);
     if (!turningFrom) {
-        if (shown.onStage || layers.drawsPath) // the path's instrument may no longer exist
+        if (shown.onStage || layers.draws()) // the path's instrument may no longer exist
             return;
         if (hand.isScraping() || event.getDistanceFromDragStart() > pixelsToDrag) {
             const auto pick = pickAt(event.position);
@@ -273,8 +274,9 @@ void ObjectView::mouseDrag(const juce::MouseEvent& event) {
 }
 
 void ObjectView::mouseUp(const juce::MouseEvent&) {
-    if (paths.isDrawing()) {
+    if (isDrawing()) {
         paths.finishDrawing(view);
+        brush.finishDrawing(view);
         repaint();
     }
     hand.lift();

@@ -2,6 +2,7 @@
 // the objects or with the right button turn the view. On a stage, clicks set bodies in motion.
 #pragma once
 
+#include "Editor/HeldBrush.h"
 #include "Editor/HoverOutline.h"
 #include "Editor/ObjectHand.h"
 #include "Editor/ObjectScene.h"
@@ -27,9 +28,13 @@ class ObjectView final : public juce::Component, public juce::TooltipClient, pri
 public:
     struct Layers {
         bool vibration = true;
-        bool nodes = false;     ///< nodal lines, see VibrationPicture
-        bool path = false;      ///< where the keys strike
-        bool drawsPath = false; ///< drags draw a new strike path instead of scraping
+        bool nodes = false;      ///< nodal lines, see VibrationPicture
+        bool path = false;       ///< where the keys strike
+        bool drawsPath = false;  ///< drags draw a new strike path instead of scraping
+        bool held = false;       ///< where objects are held
+        bool paintsHeld = false; ///< drags set where the object is held instead of scraping
+
+        bool draws() const { return drawsPath || paintsHeld; }
     };
 
     explicit ObjectView(ProcessorView& view);
@@ -56,7 +61,11 @@ public:
     std::optional<ScenePick> strikeAt(juce::Point<float> position, double pixelsPerSecond = 0);
     void lift() { hand.lift(); }
 
-    juce::String getTooltip() override { return ObjectHand::hint(shown.onStage, layers.drawsPath); }
+    juce::String getTooltip() override {
+        return layers.paintsHeld && !shown.onStage
+                   ? HeldBrush::hint
+                   : ObjectHand::hint(shown.onStage, layers.drawsPath);
+    }
     void paint(juce::Graphics& g) override;
     void resized() override { cameraMoved(); }
     void lookAndFeelChanged() override { cameraMoved(); }
@@ -73,10 +82,14 @@ private:
     void timerCallback() override;
     void newScene();
     void followMaterial();
-    float aspect() const;
+    float aspect() const {
+        return static_cast<float>(juce::jmax(1, getWidth())) /
+               static_cast<float>(juce::jmax(1, getHeight()));
+    }
     std::optional<ScenePick> pickAt(juce::Point<float> position) const;
     int noteFor(std::size_t object) const;
-    void drawTo(juce::Point<float> position);
+    bool isDrawing() const { return paths.isDrawing() || brush.isDrawing(); }
+    void drawTo(const juce::MouseEvent& event);
     bool moves() const { return strikes.moves() || vibration.moves(); }
     void hover(std::optional<ScenePick> pick);
     void wake();
@@ -91,6 +104,7 @@ private:
     std::vector<Appearance> appearances; ///< of each object, by the current material
     OrbitCamera camera;
     PathOverlay paths;
+    HeldBrush brush;
     juce::OpenGLContext context;
     PictureRenderer renderer{context};
     int ticksWithoutContext = 0;

@@ -2,7 +2,7 @@
 
 #include "Editor/Look.h"
 #include "Editor/ModeText.h"
-#include "Editor/PixelProjection.h"
+#include "Editor/SeenPlaces.h"
 
 #include <cmath>
 #include <utility>
@@ -10,33 +10,27 @@
 namespace idiophone {
 namespace {
 
-constexpr float hiddenAlpha = 0.3f;
 constexpr std::size_t maximumPathPoints = 500;
 
-struct Seen {
-    juce::Point<float> at;
-    bool hidden = false;
-};
-
-bool isHidden(const ObjectScene& scene, const ScenePlace& eye, const ScenePlace& place) {
-    const Eigen::Vector3f from = vectorOf(eye), sight = vectorOf(place) - from;
-    const auto hit = scene.pick(eye, scenePlace(sight));
-    return hit && (vectorOf(hit->place) - from).norm() < sight.norm() - 0.01f * scene.radius();
-}
-
-void paintLine(juce::Graphics& g, const std::vector<Seen>& seen, juce::Colour colour, float width) {
+void paintLine(juce::Graphics& g,
+               const std::vector<SeenPlace>& seen,
+               juce::Colour colour,
+               float width) {
     for (std::size_t i = 1; i < seen.size(); ++i) {
-        g.setColour(colour.withMultipliedAlpha(seen[i].hidden ? hiddenAlpha : 1.0f));
+        g.setColour(seen[i].in(colour));
         g.drawLine({seen[i - 1].at, seen[i].at}, width);
     }
 }
 
-void paintEnd(juce::Graphics& g, const Seen& seen, juce::Colour colour) {
-    g.setColour(colour.withMultipliedAlpha(seen.hidden ? hiddenAlpha : 1.0f));
+void paintEnd(juce::Graphics& g, const SeenPlace& seen, juce::Colour colour) {
+    g.setColour(seen.in(colour));
     g.fillEllipse(juce::Rectangle<float>(7, 7).withCentre(seen.at));
 }
 
-void paintKey(juce::Graphics& g, const Seen& seen, const juce::String& key, juce::Colour colour) {
+void paintKey(juce::Graphics& g,
+              const SeenPlace& seen,
+              const juce::String& key,
+              juce::Colour colour) {
     g.setColour(colour);
     g.drawText(key, juce::Rectangle<float>(60, 16).withCentre(seen.at.translated(0, -13)),
                juce::Justification::centred, false);
@@ -83,22 +77,12 @@ void PathOverlay::paint(juce::Graphics& g,
                         bool showsStruckPlaces) const {
     const auto colour = colourOf(component, LookColour::accent);
     const auto textColour = colourOf(component, LookColour::text);
-    const auto area = component.getLocalBounds().toFloat();
-    const float aspect = area.getWidth() / std::max(area.getHeight(), 1.0f);
-    const auto eye = camera.eye(aspect);
-    const PixelProjection projection(camera.viewProjection(aspect), area);
-    const auto allSeen = [&](const std::vector<ScenePlace>& places) {
-        std::vector<Seen> seen;
-        for (const auto& place : places)
-            if (const auto pixel = projection.pixelOf(vectorOf(place)))
-                seen.push_back({.at = *pixel, .hidden = isHidden(scene, eye, place)});
-        return seen;
-    };
+    const SeenPlaces seenPlaces(scene, camera, component.getLocalBounds().toFloat());
     g.setFont(Look::headingFont());
     for (const auto& [places, lowestKey, highestKey] : paths) {
         if (!showsStruckPlaces)
             continue;
-        const auto seen = allSeen(places);
+        const auto seen = seenPlaces.of(places);
         if (seen.empty())
             continue;
         paintLine(g, seen, colour, 2);
@@ -107,7 +91,7 @@ void PathOverlay::paint(juce::Graphics& g,
         paintKey(g, seen.front(), lowestKey, textColour);
         paintKey(g, seen.back(), highestKey, textColour);
     }
-    paintLine(g, allSeen(drawn), textColour, 3);
+    paintLine(g, seenPlaces.of(drawn), textColour, 3);
 }
 
 } // namespace idiophone

@@ -1,6 +1,8 @@
 // The window's view of the workshop, which makes objects from files, and of how keys play them.
 #pragma once
 
+#include "Editor/HeldSettings.h"
+
 #include <array>
 #include <cstddef>
 #include <filesystem>
@@ -19,6 +21,7 @@ struct ImportSettings {
     /// The longest side of the mesh's bounding box, to which it is scaled, 0.001 to 20; 0: as the
     /// unit says.
     double longestMetres = 0;
+    HeldSettings held = {};
 
     bool operator==(const ImportSettings&) const = default;
 };
@@ -56,6 +59,8 @@ struct ImportStatus {
     std::string notes;   ///< choices of repair and analysis with reasons, in sentences
     std::string unit;    ///< symbol of the chosen unit
     std::string method;  ///< the chosen method
+    std::vector<std::string> groups; ///< names of the mesh's parts that can be held
+    bool wasHeld = false;            ///< whether the mesh is that of an object that was held
 
     bool isWorking() const { return stage == Stage::working || stage == Stage::previewed; }
     bool operator==(const ImportStatus&) const = default;

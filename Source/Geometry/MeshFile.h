@@ -18,12 +18,19 @@ namespace idiophone {
 
 class TextScanner;
 
+/// Polygons with a name, ascending.
+struct RawGroup {
+    std::string name;
+    std::vector<std::size_t> polygons;
+};
+
 /// Vertices and polygons from a file. Indices are not checked yet.
 struct RawMesh {
     std::vector<double> coordinates;      ///< [N,3]
     std::vector<std::int64_t> corners;    ///< of all polygons
     std::vector<std::size_t> polygonEnds; ///< [P] where the polygon ends in `corners`
     std::string notes;                    ///< sentences for the user; may be empty
+    std::vector<RawGroup> groups;         ///< some may be empty
 
     std::int64_t vertexCount() const { return static_cast<std::int64_t>(coordinates.size() / 3); }
     /// Leaves out what has fewer than three corners.

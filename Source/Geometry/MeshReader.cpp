@@ -4,6 +4,7 @@
 #include "Geometry/PolygonTriangles.h"
 #include "Object/FileBytes.h"
 #include "Object/NumberText.h"
+#include "Object/OneLine.h"
 #include "Object/SameName.h"
 #include "Object/TextFile.h"
 
@@ -20,10 +21,11 @@ namespace {
 constexpr std::uintmax_t largestFileBytes = std::uintmax_t{2} << 30;
 constexpr double largestUnits = 1e6;
 
+constexpr std::array<std::pair<std::string_view, Result<RawMesh> (*)(std::string_view)>, 4> formats{
+    {{".obj", readObj}, {".off", readOff}, {".ply", readPly}, {".stl", readStl}}};
+
 Result<RawMesh> readRawMesh(const std::filesystem::path& file) {
     const auto extension = nameOf(file.extension());
-    constexpr std::array<std::pair<std::string_view, Result<RawMesh> (*)(std::string_view)>, 4>
-        formats{{{".obj", readObj}, {".off", readOff}, {".ply", readPly}, {".stl", readStl}}};
     for (const auto& [name, read] : formats)
         if (sameName(extension, name)) {
             const auto bytes = readBytes(file, largestFileBytes);
@@ -66,6 +68,22 @@ std::span<const std::int64_t> polygonOf(const RawMesh& raw, std::size_t polygon)
     return std::span(raw.corners).subspan(begin, raw.polygonEnds[polygon] - begin);
 }
 
+/// Returns the groups with the triangles of their polygons. Polygon p has the triangles from
+/// firstTriangles[p] up to the next polygon's.
+std::vector<MeshGroup> groupsOf(const std::vector<RawGroup>& raw,
+                                const std::vector<int>& firstTriangles) {
+    std::vector<MeshGroup> groups;
+    for (const auto& [name, polygons] : raw) {
+        MeshGroup group{.name = name, .faces = {}};
+        for (const auto polygon : polygons)
+            for (int face = firstTriangles[polygon]; face < firstTriangles[polygon + 1]; ++face)
+                group.faces.push_back(face);
+        if (!group.faces.empty())
+            groups.push_back(std::move(group));
+    }
+    return groups;
+}
+
 /// Cuts the polygons into triangles.
 MeshOfFile triangulated(const RawMesh& raw) {
     MeshOfFile result{.mesh = {}, .notes = raw.notes};
@@ -76,7 +94,9 @@ MeshOfFile triangulated(const RawMesh& raw) {
     corners.reserve(raw.corners.size());
     Eigen::MatrixX3d polygon;
     int guesses = 0;
+    std::vector<int> firstTriangles;
     for (std::size_t index = 0; index < raw.polygonEnds.size(); ++index) {
+        firstTriangles.push_back(static_cast<int>(corners.size() / 3));
         const auto ofPolygon = polygonOf(raw, index);
         if (ofPolygon.size() == 3) {
             corners.insert(corners.end(), ofPolygon.begin(), ofPolygon.end());
@@ -91,6 +111,8 @@ MeshOfFile triangulated(const RawMesh& raw) {
             for (const int corner : triangle)
                 corners.push_back(static_cast<int>(ofPolygon[static_cast<std::size_t>(corner)]));
     }
+    firstTriangles.push_back(static_cast<int>(corners.size() / 3));
+    result.groups = groupsOf(raw.groups, firstTriangles);
     using RowMajorIndices = Eigen::Matrix<int, Eigen::Dynamic, 3, Eigen::RowMajor>;
     result.mesh.faces = Eigen::Map<const RowMajorIndices>(
         corners.data(), static_cast<Eigen::Index>(corners.size() / 3), 3);
@@ -136,6 +158,28 @@ void gatherStrays(Mesh& mesh) {
 }
 
 } // namespace
+
+bool isMeshFile(const std::filesystem::path& file) {
+    const auto extension = nameOf(file.extension());
+    return std::ranges::any_of(
+        formats, [&](const auto& format) { return sameName(extension, format.first); });
+}
+
+Result<const MeshGroup*> findGroup(const std::vector<MeshGroup>& groups, std::string_view name) {
+    constexpr std::size_t namesShown = 12;
+    const auto found = std::ranges::find(groups, name, &MeshGroup::name);
+    if (found != groups.end())
+        return &*found;
+    std::string sentence = "There is no group " + inQuotes(name) + " in the mesh; ";
+    if (groups.empty())
+        return failure(sentence + "its faces have no names.");
+    sentence += groups.size() == 1 ? "its only group is " : "its groups are ";
+    for (std::size_t i = 0; i < std::min(groups.size(), namesShown); ++i)
+        sentence += (i == 0 ? "" : ", ") + inQuotes(groups[i].name);
+    if (groups.size() > namesShown)
+        sentence += " and " + std::to_string(groups.size() - namesShown) + " more";
+    return failure(sentence + ".");
+}
 
 Result<MeshOfFile> readMeshFile(const std::filesystem::path& file, double metresPerUnit) {
     const auto fail = [&](const std::string& fault) {

@@ -7,16 +7,34 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
+#include <vector>
 
 namespace idiophone {
+
+/// Faces of a mesh that have a name in its file. A face may be in several groups.
+struct MeshGroup {
+    std::string name;       ///< one line, not empty, unique in the file
+    std::vector<int> faces; ///< ascending, not empty
+
+    bool operator==(const MeshGroup&) const = default;
+};
 
 struct MeshOfFile {
     Mesh mesh;
     std::string notes; ///< sentences for the user: what is odd in the file; may be empty
+    std::vector<MeshGroup> groups = {}; ///< in the file's order, at most `maximumMeshGroups`
 };
+
+/// Faces of further groups have no name.
+inline constexpr std::size_t maximumMeshGroups = 1000;
+
+/// The error says in a sentence which groups there are. The result points into `groups`.
+Result<const MeshGroup*> findGroup(const std::vector<MeshGroup>& groups, std::string_view name);
 
 /// Reads a mesh and scales it to metres. The extension selects the format (.obj, .off, .ply, .stl,
 /// in upper or lower case).
+/// The groups are those of "g" and "o" in OBJ and of the solids of a text STL.
 /// Polygons are cut into triangles inside their outline, or with a note if it crosses itself. A
 /// mesh whose faces lie more than a hundred diagonals from the origin is moved there, because
 /// objects are stored in single precision. Vertices without a face are kept; those that are no
@@ -25,6 +43,9 @@ struct MeshOfFile {
 /// faces, a face with a vertex that is not a finite number or does not exist, or faces that reach
 /// over more than 10⁶ units. Any thread except the audio thread.
 Result<MeshOfFile> readMeshFile(const std::filesystem::path& file, double metresPerUnit = 1);
+
+/// Returns whether the extension is one of these.
+bool isMeshFile(const std::filesystem::path& file);
 
 /// Does the same, without the notes.
 Result<Mesh> readMesh(const std::filesystem::path& file, double metresPerUnit = 1);

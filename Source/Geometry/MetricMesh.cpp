@@ -1,7 +1,8 @@
 #include "Geometry/MetricMesh.h"
 
-#include "Geometry/MeshReader.h"
 #include "Object/OneLine.h"
+
+#include <utility>
 
 namespace idiophone {
 namespace {
@@ -32,7 +33,8 @@ Result<MetricMesh> readMetricMesh(const std::filesystem::path& file,
     read->mesh.vertices *= guess->unit.metresPerUnit;
     return MetricMesh{.mesh = std::move(read->mesh),
                       .notes = std::move(read->notes),
-                      .unitSentence = guess->sentence};
+                      .unitSentence = guess->sentence,
+                      .groups = std::move(read->groups)};
 }
 
 } // namespace idiophone

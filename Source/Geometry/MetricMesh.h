@@ -2,12 +2,14 @@
 #pragma once
 
 #include "Geometry/LengthUnit.h"
+#include "Geometry/MeshReader.h"
 #include "Mesh/Mesh.h"
 #include "Object/Result.h"
 
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace idiophone {
 
@@ -15,6 +17,7 @@ struct MetricMesh {
     Mesh mesh;                ///< in metres
     std::string notes;        ///< of the reader, in sentences
     std::string unitSentence; ///< on the unit, if its guess is uncertain or not metres
+    std::vector<MeshGroup> groups;
 };
 
 /// `unit` is m, cm, mm, in or ft, or nothing: guessed. The error names the file and the fault.

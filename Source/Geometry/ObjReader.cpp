@@ -1,3 +1,4 @@
+#include "Geometry/GroupNames.h"
 #include "Geometry/MeshFile.h"
 
 #include <algorithm>
@@ -66,8 +67,15 @@ Result<RawMesh> readObj(std::string_view bytes) {
     const bool endsWithLineEnd = bytes.ends_with('\n') || bytes.ends_with('\r');
     std::vector<std::string_view> cornerWords;
     std::vector<std::int64_t> corners;
+    GroupNames groupNames(mesh.groups);
+    std::vector<std::size_t> ofObject, ofGroup; // groups of the next faces
     while (const auto line = statements.next()) {
-        const auto keyword = TextScanner(*line).nextWord();
+        TextScanner rest(*line);
+        const auto keyword = rest.nextWord();
+        if (keyword == "g")
+            ofGroup = groupNames.numbersOf(rest);
+        else if (keyword == "o")
+            ofObject = groupNames.numberOf(rest.nextLine().value_or(""));
         const bool isFace = keyword == "f" || keyword == "fo"; // "fo" is the former name
         if (keyword != "v" && !isFace)
             continue;
@@ -93,7 +101,12 @@ Result<RawMesh> readObj(std::string_view bytes) {
                 return failure(place + " is not a face");
             corners.push_back(*corner);
         }
+        const auto polygon = mesh.polygonEnds.size();
         mesh.addPolygon(corners);
+        if (mesh.polygonEnds.size() == polygon)
+            continue;
+        groupNames.addTo(ofObject, polygon);
+        groupNames.addTo(ofGroup, polygon);
     }
     return mesh;
 }

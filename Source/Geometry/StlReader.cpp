@@ -1,3 +1,4 @@
+#include "Geometry/GroupNames.h"
 #include "Geometry/MeshFile.h"
 #include "Object/SameName.h"
 
@@ -75,17 +76,20 @@ public:
     }
     TextScanner& text() { return scanner; }
 
-    /// Leaves out the name of a solid, which has any number of words. It ends with its line, or
-    /// before "facet normal".
-    void skipName() {
+    /// Returns the name of a solid, which has any number of words. It ends with its line, or
+    /// before "facet normal"; then it counts as empty.
+    std::string_view name() {
         auto ahead = scanner;
-        scanner.nextLine();
+        auto text = scanner.nextLine().value_or("");
         for (auto part = ahead.nextWord(); ahead.bytesLeft() > scanner.bytesLeft();) {
             const bool isFacet = sameName(part, "facet");
             part = ahead.nextWord();
-            if (isFacet && sameName(part, "normal"))
+            if (isFacet && sameName(part, "normal")) {
                 scanner = ahead;
+                text = {};
+            }
         }
+        return text;
     }
 
 private:
@@ -103,8 +107,12 @@ Result<RawMesh> readTextStl(std::string_view text) {
     StlKeywords words(text);
     std::vector<std::int64_t> corners;
     bool isInFacet = false, ended = false;
+    GroupNames groupNames(mesh.groups);
+    std::vector<std::size_t> ofSolid; // groups of the next faces
     const auto endLoop = [&] {
         mesh.addPolygon(corners);
+        if (corners.size() >= 3)
+            groupNames.addTo(ofSolid, mesh.polygonEnds.size() - 1);
         corners.clear();
     };
     for (auto word = words.next(); !word.empty(); word = words.next()) {
@@ -121,7 +129,8 @@ Result<RawMesh> readTextStl(std::string_view text) {
             isInFacet = true;
         } else if (word.starts_with("endsolid") || word.starts_with("solid")) {
             ended = word.starts_with("endsolid");
-            words.skipName();
+            const auto name = words.name();
+            ofSolid = ended ? std::vector<std::size_t>{} : groupNames.numberOf(name);
         }
     }
     if (isInFacet || !corners.empty())

@@ -25,7 +25,8 @@ void ImportSession::begin(int originOfJob, std::optional<int> midiNote) {
 
 void ImportSession::open(const File& file) {
     begin(session.origin(), file.key);
-    importSettings.longestMetres = 0; // a new file has its own size
+    importSettings.longestMetres = 0; // a new file has its own size, and parts of its own
+    importSettings.held = {.quality = importSettings.held.quality};
     workshop.open(file.path, importSettings);
 }
 
@@ -57,7 +58,13 @@ std::shared_ptr<const ModalObject> ImportSession::foreignObject() const {
 ImportSettings ImportSession::settingsInForce() const {
     auto settings = importSettings;
     const auto object = foreignObject();
-    if (object == nullptr || object == settingsGivenFor.lock())
+    if (followsSettings() || (object != nullptr && object == settingsGivenFor.lock()))
+        return settings;
+    using Held = HeldSettings::Kind;
+    const bool wasHeld = object != nullptr && !object->clampedVertices.empty();
+    settings.held = {.kind = wasHeld ? Held::asBefore : Held::free,
+                     .quality = settings.held.quality};
+    if (object == nullptr)
         return settings;
     settings.longestMetres = 0;
     const auto values = shared.parameters.values();
@@ -75,8 +82,12 @@ ImportSettings ImportSession::settingsInForce() const {
 
 void ImportSession::setImportSettings(const ImportSettings& settings) {
     settingsGivenFor = foreignObject();
-    importSettings = settings;
-    if (followsSettings())
+    auto before = std::exchange(importSettings, settings);
+    const bool changed = before != settings;
+    if (before.held.isFree() && settings.held.isFree())
+        before.held = settings.held;
+    const bool isWithoutEffect = changed && before == settings; // such as nothing painted yet
+    if (followsSettings() && !isWithoutEffect)
         analyseAgain();
 }
 
@@ -95,8 +106,7 @@ void ImportSession::analyseAgain() {
     begin(now.origin, std::nullopt);
     if (isOurs)
         return workshop.analyseAgain(importSettings);
-    const auto& object = *now.sound.instrument->slots().front().object;
-    workshop.analyse(objectMesh(object), object.name, importSettings);
+    workshop.analyse(*now.sound.instrument->slots().front().object, importSettings);
 }
 
 ImportStatus ImportSession::importStatus() const {
@@ -109,6 +119,8 @@ ImportStatus ImportSession::importStatus() const {
     if (const auto foreign = foreignObject()) {
         status.sidesMetres = sidesMetresOf(*foreign);
         status.massKg = foreign->mass.massKg;
+        status.groups.clear();
+        status.wasHeld = !foreign->clampedVertices.empty();
         if (status.stage == ImportStatus::Stage::failed) // the figures are not those of the file
             status.fileName = foreign->name;
     }

@@ -6,6 +6,7 @@
 #include "Editor/Utf8.h"
 #include "Geometry/LengthUnit.h"
 #include "Geometry/MeshReader.h"
+#include "Mesh/ObjectMesh.h"
 #include "Plugin/FileKinds.h"
 #include "Plugin/FinishedObject.h"
 #include "Plugin/ImportChoices.h"
@@ -52,12 +53,13 @@ void ObjectWorkshop::analyseAgain(const ImportSettings& settings) {
         start(job);
 }
 
-void ObjectWorkshop::analyse(Mesh meshMetres,
-                             const std::string& name,
-                             const ImportSettings& settings) {
+void ObjectWorkshop::analyse(const ModalObject& object, const ImportSettings& settings) {
     auto job = std::make_shared<Job>();
-    job->source = std::make_shared<const Source>(Source{
-        .name = name.empty() ? "Object" : name, .mesh = std::move(meshMetres), .isMetres = true});
+    job->source = std::make_shared<const Source>(
+        Source{.name = object.name.empty() ? "Object" : object.name,
+               .mesh = objectMesh(object),
+               .isMetres = true,
+               .parts = {.clampedVertices = object.clampedVertices}});
     job->settings = settings;
     start(job);
 }
@@ -108,6 +110,10 @@ bool ObjectWorkshop::hasMesh() const {
 ImportStatus ObjectWorkshop::status() const {
     const std::scoped_lock lock(mutex);
     auto status = shown;
+    if (mesh != nullptr) {
+        status.groups = mesh->groups;
+        status.wasHeld = !mesh->parts.clampedVertices.empty();
+    }
     if (status.isWorking())
         status.secondsLeft = remaining.seconds(std::chrono::steady_clock::now());
     return status;
@@ -142,10 +148,13 @@ Result<void> ObjectWorkshop::make(const Job& job) {
     auto read = readMeshFile(job.file);
     if (!read)
         return tl::unexpected(read.error());
-    const auto source = std::make_shared<const Source>(Source{.name = fileNameOf(job.file),
-                                                              .mesh = std::move(read->mesh),
-                                                              .isMetres = false,
-                                                              .notes = std::move(read->notes)});
+    Source made{.name = fileNameOf(job.file),
+                .mesh = std::move(read->mesh),
+                .isMetres = false,
+                .notes = std::move(read->notes),
+                .parts = {.groups = std::move(read->groups)}};
+    made.groups = namesOfGroups(made.parts, made.mesh);
+    const auto source = std::make_shared<const Source>(std::move(made));
     {
         const std::scoped_lock lock(mutex);
         if (!job.cancelled)
@@ -164,12 +173,16 @@ Result<void> ObjectWorkshop::makeFromMesh(const Job& job, const Source& source) 
     const auto unit = unitOf(source.mesh, source.isMetres, job.settings);
     Mesh metres = source.mesh;
     metres.vertices *= unit.unit.metresPerUnit;
+    auto support = supportOf(job.settings.held, source.parts, metres);
+    if (!support)
+        return refuse(support.error());
     const AnalysisSettings settings{.name =
                                         textOf(pathOf(fromUtf8(source.name)).stem()).toStdString(),
                                     .source = source.name,
                                     .material = choices->material,
                                     .method = choices->method,
-                                    .thicknessMetres = job.settings.thicknessMetres};
+                                    .thicknessMetres = job.settings.thicknessMetres,
+                                    .support = std::move(*support)};
     const auto control = [&](double from, double to, std::string_view prefix) {
         return WorkControl{.progress =
                                [=, this, &job](double share, std::string_view step) {

@@ -7,6 +7,7 @@
 #include "Mesh/Mesh.h"
 #include "Object/ModalObject.h"
 #include "Object/Result.h"
+#include "Plugin/HeldParts.h"
 #include "Plugin/RemainingTime.h"
 #include "Plugin/WorkThread.h"
 
@@ -44,8 +45,8 @@ public:
     void open(const std::filesystem::path& file, const ImportSettings& settings);
     /// Starts a job for the mesh opened last, if there is one.
     void analyseAgain(const ImportSettings& settings);
-    /// Starts a job for this mesh under the given name.
-    void analyse(Mesh meshMetres, const std::string& name, const ImportSettings& settings);
+    /// Starts a job for the mesh of an object, which keeps its name.
+    void analyse(const ModalObject& object, const ImportSettings& settings);
     void cancel();
 
     /// Returns whether a mesh is loaded that `analyseAgain` can use.
@@ -63,6 +64,8 @@ private:
         Mesh mesh;
         bool isMetres = false;  ///< if not, the unit is the file's
         std::string notes = {}; ///< on the file; may be empty
+        HoldableParts parts = {};
+        std::vector<std::string> groups = {}; ///< `namesOfGroups` of the parts
     };
     struct Job {
         std::filesystem::path file;

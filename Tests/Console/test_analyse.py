@@ -192,6 +192,33 @@ class Analyse(ConsoleTest):
             self.refuse("analyse", tine, "-o", self.folder / "t.modal", "--clamp", region,
                         naming="clamp" if region == "x<" else "tine.obj", saying=saying)
 
+    def test_a_clamp_holds_a_named_group_as_it_holds_a_box(self):
+        bar = self.mesh("box", "--length", 0.06, "--width", 0.005, "--height", 0.002,
+                        "--vertices", 200)
+        vertices, rest, end = [], [], []
+        for line in bar.read_text().splitlines():
+            words = line.split()
+            if words[0] == "v":
+                vertices.append(float(words[1]))
+            elif words[0] == "f":
+                at_end = all(vertices[int(word) - 1] < -0.0299 for word in words[1:])
+                (end if at_end else rest).append(line)
+        grouped = self.write("grouped.obj", "\n".join(
+            [line for line in bar.read_text().splitlines() if line[0] == "v"] +
+            ["g body"] + rest + ["g end"] + end) + "\n")
+        options = ("--max-frequency", 8000, "--elements", 600)
+        (_, by_group), (_, by_box) = (self.analyse(grouped, *options, "--clamp", clamp)
+                                      for clamp in ("group:end", "x<-0.0299"))
+        self.assertGreater(by_group["clamped_vertices"], 2)
+        self.assertEqual(by_group["clamped_vertices"], by_box["clamped_vertices"])
+        self.assertEqual(by_group["modes"], by_box["modes"])
+        self.refuse("analyse", grouped, "-o", self.folder / "t.modal", "--clamp", "group:foot",
+                    naming="grouped.obj", saying="no group 'foot' in the mesh; its groups are "
+                                                 "'body', 'end'.")
+        self.assertEqual(self.json("info", grouped)["groups"],
+                         [{"name": "body", "faces": len(rest)}, {"name": "end", "faces": len(end)}])
+        self.assertIn("end, ", self.succeed("info", grouped).stdout)
+
     def test_file_names_can_have_spaces_and_umlauts(self):
         mesh, modal = self.folder / "eine Glocke, größer.obj", self.folder / "Glöckchen 2.modal"
         self.succeed("mesh", "bar", "--vertices", 60, "-o", mesh)

@@ -214,7 +214,7 @@ TEST_CASE("Text contrast meets WCAG AA in both looks") {
     using enum LookColour;
     for (const auto scheme : {LookScheme::dark, LookScheme::light}) {
         for (const auto back : {background, panel})
-            for (const auto front : {text, dimText, accent, error})
+            for (const auto front : {text, dimText, accent, error, held})
                 CHECK(contrastOf(colourOf(scheme, front), colourOf(scheme, back)) >= 4.5f);
         CHECK(contrastOf(colourOf(scheme, onAccent), colourOf(scheme, accent)) >= 4.5f);
         CHECK(contrastOf(colourOf(scheme, text), colourOf(scheme, outline)) >= 4.5f);

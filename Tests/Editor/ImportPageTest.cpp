@@ -2,6 +2,7 @@
 #include "Editor/ImportPage.h"
 #include "Editor/EditorWindow.h"
 #include "Support/ImportedFiles.h"
+#include "Support/PresetNumber.h"
 #include "Support/TestSound.h"
 
 #include <catch2/catch_approx.hpp>
@@ -201,7 +202,7 @@ TEST_CASE("The page shows the file and the choices made, and new settings start 
     CHECK(p.report().contains("looks like millimetres"));
     CHECK(p.report().contains("Taken as a shell of 2 mm"));
     CHECK_FALSE(part<juce::Button>(p.page, "Cancel the analysis").isVisible());
-    CHECK(part<juce::ComboBox>(p.page, "Unit").getText() == "Guessed: Millimetres");
+    CHECK(part<juce::ComboBox>(p.page, "Unit").getText() == "Guessed: mm");
     CHECK(part<juce::ComboBox>(p.page, "Method").getText() == "Auto: Shell");
 
     part<juce::ComboBox>(p.page, "Material").setText("Glass", juce::sendNotificationSync);
@@ -221,6 +222,52 @@ TEST_CASE("The page shows the file and the choices made, and new settings start 
     p.page.refresh();
     finish(p.processor);
     CHECK(p.processor.view().instrument.instrumentNumber() == number);
+}
+
+TEST_CASE("The page holds the object at an end, and says how a preset's object is held") {
+    Page p;
+    auto& held = part<juce::ComboBox>(p.page, "Held");
+    auto& support = part<juce::ComboBox>(p.page, "Support");
+    p.processor.view().workshop.openFile(writtenFile(
+        "square.obj",
+        "v 0 0 0\nv 0.012 0 0\nv 0.012 0.02 0\nv 0 0.02 0\nf 1 2 3\ng half\nf 1 3 4\n"));
+    finish(p.processor);
+    p.page.refresh();
+    CHECK(held.getText() == "Nowhere");
+    CHECK_FALSE(support.isEnabled());
+    juce::StringArray choices;
+    for (int item = 0; item < held.getNumItems(); ++item)
+        choices.add(held.getItemText(item));
+    CHECK(choices.joinIntoString(", ") == "Nowhere, Near end, Far end, Part: half, Painted region");
+
+    p.choose("Held", 3);
+    CHECK(held.getText() == "Far end");
+    p.choose("Support", 3);
+    finish(p.processor);
+    p.page.refresh();
+    CHECK(p.report().contains("Clamps hold"));
+    CHECK(support.getText() == "Wood");
+    const auto object = p.processor.view().instrument.playedObjects().front().object;
+    REQUIRE_FALSE(object->clampedVertices.empty());
+    CHECK(object->vertices[3 * static_cast<std::size_t>(object->clampedVertices.front()) + 1] ==
+          Approx(0.02));
+    CHECK_FALSE(object->extraDecaysPerSecond.empty());
+
+    p.processor.setCurrentProgram(0); // bars
+    p.page.refresh();
+    CHECK(held.getText() == "Nowhere");
+
+    p.processor.view().workshop.openFile(smallPlateFile("next.obj", 1));
+    p.page.refresh();
+    CHECK(held.getText() == "Nowhere"); // a new file has parts of its own
+    p.processor.view().workshop.cancelImport();
+
+    p.processor.setCurrentProgram(presetNumber("Jaw Harp Reed"));
+    p.page.refresh();
+    CHECK(held.getText() == "As before");
+    p.processor.setCurrentProgram(4); // a steel ring
+    p.page.refresh();
+    CHECK(held.getText() == "Nowhere");
 }
 
 TEST_CASE("The page shows an import error as a sentence, and says when an import is cancelled") {

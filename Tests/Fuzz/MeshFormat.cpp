@@ -3,6 +3,8 @@
 #include "Geometry/MeshReader.h"
 #include "Geometry/MeshWriter.h"
 
+#include <algorithm>
+
 namespace idiophone::fuzz {
 namespace {
 
@@ -17,9 +19,15 @@ void claimWritable(const Mesh& mesh, const std::string& name) {
 } // namespace
 
 void examineMesh(std::string_view bytes, const std::string& extension) {
-    const auto mesh = readMesh(scratchFile(bytes, "fuzz" + extension));
-    if (!mesh)
-        return claimSentence(mesh.error());
+    const auto file = readMeshFile(scratchFile(bytes, "fuzz" + extension));
+    if (!file)
+        return claimSentence(file.error());
+    const Mesh* const mesh = &file->mesh;
+    claim(file->groups.size() <= maximumMeshGroups, "the groups are bounded");
+    for (const auto& [name, faces] : file->groups)
+        claim(!name.empty() && !faces.empty() && faces.front() >= 0 &&
+                  faces.back() < mesh->faceCount() && std::ranges::is_sorted(faces),
+              "groups have names and faces");
     claim(mesh->faceCount() > 0 && mesh->vertices.cols() == 3 && mesh->faces.cols() == 3,
           "a mesh has faces");
     claim(mesh->vertices.allFinite() && mesh->vertices.cwiseAbs().maxCoeff() <= 1e6,
