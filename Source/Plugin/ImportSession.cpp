@@ -66,17 +66,13 @@ ImportSettings ImportSession::settingsInForce() const {
                      .quality = settings.held.quality};
     if (object == nullptr)
         return settings;
-    settings.longestMetres = 0;
     const auto values = shared.parameters.values();
-    const auto chosen = static_cast<std::size_t>(values[ParameterId::material]);
-    const auto names = choiceNames(ParameterId::material);
-    const std::string name = chosen >= firstLibraryMaterial && chosen < names.size()
-                                 ? std::string(names[chosen])
-                                 : object->material.name;
+    settings.longestMetres = 0;
+    settings.thicknessMetres =
+        thicknessMetresOf(*object, values).value_or(settings.thicknessMetres);
+    const auto name = materialNameOf(*object, values);
     if (findMaterial(name) != nullptr || materials.contains(name))
         settings.material = name;
-    if (object->thicknessMetres > 0)
-        settings.thicknessMetres = object->thicknessMetres * values[ParameterId::thickness] / 100;
     return settings;
 }
 
@@ -110,9 +106,7 @@ void ImportSession::analyseAgain() {
 }
 
 ImportStatus ImportSession::importStatus() const {
-    const auto object = imported.lock();
-    const bool isOfWhatPlays =
-        origin == session.origin() || (object != nullptr && plays(session.instrument(), *object));
+    const bool isOfWhatPlays = origin == session.origin() || importedPlays();
     auto status = isOfWhatPlays ? workshop.status() : ImportStatus{};
     status.followsSettings = followsSettings();
     status.settings = status.isWorking() ? importSettings : settingsInForce();
@@ -128,8 +122,7 @@ ImportStatus ImportSession::importStatus() const {
 }
 
 bool ImportSession::playsPreview() const {
-    const auto object = imported.lock();
-    if (!importedIsPreview || object == nullptr || !plays(session.instrument(), *object))
+    if (!importedIsPreview || !importedPlays())
         return false;
     const auto stage = workshop.status().stage; // the whole object of a finished import follows
     return stage == ImportStatus::Stage::previewed || stage == ImportStatus::Stage::done;
@@ -142,10 +135,7 @@ void ImportSession::poll() {
     if (const auto product = workshop.takeProduct()) {
         const auto played = withinMemory(
             [&]() -> Result<void> {
-                if (keyOfJob)
-                    putOnKey(*product, *keyOfJob);
-                else
-                    play(*product);
+                keyOfJob ? putOnKey(*product, *keyOfJob) : play(*product);
                 return {};
             },
             oneLine(product->object->name));

@@ -39,6 +39,19 @@ std::string notesOf(const ModalObject& object, const std::string& unitSentence) 
     return unitSentence + (unitSentence.empty() || notes.empty() ? "" : " ") + notes;
 }
 
+std::string materialNameOf(const ModalObject& object, const ParameterValues& values) {
+    const auto chosen = static_cast<std::size_t>(values[ParameterId::material]);
+    const auto names = choiceNames(ParameterId::material);
+    return chosen >= firstLibraryMaterial && chosen < names.size() ? std::string(names[chosen])
+                                                                   : object.material.name;
+}
+
+std::optional<double> thicknessMetresOf(const ModalObject& object, const ParameterValues& values) {
+    if (!(object.thicknessMetres > 0))
+        return std::nullopt;
+    return object.thicknessMetres * values[ParameterId::thickness] / 100;
+}
+
 std::string uniqueName(const ModalObject& object) {
     const auto hash = static_cast<juce::int64>(contentHash(encodeModalObject(object)));
     return "imported/" + oneLine(object.name) + "-" + juce::String::toHexString(hash).toStdString();

@@ -1,9 +1,11 @@
-// Describes objects made from files, in sentences for the window.
+// Describes objects made from files, in sentences and figures for the window.
 #pragma once
 
 #include "Object/ModalObject.h"
+#include "Parameters/ParameterTable.h"
 
 #include <array>
+#include <optional>
 #include <string>
 
 namespace idiophone {
@@ -17,6 +19,12 @@ std::array<double, 3> sidesMetresOf(const ModalObject& object);
 
 /// Returns the sentence about the mesh's unit, then the notes of the object's analysis.
 std::string notesOf(const ModalObject& object, const std::string& unitSentence);
+
+/// Returns the material that an object has under these parameters.
+std::string materialNameOf(const ModalObject& object, const ParameterValues& values);
+
+/// Returns the thickness of a shell under these parameters.
+std::optional<double> thicknessMetresOf(const ModalObject& object, const ParameterValues& values);
 
 /// Returns a name made from the content, so that different objects have different names.
 std::string uniqueName(const ModalObject& object);

@@ -1,53 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// Implements the C interface with World. No exception leaves it.
-#include "C/idiophone.h"
-
-#include "Object/ModalObjectFile.h"
-#include "World/World.h"
+#include "C/Handles.h"
 
 #include <Eigen/Geometry>
-#include <algorithm>
 #include <array>
-#include <cstring>
-#include <exception>
-#include <filesystem>
 #include <span>
-#include <string>
-#include <type_traits>
 #include <vector>
 
-struct idiophone_object {
-    std::shared_ptr<const idiophone::ModalObject> object;
-};
-
-struct idiophone_world {
-    std::unique_ptr<idiophone::World> world;
-};
+using namespace idiophone;
+using namespace idiophone::c;
 
 namespace {
-
-using namespace idiophone;
-
-std::string& lastError() {
-    thread_local std::string text;
-    return text;
-}
-
-/// Returns what `make` returns, or null with an error.
-template <class Make>
-typename std::invoke_result_t<Make>::value_type orNull(Make make) noexcept {
-    std::string text;
-    try {
-        auto made = make();
-        if (made)
-            return *made;
-        text = std::move(made.error().message);
-    } catch (const std::exception& fault) {
-        text = fault.what();
-    }
-    std::swap(lastError(), text);
-    return nullptr;
-}
 
 /// Does what a call says; what cannot be done for lack of memory must wait.
 template <class Act>
@@ -65,14 +27,6 @@ idiophone_result answer(Act act) noexcept {
     } catch (const std::exception&) {
         return IDIOPHONE_BUSY;
     }
-}
-
-/// Returns a structure of any version. Fields that the program does not know have their defaults.
-template <class Structure>
-Structure read(const Structure* given, Structure defaults) {
-    if (given != nullptr)
-        std::memcpy(&defaults, given, std::min<std::size_t>(given->struct_size, sizeof defaults));
-    return defaults;
 }
 
 Eigen::Vector3d vector(const float values[3]) {
@@ -125,79 +79,6 @@ Result<idiophone_world*> makeWorld(const idiophone_body* bodies,
 }
 
 } // namespace
-
-uint32_t idiophone_interface_version(void) {
-    return IDIOPHONE_INTERFACE_VERSION;
-}
-
-const char* idiophone_error(void) {
-    return lastError().c_str();
-}
-
-idiophone_object* idiophone_object_load(const char* path) {
-    return orNull([path]() -> Result<idiophone_object*> {
-        if (path == nullptr)
-            return failure("no path is given");
-        const std::u8string utf8(path, path + std::strlen(path));
-        return readModalObject(std::filesystem::path(utf8)).map([](ModalObject&& object) {
-            return new idiophone_object{std::make_shared<const ModalObject>(std::move(object))};
-        });
-    });
-}
-
-idiophone_object* idiophone_object_read(const void* bytes, size_t byte_count, const char* name) {
-    return orNull([=]() -> Result<idiophone_object*> {
-        if (bytes == nullptr)
-            return failure("no bytes are given");
-        return readModalObject(std::span(static_cast<const std::byte*>(bytes), byte_count),
-                               name == nullptr ? "object" : name)
-            .map([](ModalObject&& object) {
-                return new idiophone_object{std::make_shared<const ModalObject>(std::move(object))};
-            });
-    });
-}
-
-void idiophone_object_free(idiophone_object* object) {
-    delete object;
-}
-
-const char* idiophone_object_name(const idiophone_object* object) {
-    return object->object->name.c_str();
-}
-
-double idiophone_object_mass(const idiophone_object* object) {
-    return object->object->mass.massKg;
-}
-
-void idiophone_object_box(const idiophone_object* object, float low[3], float high[3]) {
-    const auto& vertices = object->object->vertices;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        low[axis] = high[axis] = vertices.empty() ? 0 : vertices[axis];
-        for (std::size_t k = axis; k < vertices.size(); k += 3) {
-            low[axis] = std::min(low[axis], vertices[k]);
-            high[axis] = std::max(high[axis], vertices[k]);
-        }
-    }
-}
-
-size_t idiophone_object_mode_count(const idiophone_object* object) {
-    return object->object->modeCount();
-}
-
-size_t idiophone_object_modes(const idiophone_object* object,
-                              double* frequencies,
-                              double* decay_rates,
-                              size_t capacity) {
-    const auto& modal = *object->object;
-    const std::size_t count = std::min(capacity, modal.modeCount());
-    for (std::size_t mode = 0; mode < count; ++mode) {
-        if (frequencies != nullptr)
-            frequencies[mode] = modal.dampedFrequencyHz(mode);
-        if (decay_rates != nullptr)
-            decay_rates[mode] = modal.decayPerSecond(mode);
-    }
-    return count;
-}
 
 idiophone_world* idiophone_world_create(const idiophone_body* bodies,
                                         size_t body_count,
@@ -283,21 +164,6 @@ idiophone_world_touch(idiophone_world* world, size_t touch, const idiophone_cont
 
 idiophone_result idiophone_world_end_touch(idiophone_world* world, size_t touch) {
     return answer([=] { return world->world->endTouch(touch); });
-}
-
-idiophone_result idiophone_material_named(const char* name, idiophone_material* material) {
-    const auto* known = name == nullptr ? nullptr : findMaterial(name);
-    if (known == nullptr || material == nullptr)
-        return IDIOPHONE_INVALID;
-    idiophone_material found = IDIOPHONE_MATERIAL_DEFAULTS;
-    found.youngs_modulus = known->youngsModulusPa;
-    found.density = known->densityKgPerM3;
-    found.damping_fluid = known->damping.fluidPerSecond;
-    found.damping_viscoelastic = known->damping.viscoelasticSeconds;
-    found.damping_loss_factor = known->damping.lossFactor;
-    found.struct_size = std::min<uint32_t>(material->struct_size, sizeof found);
-    std::memcpy(material, &found, found.struct_size);
-    return IDIOPHONE_DONE;
 }
 
 idiophone_result idiophone_world_set_material(idiophone_world* world,
