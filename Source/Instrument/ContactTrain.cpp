@@ -110,4 +110,14 @@ ContactTrain withModalPulses(const ContactTrain& train, std::span<const double> 
     return result;
 }
 
+ContactTrain asPlayed(const ContactTrain& train, double sampleRateHz) {
+    ContactTrain result;
+    for (auto contact : train) {
+        if (contact.strike.durationSeconds * sampleRateHz < shortestContactSamples)
+            contact.strike.durationSeconds = 0;
+        result.add(contact);
+    }
+    return result;
+}
+
 } // namespace idiophone

@@ -60,4 +60,8 @@ ContactTrain withFilledNulls(const ContactTrain& train);
 /// Without frequencies it returns the train unchanged. Any thread.
 ContactTrain withModalPulses(const ContactTrain& train, std::span<const double> frequenciesHz);
 
+/// Returns the train as the synthesiser plays it: contacts that are too short for the sample rate
+/// are impulses at their start. Any thread.
+ContactTrain asPlayed(const ContactTrain& train, double sampleRateHz);
+
 } // namespace idiophone

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 
 namespace idiophone {
 namespace {
@@ -10,6 +11,14 @@ namespace {
 double denominatorPower(double x, double quality) noexcept {
     const double real = 1 - x * x, imaginary = x / quality;
     return real * real + imaginary * imaginary;
+}
+
+/// Returns 1 − e^(−x).
+double lostIn(double x) noexcept {
+    return -std::expm1(-x);
+}
+std::complex<double> lostIn(std::complex<double> x) noexcept {
+    return 1.0 - std::exp(-x);
 }
 
 } // namespace
@@ -27,17 +36,17 @@ double kWeightingPower(double hz) noexcept {
     return shelf * highPassPower * y * y * y * y / denominatorPower(y, highPassQuality);
 }
 
+template <class Number>
 void PhraseMeter::addMode(Note note,
-                          const NoteFigures& powers,
-                          double decay,
+                          const std::array<Number, notes>& powers,
+                          Number decay,
                           double release) noexcept {
-    const double freeDecay = decay + release;
-    const double heldLost = -std::expm1(-2 * decay * hopSeconds);
-    const double freeLost = -std::expm1(-2 * freeDecay * hopSeconds);
+    const Number heldRate = 2.0 * decay, freeRate = heldRate + 2 * release;
+    const Number heldLost = lostIn(heldRate * hopSeconds), freeLost = lostIn(freeRate * hopSeconds);
     const bool struck = note == Note::struck;
     // Share lost of energy that arrives at the start of a hop, or throughout the hop.
-    const double addedLost = struck ? heldLost : 1 - heldLost / (2 * decay * hopSeconds);
-    double held = 0, free = 0;
+    const Number addedLost = struck ? heldLost : 1.0 - heldLost / (heldRate * hopSeconds);
+    Number held = 0, free = 0;
     for (std::size_t hop = 0; hop < phraseHops; ++hop) {
         const std::size_t index = hop / noteHops;
         const bool begins = hop % noteHops == 0;
@@ -45,15 +54,21 @@ void PhraseMeter::addMode(Note note,
             free += held;
             held = 0;
         }
-        double added = 0;
+        Number added = 0;
         if (index < notes && (begins || !struck))
-            added = powers[index] / (struck ? 1 : noteHops);
-        hopEnergies[hop] +=
-            (held * heldLost + added * addedLost) / (2 * decay) + free * freeLost / (2 * freeDecay);
-        held += added - held * heldLost - added * addedLost;
-        free -= free * freeLost;
+            added = powers[index] / (struck ? 1.0 : double{noteHops});
+        const Number fallen = held * heldLost + added * addedLost, freed = free * freeLost;
+        hopEnergies[hop] += std::real(fallen / heldRate + freed / freeRate);
+        held += added - fallen;
+        free -= freed;
     }
 }
+
+template void PhraseMeter::addMode(Note, const NoteFigures&, double decay, double release) noexcept;
+template void PhraseMeter::addMode(Note,
+                                   const std::array<std::complex<double>, notes>&,
+                                   std::complex<double> decay,
+                                   double release) noexcept;
 
 void PhraseMeter::addTransients(const NoteFigures& energies) noexcept {
     for (std::size_t note = 0; note < notes; ++note)

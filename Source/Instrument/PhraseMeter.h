@@ -27,8 +27,14 @@ public:
     /// Adds a lightly damped mode that the notes excite to those K-weighted powers: the mean square
     /// at its start, half the squared amplitude of a decaying sinusoid. Its amplitude falls as
     /// e^(−αt) with the `decay` α > 0 [1/s]. After the end of each note `release` ≥ 0 [1/s] adds to
-    /// α.
-    void addMode(Note note, const NoteFigures& powers, double decay, double release) noexcept;
+    /// α. As complex numbers, power and decay are those of two modes' interference: the power is
+    /// the real part, which turns with the imaginary part of 2α. Number is double or
+    /// std::complex<double>.
+    template <class Number>
+    void addMode(Note note,
+                 const std::array<Number, notes>& powers,
+                 Number decay,
+                 double release) noexcept;
 
     /// Adds K-weighted energies (power times seconds) at the start of each note.
     void addTransients(const NoteFigures& energies) noexcept;

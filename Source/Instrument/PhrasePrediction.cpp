@@ -17,6 +17,10 @@ using enum ParameterId;
 
 constexpr double slowestDecay = 1e-3; // [1/s] far slower than the phrase
 
+std::complex<double> quotient(std::complex<double> a, std::complex<double> b) noexcept {
+    return product(a, std::conj(b)) / std::norm(b);
+}
+
 } // namespace
 
 PhrasePrediction::Loudness
@@ -88,42 +92,25 @@ void PhrasePrediction::beginStrikes() noexcept {
     const auto modes = lowestModes()
                            .atThickness(hearing.thicknessRatio)
                            .moved(hearing.conditions.frequencyRatio());
-    const auto strikeOf = [&](std::size_t note, int velocity) {
-        return malletStrike(points[note].point, velocity, phrase.notes[note].key.mallet, parameters,
-                            slot());
-    };
-    const auto trainOf = [&](const Strike& strike, std::size_t note) {
-        const auto train = contactTrain(strike, phrase.notes[note].key.mallet.scale,
-                                        parameters[chatter], static_cast<std::uint32_t>(firstNote));
-        return parameters[modalPulse] != 0 ? withModalPulses(train, modes.span())
-                                           : withFilledNulls(train);
-    };
-    middleNote = (firstNote + endNote) / 2;
-    for (std::size_t level = 0; level < levels; ++level) {
-        const auto strike = strikeOf(middleNote, velocities[level]);
-        trains[level] = trainOf(strike, middleNote);
-        pressed[level] = PressedMotion(strike);
-        pressedVelocities[level] = {};
-        clicks[level] = clickOf(strike);
-    }
-    clickShares = {};
-    const double middleClick =
-        std::hypot(clicks[middleVelocity].pascalMetres[0], clicks[middleVelocity].pascalMetres[1]);
-    for (std::size_t note = firstNote; note < endNote; ++note) {
-        const auto strike = strikeOf(note, velocities[middleVelocity]);
-        noteTrains[note] = note == middleNote ? trains[middleVelocity] : trainOf(strike, note);
-        const auto click = clickOf(strike);
-        if (middleClick > 0)
-            clickShares[note] =
-                std::hypot(click.pascalMetres[0], click.pascalMetres[1]) / middleClick;
-    }
-    // Most of a click's energy lies near the maximum of its spectrum, at 0.84/T.
-    for (std::size_t level = 0; level < levels; ++level)
-        for (std::size_t note = 0; note < PhraseMeter::notes; ++note) {
-            const auto& [seconds, pascals] = clicks[level];
-            const double amplitude = clickShares[note] * std::hypot(pascals[0], pascals[1]);
-            clickEnergies[level][note] =
-                amplitude * amplitude / 2 * seconds / 2 * kWeightingPower(0.84 / seconds);
+    for (std::size_t note = firstNote; note < endNote; ++note)
+        for (std::size_t level = 0; level < levels; ++level) {
+            const auto& mallet = phrase.notes[note].key.mallet;
+            const auto strike =
+                malletStrike(points[note].point, velocities[level], mallet, parameters, slot());
+            const auto train = contactTrain(strike, mallet.scale, parameters[chatter],
+                                            static_cast<std::uint32_t>(note));
+            trains[level][note] =
+                asPlayed(parameters[modalPulse] != 0 ? withModalPulses(train, modes.span())
+                                                     : withFilledNulls(train),
+                         phrase.sampleRateHz);
+            pressed[level][note] = PressedMotion(strike, phrase.sampleRateHz);
+            const auto& [seconds, pascals] = clicks[level][note] = clickOf(strike);
+            pressedVelocities[level][note] = 0;
+            impulsesDuringClick[level][note] =
+                seconds < 1.3 * strike.durationSeconds ? impulseOf(strike) : 0;
+            // Most of a click's energy lies near the maximum of its spectrum, at 0.84/T.
+            clickEnergies[level][note] = (pascals[0] * pascals[0] + pascals[1] * pascals[1]) / 4 *
+                                         seconds * kWeightingPower(0.84 / seconds);
         }
 }
 
@@ -142,21 +129,33 @@ RigidClick PhrasePrediction::clickOf(const Strike& strike) const noexcept {
     return click;
 }
 
-/// Adds the energy of a click's interference with a mode Re(A e^{pt}): 2 ∫ P sin Ωt Re(A e^{pt}) dt
-/// = 2 P Re(A Ω (1 − e^{pT})/(p² + Ω²)).
+/// Adds the energy of the clicks' interference with a mode: 2 ∫ P sin Ωt v(t) dt. If the mode rings
+/// from the start, v = Re(A e^{pt}) gives ∫ sin Ωt e^{pt} dt = Ω (1 − e^{pT})/(p² + Ω²) = E. If the
+/// force (J/T)(1 − cos Ωt) acts as long as the click, v is its response, and the integral J (E
+/// Ω²/(T p (p² + Ω²)) − Ω/(2 (p² + Ω²))).
 void PhrasePrediction::addClick(const RingingMode<levels>& mode, double weighting) noexcept {
+    constexpr double beyond = 4; // Ω: the free motion e^{pT} of many modes cancels out
     const std::complex<double> pole(-mode.decay, mode.omega);
-    for (std::size_t level = 0; level < levels; ++level) {
-        const auto& [seconds, pascals] = clicks[level];
-        const double omega = 2 * std::numbers::pi / seconds;
-        const auto overlap = omega * (1.0 - std::exp(pole * seconds)) /
-                             (pole * pole + omega * omega) * mode.velocities[level];
-        for (std::size_t note = firstNote; note < endNote; ++note)
+    const auto square = product(pole, pole);
+    for (std::size_t level = 0; level < levels; ++level)
+        for (std::size_t note = firstNote; note < endNote; ++note) {
+            const auto& [seconds, pascals] = clicks[level][note];
+            if (pascals[0] == 0 && pascals[1] == 0)
+                continue;
+            const double omega = 2 * std::numbers::pi / seconds;
+            const auto inverse = quotient(omega, square + omega * omega);
+            const auto freed = mode.omega < beyond * omega ? std::exp(pole * seconds) : 0.0;
+            auto overlap = product(inverse, 1.0 - freed);
+            if (const double impulse = impulsesDuringClick[level][note]; impulse > 0)
+                overlap = impulse *
+                          (weighting * product(overlap, quotient(inverse, pole)) * omega / seconds -
+                           kWeightingPower(0.84 / seconds) * inverse / 2.0);
+            else
+                overlap = std::sqrt(weighting) * product(overlap, mode.velocities[level][note]);
             for (std::size_t channel = 0; channel < pascals.size(); ++channel)
-                clickEnergies[level][note] += std::sqrt(weighting) * clickShares[note] *
-                                              pascals[channel] *
-                                              product(overlap, mode.residues[note][channel]).real();
-    }
+                clickEnergies[level][note] +=
+                    pascals[channel] * product(overlap, mode.residues[note][channel]).real();
+        }
 }
 
 void PhrasePrediction::beginForce(const SynthesisSettings& settings) noexcept {
@@ -187,9 +186,9 @@ void PhrasePrediction::endObject() noexcept {
         return;
     }
     for (std::size_t level = 0; level < levels; ++level) {
-        PhraseMeter::NoteFigures energies;
-        for (std::size_t note = 0; note < energies.size(); ++note)
-            energies[note] = pressed[level].energy(std::abs(pressedVelocities[level][note])) +
+        PhraseMeter::NoteFigures energies{};
+        for (std::size_t note = firstNote; note < endNote; ++note)
+            energies[note] = pressed[level][note].energy(std::abs(pressedVelocities[level][note])) +
                              clickEnergies[level][note];
         meters[level].addTransients(energies);
     }
@@ -204,38 +203,31 @@ void PhrasePrediction::addModes() noexcept {
             std::copy_n(residues.begin(), endNote - firstNote, mode.residues.begin() + firstNote);
             addMode(mode, pole);
         });
+    nearModes.takeAll(meterOf());
 }
 
 void PhrasePrediction::addMode(RingingMode<levels>& mode, const ModalPole& pole) noexcept {
     const double weighting = kWeightingPower(naturalFrequencyHz(pole));
     if (held) {
-        mode.velocities.fill(
-            std::sqrt(weighting * force.powerTakenBy(mode.omega, mode.decay, release) / 2));
+        const double velocity =
+            std::sqrt(weighting * force.powerTakenBy(mode.omega, mode.decay, release) / 2);
+        for (auto& ofNotes : mode.velocities)
+            ofNotes.fill(velocity);
         stiff.add(std::sqrt(pole.stiffness), mode.residues);
     } else {
-        for (std::size_t note = firstNote; note < endNote; ++note)
-            if (note != middleNote)
-                for (auto& residue : mode.residues[note])
-                    residue *=
-                        std::abs(ringingVelocity(noteTrains[note], mode.decay, mode.omega)) /
-                        std::abs(ringingVelocity(trains[middleVelocity], mode.decay, mode.omega));
-        for (std::size_t level = 0; level < levels; ++level) {
-            mode.velocities[level] =
-                std::sqrt(weighting) * ringingVelocity(trains[level], mode.decay, mode.omega);
-            const std::complex<double> velocity =
-                pressed[level].velocity(pole.stiffness, mode.omega);
+        for (std::size_t level = 0; level < levels; ++level)
             for (std::size_t note = firstNote; note < endNote; ++note) {
-                const auto mean = (mode.residues[note][0] + mode.residues[note][1]) / 2.0;
-                pressedVelocities[level][note] += velocity.real() * mean.real() +
-                                                  std::complex(0.0, velocity.imag()) * mean.imag();
+                const auto& [left, right] = mode.residues[note];
+                const auto& press = pressed[level][note];
+                pressedVelocities[level][note] += press.velocity(pole, (left + right) / 2.0);
+                if (!press.holds(pole))
+                    mode.velocities[level][note] =
+                        std::sqrt(weighting) *
+                        ringingVelocity(trains[level][note], mode.decay, mode.omega);
             }
-        }
         addClick(mode, weighting);
     }
-    const auto powers = nearModes.add(mode, firstNote, endNote);
-    for (std::size_t level = 0; level < levels; ++level)
-        meters[level].addMode(held ? PhraseMeter::Note::sustained : PhraseMeter::Note::struck,
-                              powers[level], mode.decay, release);
+    nearModes.add(mode, firstNote, endNote, meterOf());
 }
 
 } // namespace idiophone

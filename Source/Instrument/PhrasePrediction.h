@@ -46,6 +46,14 @@ private:
     void endObject() noexcept;
     void addModes() noexcept;
     void addMode(RingingMode<levels>& mode, const ModalPole& pole) noexcept;
+    /// Returns what meters the powers of `nearModes`.
+    auto meterOf() noexcept {
+        return [this](auto decay, const auto& powers) {
+            const auto kind = held ? PhraseMeter::Note::sustained : PhraseMeter::Note::struck;
+            for (std::size_t level = 0; level < levels; ++level)
+                meters[level].addMode(kind, powers[level], decay, release);
+        };
+    }
     const SynthesiserSlot& slot() const noexcept;
     const LowestModes& lowestModes() const noexcept;
 
@@ -61,19 +69,16 @@ private:
     double release = 0; ///< [1/s]
     bool held = false;  ///< scraped or rolled
     std::array<PushedPoint, PhraseMeter::notes> points;
-    // Keys that share an object strike it at places that yield differently. For all velocities the
-    // prediction uses the middle note's strike. At the middle velocity it adds how the other notes
-    // differ from it.
-    std::size_t middleNote = 0;
-    std::array<ContactTrain, levels> trains;
-    std::array<ContactTrain, PhraseMeter::notes> noteTrains;
-    std::array<PressedMotion, levels> pressed;
-    /// Mean complex velocities of the channels.
-    std::array<std::array<std::complex<double>, PhraseMeter::notes>, levels> pressedVelocities{};
-    std::array<RigidClick, levels> clicks;  ///< of the middle note
-    PhraseMeter::NoteFigures clickShares{}; ///< each note's share of the middle note's click
+    /// Of each strike: a value for each velocity and note.
+    template <class Value>
+    using OfStrikes = std::array<std::array<Value, PhraseMeter::notes>, levels>;
+    OfStrikes<ContactTrain> trains;
+    OfStrikes<PressedMotion> pressed;
+    OfStrikes<std::complex<double>> pressedVelocities{}; ///< complex, mean of the channels
+    OfStrikes<RigidClick> clicks;
+    OfStrikes<double> impulsesDuringClick{}; ///< [N s], 0 if the contact is shorter than the click
     /// K-weighted, mean of the channels; includes the interference with the modes.
-    std::array<PhraseMeter::NoteFigures, levels> clickEnergies{};
+    OfStrikes<double> clickEnergies{};
     HeldForceSpectrum force;
     StiffMotion stiff;
     NearModes<levels> nearModes;

@@ -1,6 +1,7 @@
 // Mixes the sound that went into an effect with the one that comes out of it.
 #pragma once
 
+#include "Output/ExactRamp.h"
 #include "Parameters/ParameterTable.h"
 
 #include <algorithm>
@@ -30,8 +31,7 @@ public:
         if (dry.empty())
             return;
         const bool isBypassed = values[ParameterId::bypass] != 0;
-        wet.setTargetValue(isBypassed ? 0.0f
-                                      : static_cast<float>(values[ParameterId::dryWet] / 100));
+        rampTo(wet, isBypassed ? 0.0f : static_cast<float>(values[ParameterId::dryWet] / 100));
         if (std::exchange(startsAtTarget, false))
             wet.setCurrentAndTargetValue(wet.getTargetValue());
         for (std::size_t k = 0; k < dry.front().size(); ++k) {

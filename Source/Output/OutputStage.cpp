@@ -1,5 +1,7 @@
 #include "Output/OutputStage.h"
 
+#include "Output/ExactRamp.h"
+
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -124,12 +126,12 @@ bool OutputStage::processPiece(std::span<const float> left,
         moveLevelBehindRoom();
     if (heldSamples == 0) {
         const float wanted = gainOf(values);
-        level.setTargetValue(std::min(wanted / ownLevelAtChange, highestLevel));
-        ownLevel.setTargetValue(wanted / level.getTargetValue());
+        rampTo(level, std::min(wanted / ownLevelAtChange, highestLevel));
+        rampTo(ownLevel, wanted / level.getTargetValue());
     }
     heldSamples -= std::min(heldSamples, left.size());
-    open.setTargetValue(values[ParameterId::bypass] != 0 ? 0.0f : 1.0f);
-    width.setTargetValue(static_cast<float>(values[ParameterId::width] / 100));
+    rampTo(open, values[ParameterId::bypass] != 0 ? 0.0f : 1.0f);
+    rampTo(width, static_cast<float>(values[ParameterId::width] / 100));
     if (startsAtTarget)
         for (auto* ramp : {&ownLevel, &level, &open, &width})
             ramp->setCurrentAndTargetValue(ramp->getTargetValue());

@@ -1,5 +1,7 @@
 #include "Output/Room.h"
 
+#include "Output/ExactRamp.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -64,7 +66,7 @@ void Room::rest() noexcept {
 }
 
 void Room::follow(const ParameterValues& values) noexcept {
-    amount.setTargetValue(static_cast<float>(values[ParameterId::room] / 100));
+    rampTo(amount, static_cast<float>(values[ParameterId::room] / 100));
     if (startsAtTarget)
         amount.setCurrentAndTargetValue(amount.getTargetValue());
     startsAtTarget = false;

@@ -1,5 +1,7 @@
 #include "Output/Tilt.h"
 
+#include "Output/ExactRamp.h"
+
 #include <cmath>
 #include <numbers>
 
@@ -22,7 +24,7 @@ void Tilt::reset() noexcept {
 
 Room::Sound Tilt::process(const Room::Sound& sound, double brightness) noexcept {
     const double decibels = maximumDecibels * brightness / 100;
-    gain.setTargetValue(static_cast<float>(std::pow(10, decibels / 20)));
+    rampTo(gain, static_cast<float>(std::pow(10, decibels / 20)));
     if (startsAtTarget)
         gain.setCurrentAndTargetValue(gain.getTargetValue());
     startsAtTarget = false;

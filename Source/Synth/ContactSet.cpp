@@ -31,6 +31,11 @@ bool ContactSet::compute(const Contact& contact) noexcept {
     return reasonable;
 }
 
+void ContactSet::computeImpulse() noexcept {
+    scratch.contact.setImpulse(bank.poles());
+    bank.poles().heavy().setImpulse(scratch.contact);
+}
+
 void ContactSet::hold(Contact& contact,
                       std::span<const ModeRun> modes,
                       double factor) const noexcept {

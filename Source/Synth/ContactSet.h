@@ -65,7 +65,7 @@ public:
     /// Computes the scratch's residues and contact. Returns false if a residue is absurdly large.
     bool compute(const Contact& contact) noexcept;
     /// Computes the scratch's contact for an impulse.
-    void computeImpulse() noexcept { scratch.contact.setImpulse(bank.poles()); }
+    void computeImpulse() noexcept;
     /// Adds `factor` times the forced motion of modes, with the scratch's residues and contact, to
     /// the contact.
     void hold(Contact& contact, std::span<const ModeRun> modes, double factor = 1) const noexcept;

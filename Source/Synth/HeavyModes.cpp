@@ -95,6 +95,22 @@ void HeavyModes::setForced(const PulseInstant& pulse, UnitContact& unit) const n
     }
 }
 
+// The integral of z'' + d z' + λ z = 0 over the time gives the mean displacement.
+void HeavyModes::setImpulse(UnitContact& unit) const noexcept {
+    for (const HeavyMode& heavy : modes) {
+        const auto& pole = heavy.pole;
+        const double seconds = sampleSeconds - 2 / pole.damping;
+        if (!(seconds > 0))
+            continue;
+        const Motion end = motionOf(pole, propagator(pole, seconds) * ModalState{1, 0});
+        const double displacement =
+            (1 - end.velocity - pole.damping * end.displacement) / (pole.stiffness * seconds);
+        const ModalState mean = stateOf(pole, {end.displacement / seconds, displacement});
+        unit.x[heavy.mode] = static_cast<float>(mean.x);
+        unit.y[heavy.mode] = static_cast<float>(mean.y);
+    }
+}
+
 void HeavyModes::start(const UnitContact& unit,
                        const ModeResidues& residues,
                        const BeforeSample& before,

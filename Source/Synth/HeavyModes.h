@@ -49,6 +49,10 @@ public:
     void makeReal(ModeResidues& residues, std::size_t channels) const noexcept;
 
     void setForced(const PulseInstant& pulse, UnitContact& unit) const noexcept;
+    /// Softens impulses on modes whose velocity falls to less than e^-2 before the next sample. The
+    /// sample at the impulse would be far too loud. The states become the means over a time that
+    /// grows with the damping d from 0, at d = 2 sample rates, to one sample.
+    void setImpulse(UnitContact& unit) const noexcept;
     void start(const UnitContact& unit,
                const ModeResidues& residues,
                const BeforeSample& before,

@@ -13,13 +13,6 @@
 #include <utility>
 
 namespace idiophone {
-namespace {
-
-/// Within the band shorter contacts equal impulses, and their force would alias.
-constexpr double shortestContactSamples = 2;
-
-} // namespace
-
 ModalResonator::ModalResonator(SynthesiserSlot ownSlot,
                                ModeGroups::ModeWeights modeWeights,
                                std::uint32_t seed,

@@ -32,4 +32,8 @@ struct Strike {
     double durationSeconds = 0; ///< contact time T; 0 is the ideal impulse of the papers
 };
 
+/// Shorter pulses are played as impulses: within the band they are equal, and their force would
+/// alias.
+inline constexpr double shortestContactSamples = 2;
+
 } // namespace idiophone

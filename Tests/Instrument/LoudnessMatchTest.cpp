@@ -6,6 +6,7 @@
 #include "Instrument/Player.h"
 #include "Instrument/Scatter.h"
 #include "IntegratedLufs.h"
+#include "Object/Mallet.h"
 #include "Parameters/ModulationTable.h"
 #include "Support/KeyedPresets.h"
 #include "Support/RenderNotes.h"
@@ -22,6 +23,8 @@
 #include <numeric>
 #include <optional>
 #include <ranges>
+#include <string>
+#include <vector>
 
 using namespace idiophone;
 using namespace idiophone::test;
@@ -68,7 +71,9 @@ public:
           predicted(instrument, preset.surface, sampleRateHz), own(preset.parameters) {
         own.set(contact, kind);
         own.set(matchLoudness, 1);
-        own.set(imperfection, 0); // random for each key, so no prediction includes it
+        // Random, or slow, so no prediction includes them.
+        for (const auto parameter : {imperfection, strikeSpread, motorDepth})
+            own.set(parameter, 0);
         for (const auto& route : modulationRoutes) // nor modulation
             own.set(route.source, 0);
         match.emplace(predicted, own);
@@ -235,7 +240,7 @@ TEST_CASE("Matched strikes of another mallet are within 3.1 LU at velocity 100, 
     // At velocity 40 the long contacts of soft mallets leave high keys fainter, as real ones do.
     constexpr double unbounded = std::numeric_limits<double>::infinity();
     constexpr std::array<double, PhrasePrediction::velocities.size()> mostLu{unbounded, 3.1, 7};
-    constexpr std::array<double, PhrasePrediction::velocities.size()> mostOffLu{4, 1.8, 1.8};
+    constexpr std::array<double, PhrasePrediction::velocities.size()> mostOffLu{1.5, 1, 1};
     for (const auto& preset : presetsOfBodies())
         for (std::size_t level = 0; level < mostLu.size(); ++level) {
             const int velocity = PhrasePrediction::velocities[level];
@@ -303,11 +308,9 @@ TEST_CASE(
         // phrases.
         Rig rig(preset, strikeContact, 4);
         const double bothChannels = 10 * std::log10(2);
-        // The comparison has no motor, which would reduce the measured loudness.
-        const auto parameters = with(rig.own, motorDepth, 0);
-        const double measured = rig.loudness(parameters, 0) - bothChannels;
+        const double measured = rig.loudness(rig.own, 0) - bothChannels;
         INFO(preset.name << ": " << measured);
-        CHECK(std::abs(predictedLufs(rig.predicted, parameters) - measured) < 0.6);
+        CHECK(std::abs(predictedLufs(rig.predicted, rig.own) - measured) < 0.6);
     }
 }
 
@@ -354,4 +357,28 @@ TEST_CASE("The gain is finite and at most 40 dB, and 0 if nothing sounds") {
     const LoudnessMatch silent(silentPhrase, own);
     CHECK(gainOf(silent, with(own, malletMass, 500)) == 0);
     CHECK(std::isinf(predictedLufs(silentPhrase, own)));
+}
+
+// Takes five minutes: run it by its tag after changes of the prediction, contacts or presets.
+TEST_CASE("Every struck preset is predicted within 2 LU for other mallets and materials",
+          "[.all]") {
+    for (const auto& preset : keyedFactoryPresets()) {
+        if (static_cast<int>(preset.parameters[contact]) != strikeContact)
+            continue;
+        Rig rig(preset, strikeContact, 8);
+        std::vector<ParameterValues> settings;
+        for (std::size_t racked = 0; racked < malletRack().size(); ++racked)
+            settings.push_back(
+                with(rig.own, mallet, static_cast<double>(firstRackMallet + racked)));
+        for (const auto& figures : malletGrid)
+            settings.push_back(of(figures, rig.own));
+        for (const auto& figures : materialGrid)
+            settings.push_back(of(figures, rig.own));
+        for (const int velocity : PhrasePrediction::velocities)
+            for (std::size_t k = 0; k < settings.size(); ++k)
+                if (const auto error = rig.error(settings[k], velocity)) {
+                    INFO(preset.name << ", velocity " << velocity << ", setting " << k);
+                    CHECK(std::abs(error->predicted) < 2);
+                }
+    }
 }

@@ -88,6 +88,26 @@ TEST_CASE("The level is a gain of 10^(dB/20) from the first sample after a reset
     }
 }
 
+TEST_CASE("A value that differs by rounding from an earlier one applies to the last bit") {
+    using enum ParameterId;
+    const Stereo input{sine(3000), sine(3000, 700)};
+    for (const auto parameter : {level, width, brightness, room}) {
+        auto values = valuesWith(-13.7);
+        values.set(room, 20);
+        values.set(brightness, 30);
+        values.set(parameter, 17.3);
+        for (double step = 1e-9; step < 1e-5; step *= 2) {
+            auto before = values;
+            before.set(parameter, values[parameter] * (1 + step));
+            PreparedStage played, fresh;
+            processed(played, input, 100, before);
+            played.reset();
+            INFO(parameterInfo(parameter).name << ", step " << step);
+            REQUIRE(processed(played, input, 100, values) == processed(fresh, input, 100, values));
+        }
+    }
+}
+
 TEST_CASE("Volume adds to the preset's level") {
     const auto input = sine(1000);
     for (const double decibels : {-20.0, 6.0}) {

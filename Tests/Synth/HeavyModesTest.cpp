@@ -1,5 +1,7 @@
 #include "Synth/HeavyModes.h"
 
+#include "Synth/UnitContact.h"
+
 #include <catch2/catch_test_macros.hpp>
 
 using namespace idiophone;
@@ -39,4 +41,29 @@ TEST_CASE("A heavy mode has no phase, so its residue is real with the same magni
     CHECK(residues[0].re[2] == 5.0f);
     CHECK(residues[0].im[2] == 0.0f);
     CHECK(residues[0].im[1] == 4.0f);
+}
+
+TEST_CASE("An impulse on a mode that falls within a sample sounds as its mean over that time") {
+    constexpr double sampleRate = 48000, damping = 8 * sampleRate;
+    constexpr ModalPole fast{.stiffness = 1e10, .damping = damping};
+    HeavyModes heavy(2, sampleRate);
+    heavy.add(1, {.stiffness = 1e8, .damping = 1.99 * sampleRate});
+    heavy.add(2, fast);
+    UnitContact unit(modeBlock);
+    unit.x[1] = unit.x[2] = 1;
+    heavy.setImpulse(unit);
+    CHECK(unit.x[1] == 1.0f);
+    constexpr int steps = 10000;
+    constexpr double seconds = 0.75 / sampleRate;
+    Motion mean;
+    for (int k = 0; k < steps; ++k) {
+        const Motion at =
+            motionOf(fast, propagator(fast, (k + 0.5) / steps * seconds) * ModalState{1, 0});
+        mean.velocity += at.velocity / steps;
+        mean.displacement += at.displacement / steps;
+    }
+    const ModalState expected = stateOf(fast, mean);
+    CHECK(mean.velocity < 0.2);
+    CHECK(std::abs(static_cast<double>(unit.x[2]) - expected.x) < 1e-5);
+    CHECK(std::abs(static_cast<double>(unit.y[2]) - expected.y) < 1e-5);
 }
