@@ -1,4 +1,5 @@
-// The fields of one part of a kit: keys, velocities, level, choke group, material and mallet.
+// The fields of one part of a kit: keys, velocities, level, choke group, output,
+// material and mallet.
 #pragma once
 
 #include "Editor/KitText.h"
@@ -8,6 +9,7 @@
 #include <array>
 #include <functional>
 #include <juce_gui_basics/juce_gui_basics.h>
+#include <numeric>
 #include <optional>
 
 namespace idiophone {
@@ -25,6 +27,9 @@ public:
         describe(level, "Level", "Level of the part", "in dB, -40 to 40");
         describe(choke, "Choke group", "Choke group of the part",
                  "a strike on a key of the group damps its other keys");
+        describe(
+            output, "Output", "Output of the part",
+            "where a host takes several, and Outputs is Kit parts; Auto takes one after the other");
         describe(material, "Material", "Material of the part",
                  "a material that the Material page does not change");
         describe(mallet, "Mallet", "Mallet of the part",
@@ -46,9 +51,12 @@ public:
         choke.list.addItem("None", soundId);
         for (int group = 1; group <= KitView::chokeGroups; ++group)
             choke.list.addItem(juce::String(group), soundId + group);
+        output.list.addItem("Auto", soundId);
+        for (int number = 1; number <= KitView::outputs; ++number)
+            output.list.addItem(juce::String(number), soundId + number);
         fill(material.list, ParameterId::material);
         fill(mallet.list, ParameterId::mallet);
-        for (auto* field : {&choke, &material, &mallet})
+        for (auto* field : {&choke, &output, &material, &mallet})
             field->list.onChange = [this] { followLists(); };
     }
 
@@ -71,15 +79,16 @@ public:
         write(hardest, juce::String(part.highestVelocity));
         write(level, levelText(part.levelDb));
         choke.list.setSelectedId(soundId + part.chokeGroup, juce::dontSendNotification);
+        output.list.setSelectedId(soundId + part.output, juce::dontSendNotification);
         choose(material, part.material);
         choose(mallet, part.mallet);
     }
 
     void resized() override {
         auto area = getLocalBounds();
-        place(area.removeFromTop(height / 2), {&lowestKey, &highestKey, &softest, &hardest},
-              {1, 1, 1, 1});
-        place(area, {&level, &choke, &material, &mallet}, {3, 3, 4, 4});
+        place<4>(area.removeFromTop(height / 2), {&lowestKey, &highestKey, &softest, &hardest},
+                 {1, 1, 1, 1});
+        place<5>(area, {&level, &choke, &output, &material, &mallet}, {3, 4, 3, 5, 5});
     }
     void lookAndFeelChanged() override {
         for (auto* field : {&lowestKey, &highestKey, &softest, &hardest, &level}) {
@@ -130,12 +139,13 @@ private:
             if (parameter != ParameterId::material || choice != customMaterial)
                 list.addItem(choiceText(parameter, choice), firstChoiceId + choice);
     }
+    template <std::size_t Count>
     static void place(juce::Rectangle<int> row,
-                      const std::array<Field*, 4>& fields,
-                      const std::array<int, 4>& shares) {
+                      const std::array<Field*, Count>& fields,
+                      const std::array<int, Count>& shares) {
         constexpr int gap = 6, nameHeight = 16, between = 3;
         row.removeFromBottom(between);
-        int left = shares[0] + shares[1] + shares[2] + shares[3];
+        int left = std::accumulate(shares.begin(), shares.end(), 0);
         for (std::size_t i = 0; i < fields.size(); ++i) {
             auto cell = row.removeFromLeft(row.getWidth() * shares[i] / left);
             left -= shares[i];
@@ -174,6 +184,7 @@ private:
         };
         auto wanted = shown;
         wanted.chokeGroup = choke.list.getSelectedId() - soundId;
+        wanted.output = output.list.getSelectedId() - soundId;
         wanted.material = chosen(material);
         wanted.mallet = chosen(mallet);
         ask(wanted);
@@ -187,7 +198,7 @@ private:
 
     KitView::Part shown;
     Typed lowestKey, highestKey, softest, hardest, level;
-    Listed choke, material, mallet;
+    Listed choke, output, material, mallet;
 };
 
 } // namespace idiophone

@@ -15,7 +15,7 @@ namespace idiophone {
 /// was refused.
 class KitView {
 public:
-    static constexpr int chokeGroups = 16;
+    static constexpr int chokeGroups = 16, outputs = 8;
     static constexpr double maximumLevelDb = 40;
 
     /// An object, or a keyboard of them, on some keys and velocities.
@@ -27,6 +27,7 @@ public:
         /// 1 to `chokeGroups`: a strike on one key of the group damps the group's other keys. 0:
         /// none.
         int chokeGroup = 0;
+        int output = 0; ///< 1 to `outputs` where a host takes several; 0: one after the other
         /// Choices of ParameterId::material, but not the custom one, and of ParameterId::mallet.
         /// Nothing: those of the sound.
         std::optional<int> material = {}, mallet = {};

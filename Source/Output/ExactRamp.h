@@ -1,7 +1,7 @@
 // Ramps that end at exactly the value that they were given.
 #pragma once
 
-#include <juce_audio_basics/juce_audio_basics.h>
+#include <juce_dsp/juce_dsp.h>
 
 namespace idiophone {
 

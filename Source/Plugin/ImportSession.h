@@ -61,6 +61,11 @@ private:
         return !keyOfJob && origin == session.origin() && workshop.hasMesh();
     }
     std::shared_ptr<const ModalObject> foreignObject() const;
+    /// Returns whether the last product is part of what plays.
+    bool importedPlays() const {
+        const auto object = imported.lock();
+        return object != nullptr && plays(session.instrument(), *object);
+    }
     ImportSettings settingsInForce() const;
     void play(const ObjectWorkshop::Product& product);
     void putOnKey(const ObjectWorkshop::Product& product, int midiNote);

@@ -2,6 +2,7 @@
 
 #include "Editor/Utf8.h"
 #include "Instrument/FactoryContent.h"
+#include "Instrument/StereoSpan.h"
 #include "Plugin/KitSound.h"
 #include "Plugin/PlayInstead.h"
 
@@ -11,7 +12,7 @@
 namespace idiophone {
 namespace {
 
-static_assert(KitView::chokeGroups == maximumChokeGroup);
+static_assert(KitView::chokeGroups == maximumChokeGroup && KitView::outputs == maximumOutputs);
 
 std::span<const KitPart> partsOf(const std::shared_ptr<const Instrument>& instrument) {
     if (instrument == nullptr)
@@ -44,6 +45,7 @@ KitView::Part shown(const KitPart& part, std::string name) {
             .highestVelocity = part.highestVelocity,
             .levelDb = part.levelDb,
             .chokeGroup = part.chokeGroup,
+            .output = part.output,
             .material = part.material,
             .mallet = part.mallet};
 }
@@ -65,6 +67,7 @@ KitPart changed(KitPart part, const KitView::Part& wanted) {
     part.highestVelocity = hardest;
     part.levelDb = std::clamp(wanted.levelDb, -KitView::maximumLevelDb, KitView::maximumLevelDb);
     part.chokeGroup = std::clamp(wanted.chokeGroup, 0, KitView::chokeGroups);
+    part.output = std::clamp(wanted.output, 0, KitView::outputs);
     part.material = validChoice(ParameterId::material, wanted.material);
     part.mallet = validChoice(ParameterId::mallet, wanted.mallet);
     return part;
@@ -75,6 +78,7 @@ std::string changeOf(const KitPart& before, const KitPart& after) {
     return before.keyMap != after.keyMap           ? "Keys"
            : before.levelDb != after.levelDb       ? "Level"
            : before.chokeGroup != after.chokeGroup ? "Choke group"
+           : before.output != after.output         ? "Output"
            : before.material != after.material     ? "Material"
            : before.mallet != after.mallet         ? "Mallet"
                                                    : "Velocities";

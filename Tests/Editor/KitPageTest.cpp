@@ -96,10 +96,12 @@ TEST_CASE("Typed figures and chosen items change the part; a text that is no fig
     rig.type("Level of the part", "-12,5");
     rig.part<juce::ComboBox>("Choke group of the part")
         .setSelectedId(4, juce::sendNotificationSync);
+    rig.part<juce::ComboBox>("Output of the part").setSelectedId(3, juce::sendNotificationSync);
     rig.part<juce::ComboBox>("Material of the part").setSelectedId(1, juce::sendNotificationSync);
     CHECK(rig.kitPart(0).highestVelocity == 100);
     CHECK(rig.kitPart(0).levelDb == -12.5);
     CHECK(rig.kitPart(0).chokeGroup == 3);
+    CHECK(rig.kitPart(0).output == 2);
     CHECK_FALSE(rig.kitPart(0).material);
     const auto before = rig.kitPart(0);
     for (const auto* field :

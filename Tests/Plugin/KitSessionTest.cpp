@@ -99,6 +99,7 @@ TEST_CASE("Each figure of a part changes in one step of undo, and no object is b
         {"Velocities", [](KitView::Part& part) { part.highestVelocity = 90; }},
         {"Level", [](KitView::Part& part) { part.levelDb = -4.5; }},
         {"Choke group", [](KitView::Part& part) { part.chokeGroup = 3; }},
+        {"Output", [](KitView::Part& part) { part.output = 2; }},
         {"Material", [](KitView::Part& part) { part.material = firstLibraryMaterial + 2; }},
         {"Mallet", [](KitView::Part& part) { part.mallet = firstRackMallet + 1; }}};
     Rig rig;
