@@ -18,6 +18,11 @@ Mesh triangleMesh() {
     return rodMesh(roundedPath({right, left, top, aboveGap}, bend, 0.0045), rod, 8);
 }
 
+Mesh claveMesh() {
+    constexpr double halfLength = 0.1, radius = 0.0125;
+    return rodMesh(roundedPath({{-halfLength, 0, 0}, {halfLength, 0, 0}}, 0, 0.009), radius, 10);
+}
+
 double smoothStep(double from, double to, double at) {
     const double share = std::clamp((at - from) / (to - from), 0.0, 1.0);
     return share * share * (3 - 2 * share);
@@ -45,6 +50,12 @@ constexpr FactoryShape blocks[] = {
      .mesh = triangleMesh,
      .maxFrequencyHz = 18000,
      .shapeVertexCount = 120},
+    {.name = "clave",
+     .source = "generated clave, a rosewood rod of 200 x 25 mm",
+     .material = "Rosewood",
+     .mesh = claveMesh,
+     .maxFrequencyHz = 18000,
+     .shapeVertexCount = 80},
     {.name = "anvil",
      .source = "generated steel anvil, face and horn 440 mm long, 100 mm wide, 220 mm high",
      .material = "Mild steel",

@@ -1,4 +1,4 @@
-// The factory's solid bodies that are struck: a triangle and an anvil. docs/instruments.md
+// The factory's solid bodies that are struck: a triangle, a clave, an anvil. docs/instruments.md
 // lists the sources of their dimensions.
 #pragma once
 
