@@ -1,6 +1,7 @@
 #include "Analysis/MeasuredObject.h"
 #include "Analysis/ModalAnalysis.h"
 #include "Analysis/RecordedMaterial.h"
+#include "Object/MaterialFile.h"
 #include "Python/Binding.h"
 
 #include <nanobind/stl/array.h>

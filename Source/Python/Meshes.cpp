@@ -13,7 +13,20 @@ namespace {
 using Vertices = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
 using Faces = Eigen::Matrix<int, Eigen::Dynamic, 3, Eigen::RowMajor>;
 
-Mesh checkedMesh(const Vertices& vertices, const Faces& faces) {
+/// Returns the [N,3] array that numpy makes of what is given, such as a list.
+template <class Matrix>
+Matrix matrixOf(const nb::object& given, const char* type, const char* fault) {
+    const nb::object array = nb::module_::import_("numpy").attr("ascontiguousarray")(given, type);
+    Matrix matrix;
+    if (!nb::try_cast(array, matrix))
+        throw nb::value_error(fault);
+    return matrix;
+}
+
+Mesh meshOf(const nb::object& givenVertices, const nb::object& givenFaces) {
+    const auto vertices =
+        matrixOf<Vertices>(givenVertices, "float64", "the vertices are not [N,3]");
+    const auto faces = matrixOf<Faces>(givenFaces, "int32", "the faces are not [F,3]");
     if (!vertices.allFinite())
         throw nb::value_error("a vertex is not finite");
     if (faces.rows() == 0)
@@ -32,8 +45,8 @@ void bindMeshes(nb::module_& module) {
         "counter-clockwise seen from outside.")
         .def(
             "__init__",
-            [](Mesh* self, const Vertices& vertices, const Faces& faces) {
-                new (self) Mesh(checkedMesh(vertices, faces));
+            [](Mesh* self, const nb::object& vertices, const nb::object& faces) {
+                new (self) Mesh(meshOf(vertices, faces));
             },
             nb::arg("vertices"), nb::arg("faces"))
         .def_prop_ro("vertices", [](const Mesh& self) { return Vertices(self.vertices); })

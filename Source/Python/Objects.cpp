@@ -7,10 +7,10 @@
 namespace idiophone::python {
 namespace {
 
-/// Returns a view of an array that lives as long as its object.
+/// Returns a view of an array. As a property it keeps its object alive.
 template <class Value>
-auto view(const PythonObject& self, const Value* data, std::initializer_list<std::size_t> shape) {
-    return nb::ndarray<nb::numpy, const Value>(data, shape, nb::find(self));
+auto view(const Value* data, std::initializer_list<std::size_t> shape) {
+    return nb::ndarray<nb::numpy, const Value>(data, shape);
 }
 
 /// Returns a new array of one number for each mode.
@@ -47,7 +47,7 @@ void bindObjects(nb::module_& module) {
         .def_prop_ro(
             "eigenvalues",
             [](const PythonObject& self) {
-                return view(self, self.object->eigenvalues.data(), {self.object->modeCount()});
+                return view(self.object->eigenvalues.data(), {self.object->modeCount()});
             },
             "[M] omega^2 in rad^2/s^2, ascending.")
         .def_prop_ro(
@@ -57,38 +57,37 @@ void bindObjects(nb::module_& module) {
                     return self.object->dampedFrequencyHz(mode);
                 });
             },
-            "[M] as they sound, in Hz.")
+            nb::rv_policy::automatic, "[M] as they sound, in Hz.")
         .def_prop_ro(
             "decays",
             [](const PythonObject& self) {
                 return perMode(*self.object,
                                [&](std::size_t mode) { return self.object->decayPerSecond(mode); });
             },
-            "[M] rates in 1/s: amplitudes fall as exp(-rate t).")
+            nb::rv_policy::automatic, "[M] rates in 1/s: amplitudes fall as exp(-rate t).")
         .def_prop_ro(
             "shapes",
             [](const PythonObject& self) {
-                return view(self, self.object->shapes.data(),
+                return view(self.object->shapes.data(),
                             {self.object->shapeVertexCount(), self.object->modeCount(), 3});
             },
             "[V,M,3] mass-normalised, in 1/sqrt(kg).")
         .def_prop_ro(
             "shape_vertices",
             [](const PythonObject& self) {
-                return view(self, self.object->shapeVertices.data(),
-                            {self.object->shapeVertexCount()});
+                return view(self.object->shapeVertices.data(), {self.object->shapeVertexCount()});
             },
             "[V] the mesh vertices that carry shapes.")
         .def_prop_ro(
             "vertices",
             [](const PythonObject& self) {
-                return view(self, self.object->vertices.data(), {self.object->vertexCount(), 3});
+                return view(self.object->vertices.data(), {self.object->vertexCount(), 3});
             },
             "[N,3] of the mesh, in m.")
         .def_prop_ro(
             "faces",
             [](const PythonObject& self) {
-                return view(self, self.object->faces.data(), {self.object->faceCount(), 3});
+                return view(self.object->faces.data(), {self.object->faceCount(), 3});
             },
             "[F,3] vertex numbers.")
         .def(

@@ -2,7 +2,6 @@
 #include "World/World.h"
 
 #include <Eigen/Geometry>
-#include <nanobind/eigen/dense.h>
 #include <nanobind/stl/array.h>
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/pair.h>
@@ -12,7 +11,9 @@
 namespace idiophone::python {
 namespace {
 
-using Eigen::Vector3d;
+Eigen::Vector3d vectorOf(const Numbers3& numbers) {
+    return Eigen::Vector3d(numbers.data());
+}
 
 class PythonWorld {
 public:
@@ -47,31 +48,32 @@ public:
     }
 
     void place(std::size_t body,
-               const Vector3d& position,
-               const std::optional<Eigen::Vector4d>& rotation) {
-        WorldPose pose{.originMetres = position};
+               const Numbers3& position,
+               const std::optional<std::array<double, 4>>& rotation) {
+        WorldPose pose{.originMetres = vectorOf(position)};
         if (rotation)
-            pose.axes = Eigen::Quaterniond(*rotation).toRotationMatrix();
+            pose.axes = Eigen::Quaterniond(rotation->data()).toRotationMatrix();
         check(world->place(body, pose), "the body does not exist, or its pose is out of range");
     }
 
-    void listen(const Vector3d& position, const Vector3d& towards, const Vector3d& up) {
-        check(
-            world->placeListener({.positionMetres = position, .towardsMetres = towards, .up = up}),
-            "the world has no listener, or a number is not finite");
+    void listen(const Numbers3& position, const Numbers3& towards, const Numbers3& up) {
+        check(world->placeListener({.positionMetres = vectorOf(position),
+                                    .towardsMetres = vectorOf(towards),
+                                    .up = vectorOf(up)}),
+              "the world has no listener, or a number is not finite");
     }
 
     void strike(std::size_t body,
-                const Vector3d& impulse,
-                const std::optional<Vector3d>& point,
+                const Numbers3& impulse,
+                const std::optional<Numbers3>& point,
                 const std::optional<std::int64_t>& vertex,
                 const std::optional<double>& time,
                 double contactTime) {
         check(world->strike({.body = body,
                              .seconds = time.value_or(0),
                              .vertex = vertex,
-                             .pointMetres = point.value_or(Vector3d::Zero()),
-                             .impulseNewtonSeconds = impulse,
+                             .pointMetres = vectorOf(point.value_or(Numbers3{})),
+                             .impulseNewtonSeconds = vectorOf(impulse),
                              .contactSeconds = contactTime}),
               "the body or the vertex does not exist, or a number is out of range");
     }
@@ -84,16 +86,16 @@ public:
     }
     void touch(std::size_t number,
                std::size_t body,
-               const Vector3d& point,
+               const Numbers3& point,
                double force,
-               const Vector3d& slide,
+               const Numbers3& slide,
                double roll,
                const std::optional<std::size_t>& other) {
         check(world->touch(number, {.body = body,
                                     .other = other,
-                                    .pointMetres = point,
+                                    .pointMetres = vectorOf(point),
                                     .forceNewtons = force,
-                                    .slideMetresPerSecond = slide,
+                                    .slideMetresPerSecond = vectorOf(slide),
                                     .rollMetresPerSecond = roll}),
               "the touch or the body does not exist, or a number is not finite");
     }
@@ -179,7 +181,7 @@ void bindWorlds(nb::module_& module) {
              nb::arg("rotation") = nb::none(),
              "Says where a body is; the rotation is a unit quaternion (x, y, z, w).")
         .def("listen", &PythonWorld::listen, nb::arg("position"), nb::arg("towards"),
-             nb::arg("up") = Vector3d(0, 0, 1), "Says where the listener is and looks.")
+             nb::arg("up") = Numbers3{0, 0, 1}, "Says where the listener is and looks.")
         .def("strike", &PythonWorld::strike, nb::arg("body"), nb::arg("impulse"),
              nb::arg("point") = nb::none(), nb::arg("vertex") = nb::none(),
              nb::arg("time") = nb::none(), nb::arg("contact_time") = 0.0,
@@ -189,7 +191,7 @@ void bindWorlds(nb::module_& module) {
              "`contact_time` is in s.")
         .def("begin_touch", &PythonWorld::beginTouch, "Takes one of 24 touches.")
         .def("touch", &PythonWorld::touch, nb::arg("touch"), nb::arg("body"), nb::arg("point"),
-             nb::arg("force"), nb::arg("slide") = Vector3d(0, 0, 0), nb::arg("roll") = 0.0,
+             nb::arg("force"), nb::arg("slide") = Numbers3{}, nb::arg("roll") = 0.0,
              nb::arg("other") = nb::none(),
              "Says how a body slides or rolls: the force (N), the velocity of the other surface "
              "past "

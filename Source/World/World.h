@@ -34,7 +34,7 @@ struct WorldSettings {
     std::size_t eventCapacity = 4096; ///< calls that may wait for the next cell, 16 to 1048576
     std::uint64_t seed = 1;           ///< of the noise of touches
     /// At first, until `setSynthesis`.
-    SynthesisSettings synthesis = {.radiation = 1};
+    SynthesisSettings synthesis = {.tau = 0.1, .radiation = 1};
 };
 
 /// Where a body is: the origin and the axes (columns) of its object's coordinates.
