@@ -149,7 +149,7 @@ def test_a_game_loop_on_the_library_hears_its_impacts(examples, sources, tmp_pat
 
 def test_a_program_in_c_is_heard(prefix, examples, sources, tmp_path):
     plate = sources / "Resources/Objects/plate.modal"
-    libraries = next(prefix.glob("lib/*/libidiophone.so")).parent
+    libraries = next(prefix.rglob("libidiophone.so")).parent
     flags = subprocess.run(["pkg-config", "--cflags", "--libs", "idiophone"], text=True, check=True,
                            env={**os.environ, "PKG_CONFIG_PATH": libraries / "pkgconfig"},
                            capture_output=True).stdout.split()
@@ -167,7 +167,7 @@ def test_a_program_in_c_is_heard(prefix, examples, sources, tmp_path):
 def test_boxes_that_are_thrown_about_are_heard(prefix, examples, sources, tmp_path):
     sound = tmp_path / "boxes.f32"
     subprocess.run([examples / "boxes", sources / "Resources/Objects/die.modal", "2"], check=True,
-                   env={"LD_LIBRARY_PATH": next(prefix.glob("lib/*/libidiophone.so")).parent,
+                   env={"LD_LIBRARY_PATH": next(prefix.rglob("libidiophone.so")).parent,
                         "SDL_VIDEODRIVER": "dummy", "SDL_AUDIODRIVER": "disk",
                         "SDL_DISKAUDIOFILE": sound})
     samples = numpy.fromfile(sound, "<f4")
