@@ -1,6 +1,6 @@
-# idiophone_precompile(<target> [<header>...]): parses the given headers of libraries and the common
-# standard headers once for all files of the target, because parsing takes most of a build's time.
-# Files still include what they use.
+# idiophone_precompile(<target> [<header>...]): parses the given headers and the common standard
+# headers once for all files of the target, because parsing takes most of a build's time. Files still
+# include what they use.
 function(idiophone_precompile target)
     get_target_property(sources ${target} SOURCES)
     list(LENGTH sources count)

@@ -165,11 +165,12 @@ TEST_CASE("A tube makes a marimba's A3 decay clearly faster and 15 to 25 dB loud
 }
 
 TEST_CASE("One bar of each instrument and one shape, analysed again, equal the stored ones") {
-    // A bar of the upper half: low bars take minutes.
+    // Low bars take minutes, and any tubular bell takes half of one.
     std::vector<std::string> names{"small-ring"};
     for (const auto& instrument : barInstruments())
-        names.push_back(
-            instrument.barName((instrument.lowestNote + 3 * instrument.highestNote) / 4));
+        if (const auto highest = instrument.barName(instrument.highestNote);
+            !highest.starts_with("tubular"))
+            names.push_back(highest);
     for (const auto& name : names) {
         INFO(name);
         const auto anew = makeFactoryObject(name);

@@ -45,7 +45,7 @@ Played keyboard(const std::string& name) {
     return {map, Instrument::build(map, library).value()};
 }
 
-int objectFiles(const juce::File& folder) {
+int filesOfObjects(const juce::File& folder) {
     return folder.getNumberOfChildFiles(juce::File::findFiles, "*") +
            (folder.getChildFile("Objects").isDirectory()
                 ? folder.getChildFile("Objects")
@@ -69,9 +69,9 @@ TEST_CASE("A foreign object is written once and read back byte for byte") {
     const auto stored = writePresetObjects(played.keyMap, *played.instrument, folder);
     REQUIRE(stored);
     CHECK_THAT(stored->object, StartsWith("Objects/"));
-    CHECK(objectFiles(folder) == 1);
+    CHECK(filesOfObjects(folder) == 1);
     CHECK(writePresetObjects(played.keyMap, *played.instrument, folder).value() == *stored);
-    CHECK(objectFiles(folder) == 1);
+    CHECK(filesOfObjects(folder) == 1);
 
     const auto built = buildPresetInstrument(*stored, folder.getChildFile("Bells/x.json"));
     REQUIRE(built);
@@ -79,7 +79,7 @@ TEST_CASE("A foreign object is written once and read back byte for byte") {
     CHECK(built->instrument->keyMap() == *stored);
     // Saving the objects again gives the same file.
     CHECK(writePresetObjects(*stored, *built->instrument, folder).value() == *stored);
-    CHECK(objectFiles(folder) == 1);
+    CHECK(filesOfObjects(folder) == 1);
 }
 
 TEST_CASE("Two objects with the same name do not overwrite each other") {
@@ -99,7 +99,7 @@ TEST_CASE("All objects of a foreign keyboard are written") {
     const auto played = keyboard("stones/{note}");
     const auto stored = writePresetObjects(played.keyMap, *played.instrument, folder);
     REQUIRE(stored);
-    CHECK(objectFiles(folder) == 5);
+    CHECK(filesOfObjects(folder) == 5);
     const auto built = buildPresetInstrument(*stored, folder.getChildFile("x.json"));
     REQUIRE(built);
     CHECK(sameObjects(*built->instrument, *played.instrument));
@@ -164,7 +164,7 @@ TEST_CASE("Objects with hostile names are written inside the folder only") {
         REQUIRE(stored);
         INFO(name << " " << stored->object);
         CHECK(folder.getChildFile(juce::String(stored->object)).isAChildOf(folder));
-        CHECK(objectFiles(folder) == 1);
+        CHECK(filesOfObjects(folder) == 1);
     }
 }
 
