@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the C interface's functions share: the handles, errors, and structures of any version. No
-// exception leaves the interface.
+// Handles, errors, and structures of any version, for all functions of the C interface. No exception
+// leaves the interface.
 #pragma once
 
 #include "C/idiophone.h"

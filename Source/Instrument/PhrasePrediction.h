@@ -69,7 +69,7 @@ private:
     double release = 0; ///< [1/s]
     bool held = false;  ///< scraped or rolled
     std::array<PushedPoint, PhraseMeter::notes> points;
-    /// Of each strike: a value for each velocity and note.
+    /// A value for each velocity and note of a strike.
     template <class Value>
     using OfStrikes = std::array<std::array<Value, PhraseMeter::notes>, levels>;
     OfStrikes<ContactTrain> trains;

@@ -7,7 +7,7 @@
 
 namespace idiophone {
 
-/// What SoundSession::origin becomes. New: the number of the new load. If it stays, jobs that began
+/// The next SoundSession::origin. New: the number of the new load. If it stays, jobs that began
 /// with the loaded sound go on, as during edits of a kit.
 enum class LoadOrigin { isNew, stays };
 

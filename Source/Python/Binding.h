@@ -1,4 +1,4 @@
-// What the Python bindings share: errors, progress and the interpreter's lock.
+// Errors, progress and the interpreter's lock, for all Python bindings.
 #pragma once
 
 #include "Object/ModalObject.h"

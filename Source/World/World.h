@@ -24,7 +24,7 @@ class WorldMixer;
 
 struct WorldSettings {
     double sampleRateHz = 48000; ///< 8000 to 384000
-    /// What touches sound like; each names one by its index. Not empty.
+    /// Surfaces for touches, which name them by their indices. Not empty.
     std::vector<Surface> surfaces = {Surface{}};
     /// Nothing: everything is heard at the struck place or at 1 m, wherever the bodies are, as
     /// `idiophone render --impulses` does.
@@ -46,8 +46,8 @@ struct WorldPose {
 struct WorldImpact {
     std::size_t body = 0;
     double seconds = 0; ///< by the world's clock, ±1e9; a time that has passed means at once
-    /// Of the mesh of the body's object, which carries shapes; else the place nearest to
-    /// `pointMetres` is struck.
+    /// A vertex with shapes of the object's mesh; without one the place nearest to `pointMetres` is
+    /// struck.
     std::optional<std::int64_t> vertex = {};
     Eigen::Vector3d pointMetres = Eigen::Vector3d::Zero();
     Eigen::Vector3d impulseNewtonSeconds = Eigen::Vector3d::Zero(); ///< acts on the body

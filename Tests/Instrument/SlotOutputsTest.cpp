@@ -194,7 +194,7 @@ TEST_CASE("Without further outputs every choice is bit-identical to the main out
         CHECK(played(kit(), 1, events, valuesOf(choice)).front() == expected);
     const auto alone = played(kit(), all, events, valuesOf(mainOutput));
     CHECK(alone.front() == expected);
-    // What is not connected falls back to the main output.
+    // Outputs that are not connected sound on the main one.
     const auto some = played(kit(), OutputSet().set(0).set(3), events, valuesOf(outputsByPart));
     const auto first = played(kit(), 1, {events.front()}, valuesOf(mainOutput)).front();
     CHECK(some.front() == first);
