@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Handles, errors, and structures of any version, for all functions of the C interface. No exception
-// leaves the interface.
+// Handles, errors, and structures of any version, for all functions of the C interface. No
+// exception leaves the interface.
 #pragma once
 
 #include "C/idiophone.h"
