@@ -1,0 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fstream>
+
+#define TINYGLTF_IMPLEMENTATION
+#include "Gltf/TinyGltf.h"
