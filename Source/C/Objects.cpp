@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "C/Handles.h"
-#include "Object/ModalObjectFile.h"
+#include "Gltf/ObjectFile.h"
 
 #include <filesystem>
 #include <span>
@@ -21,7 +21,7 @@ idiophone_object* idiophone_object_load(const char* path) {
         if (path == nullptr)
             return failure("no path is given");
         const std::u8string utf8(path, path + std::strlen(path));
-        return readModalObject(std::filesystem::path(utf8)).map([](ModalObject&& object) {
+        return readObject(std::filesystem::path(utf8)).map([](ModalObject&& object) {
             return new idiophone_object{std::make_shared<const ModalObject>(std::move(object))};
         });
     });
@@ -31,8 +31,8 @@ idiophone_object* idiophone_object_read(const void* bytes, size_t byte_count, co
     return orNull([=]() -> Result<idiophone_object*> {
         if (bytes == nullptr)
             return failure("no bytes are given");
-        return readModalObject(std::span(static_cast<const std::byte*>(bytes), byte_count),
-                               name == nullptr ? "object" : name)
+        return readObject(std::span(static_cast<const std::byte*>(bytes), byte_count),
+                          name == nullptr ? "object" : name)
             .map([](ModalObject&& object) {
                 return new idiophone_object{std::make_shared<const ModalObject>(std::move(object))};
             });

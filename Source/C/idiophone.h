@@ -58,7 +58,8 @@ IDIOPHONE_API const char* idiophone_error(void);
 
 typedef struct idiophone_object idiophone_object;
 
-/* Loads a .modal file. The path is UTF-8. Returns null on failure. */
+/* Loads a .modal file, or the first modal model (KHR_audio_rigid_bodies) of a .gltf or .glb file.
+ * The path is UTF-8. Returns null on failure. */
 IDIOPHONE_API idiophone_object* idiophone_object_load(const char* path);
 /* Reads the bytes of such a file. `name` stands for the file in errors. */
 IDIOPHONE_API idiophone_object*

@@ -40,6 +40,7 @@ void addTune(CLI::App& program, Action& chosen);
 void addFit(CLI::App& program, Action& chosen);
 void addSample(CLI::App& program, Action& chosen);
 void addMaterial(CLI::App& program, Action& chosen);
+void addExport(CLI::App& program, Action& chosen);
 void addToneMap(CLI::App& program, Action& chosen);
 void addSurface(CLI::App& program, Action& chosen);
 void addPresets(CLI::App& program, Action& chosen);

@@ -2,8 +2,8 @@
 #include "Console/JsonText.h"
 #include "Console/MaterialChoice.h"
 #include "Geometry/MeshReader.h"
+#include "Gltf/ObjectFile.h"
 #include "Object/FileBytes.h"
-#include "Object/ModalObjectFile.h"
 #include "Synth/ModalPole.h"
 #include "Synth/ModeCompression.h"
 
@@ -153,9 +153,9 @@ Result<void> describeMesh(const InfoOptions& options) {
 }
 
 Result<void> info(const InfoOptions& options) {
-    if (isMeshFile(options.file))
+    if (isMeshFile(options.file) && !hasModalModel(options.file))
         return describeMesh(options);
-    const auto object = readModalObject(options.file);
+    const auto object = readObject(options.file);
     if (!object)
         return tl::unexpected(object.error());
     if (options.json)

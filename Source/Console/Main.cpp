@@ -24,8 +24,8 @@ int run(int argc, char** argv) {
     program.set_version_flag("--version", "Idiophone " IDIOPHONE_VERSION);
     Action chosen;
     for (const auto add : {addAnalyse, addInfo, addStrike, addRender, addScene, addMesh, addFactory,
-                           addSample, addTune, addFit, addMaterial, addToneMap, addSurface,
-                           addPresets, addMaterials, addLists, addSofaTable})
+                           addSample, addTune, addFit, addExport, addMaterial, addToneMap,
+                           addSurface, addPresets, addMaterials, addLists, addSofaTable})
         add(program, chosen);
     try {
         program.parse(argc, argv);

@@ -7,11 +7,11 @@
 #include "Console/ParameterAssignments.h"
 #include "Console/SongRender.h"
 #include "Geometry/LengthUnit.h"
+#include "Gltf/ObjectFile.h"
 #include "Instrument/MalletStrike.h"
 #include "Instrument/ObjectBox.h"
 #include "Instrument/SettingsOfParameters.h"
 #include "Instrument/StrikePointMetres.h"
-#include "Object/ModalObjectFile.h"
 #include "Object/OneLine.h"
 #include "Sampling/ObjectPlaces.h"
 #include "Synth/Listening.h"
@@ -182,7 +182,7 @@ void report(const ModalObject& object,
 }
 
 Result<void> strikeObject(const StrikeOptions& options) {
-    auto object = readModalObject(options.object);
+    auto object = readObject(options.object);
     if (!object)
         return tl::unexpected(object.error());
     if (!options.material.empty()) {

@@ -4,8 +4,8 @@
 #include "Console/OptionChecks.h"
 #include "Geometry/ColourMap.h"
 #include "Geometry/MeshWriter.h"
+#include "Gltf/ObjectFile.h"
 #include "Mesh/ShapeMesh.h"
-#include "Object/ModalObjectFile.h"
 
 #include <algorithm>
 #include <cmath>
@@ -94,7 +94,7 @@ void report(const ModalObject& object,
 }
 
 Result<void> mapObject(const ToneMapOptions& options) {
-    const auto object = readModalObject(options.object);
+    const auto object = readObject(options.object);
     if (!object)
         return tl::unexpected(object.error());
     if (options.output.extension() != ".ply")

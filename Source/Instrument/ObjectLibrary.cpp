@@ -1,5 +1,6 @@
 #include "Instrument/ObjectLibrary.h"
 
+#include "Gltf/ObjectFile.h"
 #include "Instrument/FactoryContent.h"
 #include "Object/FileBytes.h"
 #include "Object/ModalObjectFile.h"
@@ -48,7 +49,7 @@ Result<std::shared_ptr<const ModalObject>> ObjectLibrary::find(const std::string
         return object;
 
     // Read without the lock: a large file takes seconds, and other threads must not wait for it.
-    auto object = factory ? readModalObject(*factory, name) : readModalObject(pathNamed(name));
+    auto object = factory ? readModalObject(*factory, name) : readObject(pathNamed(name));
     if (!object)
         return tl::unexpected(object.error());
     auto read = std::make_shared<const ModalObject>(std::move(*object));

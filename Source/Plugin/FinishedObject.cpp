@@ -3,7 +3,7 @@
 #include "Analysis/MeasuredObject.h"
 #include "AudioFiles/AudioFileReader.h"
 #include "Editor/Utf8.h"
-#include "Object/ModalObjectFile.h"
+#include "Gltf/ObjectFile.h"
 #include "Plugin/FileKinds.h"
 
 #include <array>
@@ -16,7 +16,7 @@ std::string stemOf(const std::filesystem::path& file) {
 }
 
 Result<ModalObject> fromModal(const std::filesystem::path& file) {
-    auto object = readModalObject(file);
+    auto object = readObject(file);
     if (!object)
         return object;
     if (object->modeCount() == 0 || object->shapeVertexCount() == 0 || object->faceCount() == 0)

@@ -1,4 +1,4 @@
-#include "Object/ModalObjectFile.h"
+#include "Gltf/ObjectFile.h"
 #include "Python/Binding.h"
 
 #include <nanobind/stl/filesystem.h>
@@ -93,11 +93,11 @@ void bindObjects(nb::module_& module) {
         .def(
             "save",
             [](const PythonObject& self, const std::filesystem::path& path) {
-                const auto written = writeModalObject(*self.object, path);
+                const auto written = writeObject(*self.object, path);
                 if (!written)
                     throw nb::value_error(written.error().message.c_str());
             },
-            nb::arg("path"), "Writes a .modal file.")
+            nb::arg("path"), "Writes a .modal file, or a glTF file if the name ends in .glb.")
         .def("__repr__", [](const PythonObject& self) {
             return "<ModalObject '" + self.object->name + "' of " +
                    std::to_string(self.object->modeCount()) + " modes>";
@@ -105,10 +105,11 @@ void bindObjects(nb::module_& module) {
     module.def(
         "load",
         [](const std::filesystem::path& path) {
-            auto object = readModalObject(path);
+            auto object = readObject(path);
             return PythonObject{std::make_shared<const ModalObject>(valueOf(std::move(object)))};
         },
-        nb::arg("path"), "Reads a .modal file.");
+        nb::arg("path"),
+        "Reads a .modal file, or the first modal model of a glTF file (.gltf, .glb).");
 }
 
 } // namespace idiophone::python

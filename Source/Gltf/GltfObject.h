@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// Turns a modal model of KHR_audio_rigid_bodies into a modal object. docs/gltf.md gives the
+// reasons.
+#pragma once
+
+#include "Gltf/AudioRigidBodies.h"
+
+namespace idiophone {
+
+/// What a node adds to its model.
+struct GltfInstance {
+    std::optional<std::size_t> surface; ///< index into `AudioRigidBodies::surfaces`
+    double gain = 1;
+    double sizeRatio = 1;               ///< of the body to its model, > 0
+    std::optional<MassProperties> mass; ///< of the body as it is; replaces the model's
+    std::optional<double> friction;     ///< replaces the material's
+    std::optional<double> restitution;  ///< replaces the material's
+};
+
+/// Makes the object as it is heard by the draft: each mode radiates 2πf times what the impulse
+/// gives it, into all directions alike. The object's mesh is the model's sample points with their
+/// indices. Modes ascend in frequency. A model that Idiophone wrote becomes the object from which
+/// it was written, unless its numbers were changed since; then it is like any other.
+/// The error is the end of a sentence that begins with the file's name.
+Result<ModalObject> objectOf(const GltfDocument& document,
+                             const AudioRigidBodies& audio,
+                             std::size_t model,
+                             const GltfInstance& instance = {});
+
+/// A finish is between 0 (polished) and 1 (cast), as `Material::roughness`.
+double roughnessOf(const GltfAcousticSurface& surface);
+/// Returns the draft's finish of a roughness from 0 to 1: its representative ones, and in between.
+GltfAcousticSurface surfaceOf(double roughness);
+
+} // namespace idiophone
