@@ -170,7 +170,7 @@ std::vector<int> rootsOf(const tinygltf::Model& model) {
 Result<std::vector<GltfNode>> placedNodes(const tinygltf::Model& model) {
     std::vector<GltfNode> placed;
     for (const int root : rootsOf(model))
-        placed.push_back({.node = root, .parent = -1, .transform = Eigen::Affine3d::Identity()});
+        placed.push_back({.node = root, .transform = Eigen::Affine3d::Identity()});
     std::vector<bool> isPlaced(model.nodes.size());
     for (std::size_t index = 0; index < placed.size(); ++index) {
         const int number = placed[index].node;
@@ -181,6 +181,7 @@ Result<std::vector<GltfNode>> placedNodes(const tinygltf::Model& model) {
                            " is placed twice, or is its own ancestor");
         isPlaced[static_cast<std::size_t>(number)] = true;
         const auto& node = model.nodes[static_cast<std::size_t>(number)];
+        placed[index].isCamera = node.camera >= 0;
         const auto local = localTransform(node);
         if (!local)
             return failure(local.error().message);

@@ -19,8 +19,9 @@ namespace idiophone {
 
 /// A node of the scene that the file shows.
 struct GltfNode {
-    int node = -1;             ///< its number in the file
-    int parent = -1;           ///< the index of its parent in `GltfDocument::nodes`, or -1
+    int node = -1;   ///< its number in the file
+    int parent = -1; ///< the index of its parent in `GltfDocument::nodes`, or -1
+    bool isCamera = false;
     Eigen::Affine3d transform; ///< from its own space to the scene's
 };
 

@@ -59,29 +59,8 @@ DampingLaw lawOfDecays(const GltfModalModel& model) {
     return {.lossFactor = *middle};
 }
 
-bool hasDampingLaw(const AudioRigidBodies& audio, const GltfModalModel& model) {
-    return model.material && (audio.materials[*model.material].alphaPerSecond.value_or(0) > 0 ||
-                              audio.materials[*model.material].betaSeconds.value_or(0) > 0);
-}
-
-/// Figures that the file leaves out are those of the library's material of that name, or of steel.
-Material materialOf(const AudioRigidBodies& audio, const GltfModalModel& model) {
-    const GltfAcousticMaterial none;
-    const auto& given = model.material ? audio.materials[*model.material] : none;
-    const auto* named = findMaterial(given.name);
-    Material material = named != nullptr ? *named : *findMaterial(usualMaterial);
-    material.name = given.name.empty() ? model.name : given.name;
-    material.source = "a glTF file";
-    material.grain = {};
-    material.densityKgPerM3 = given.densityKgPerM3.value_or(material.densityKgPerM3);
-    material.youngsModulusPa = given.youngsModulusPa.value_or(material.youngsModulusPa);
-    material.poissonRatio =
-        std::clamp(given.poissonRatio.value_or(material.poissonRatio), -0.999, 0.4999);
-    material.damping = hasDampingLaw(audio, model)
-                           ? DampingLaw{.fluidPerSecond = given.alphaPerSecond.value_or(0),
-                                        .viscoelasticSeconds = given.betaSeconds.value_or(0)}
-                           : lawOfDecays(model);
-    return material;
+bool hasDampingLaw(const GltfAcousticMaterial& given) {
+    return given.alphaPerSecond.value_or(0) > 0 || given.betaSeconds.value_or(0) > 0;
 }
 
 /// `hasLaw`: the file says how the material damps. Otherwise the decays do not depend on the size.
@@ -154,7 +133,7 @@ void addMass(ModalObject& object, const GltfModalModel& model, const GltfInstanc
         object.mass = guessedMass(object);
         return;
     }
-    object.mass = instance.mass ? *instance.mass : scaledMass(*model.mass, instance.sizeRatio);
+    object.mass = instance.mass ? *instance.mass : scaledMass(*model.mass, instance.scale);
     object.provenance.zeroModes = rigidModes; // of a free body, which clicks when it is struck
 }
 
@@ -180,14 +159,28 @@ void addRadiation(ModalObject& object, double gain) {
 
 } // namespace
 
+Material materialOf(const GltfAcousticMaterial& given) {
+    const auto* named = findMaterial(given.name);
+    Material material = named != nullptr ? *named : *findMaterial(usualMaterial);
+    material.name = given.name;
+    material.source = "a glTF file";
+    material.grain = {};
+    material.densityKgPerM3 = given.densityKgPerM3.value_or(material.densityKgPerM3);
+    material.youngsModulusPa = given.youngsModulusPa.value_or(material.youngsModulusPa);
+    material.poissonRatio =
+        std::clamp(given.poissonRatio.value_or(material.poissonRatio), -0.999, 0.4999);
+    if (hasDampingLaw(given))
+        material.damping = {.fluidPerSecond = given.alphaPerSecond.value_or(0),
+                            .viscoelasticSeconds = given.betaSeconds.value_or(0)};
+    return material;
+}
+
 Result<ModalObject> objectOf(const GltfDocument& document,
                              const AudioRigidBodies& audio,
                              std::size_t number,
                              const GltfInstance& instance) {
     const auto& model = audio.models[number];
-    const bool isPlain = instance.gain == 1 && instance.sizeRatio == 1 && !instance.mass &&
-                         !instance.friction && !instance.restitution;
-    if (isPlain)
+    if (instance.gain == 1 && instance.scale == 1 && !instance.mass)
         if (auto own = ownObject(document, model))
             return *std::move(own);
     if (model.frequenciesHz.size() > maximumObjectModes)
@@ -195,13 +188,16 @@ Result<ModalObject> objectOf(const GltfDocument& document,
     ModalObject object;
     object.name = model.name.empty() ? "model " + std::to_string(number + 1) : model.name;
     object.method = "glTF";
-    object.material = materialOf(audio, model);
-    object.material.friction = instance.friction.value_or(object.material.friction);
-    object.material.restitution = instance.restitution.value_or(object.material.restitution);
+    const auto& given = model.material ? audio.materials[*model.material] : GltfAcousticMaterial{};
+    object.material = materialOf(given);
+    if (!hasDampingLaw(given))
+        object.material.damping = lawOfDecays(model);
+    if (object.material.name.empty())
+        object.material.name = object.name;
     if (instance.surface)
         object.material.roughness = roughnessOf(audio.surfaces[*instance.surface]);
-    addModes(object, model, hasDampingLaw(audio, model), instance.sizeRatio);
-    addSurface(object, model, instance.sizeRatio);
+    addModes(object, model, hasDampingLaw(given), instance.isRetuned ? instance.scale : 1);
+    addSurface(object, model, instance.scale);
     addMass(object, model, instance);
     addRadiation(object, instance.gain);
     return validated(std::move(object));

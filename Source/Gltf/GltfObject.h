@@ -9,12 +9,13 @@ namespace idiophone {
 
 /// What a node adds to its model.
 struct GltfInstance {
-    std::optional<std::size_t> surface; ///< index into `AudioRigidBodies::surfaces`
+    std::optional<std::size_t> surface = {}; ///< index into `AudioRigidBodies::surfaces`
     double gain = 1;
-    double sizeRatio = 1;               ///< of the body to its model, > 0
-    std::optional<MassProperties> mass; ///< of the body as it is; replaces the model's
-    std::optional<double> friction;     ///< replaces the material's
-    std::optional<double> restitution;  ///< replaces the material's
+    double scale = 1; ///< of the sample points, > 0
+    /// Whether the model describes the body at scale 1, so that its modes change with the scale, or
+    /// as it is placed.
+    bool isRetuned = false;
+    std::optional<MassProperties> mass = {}; ///< of the body as it is; replaces the model's
 };
 
 /// Makes the object as it is heard by the draft: each mode radiates 2πf times what the impulse
@@ -26,6 +27,10 @@ Result<ModalObject> objectOf(const GltfDocument& document,
                              const AudioRigidBodies& audio,
                              std::size_t model,
                              const GltfInstance& instance = {});
+
+/// Figures that the file leaves out are those of the library's material of that name, or of steel.
+/// Without damping in the file, the law is the library's, too.
+Material materialOf(const GltfAcousticMaterial& given);
 
 /// A finish is between 0 (polished) and 1 (cast), as `Material::roughness`.
 double roughnessOf(const GltfAcousticSurface& surface);

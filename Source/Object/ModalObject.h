@@ -32,6 +32,8 @@ struct MassProperties {
     double massKg = 0;
     std::array<double, 3> centreMetres{};
     std::array<double, 9> inertiaKgM2{}; ///< about the centre, row-major
+
+    bool operator==(const MassProperties&) const = default;
 };
 
 /// The origin of an object, for people and for `idiophone info`.

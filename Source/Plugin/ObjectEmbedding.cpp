@@ -77,7 +77,7 @@ std::string shown(const std::string& name) {
 /// Returns the first file that a scene names and this machine lacks.
 std::optional<std::string> firstMissingIn(const Scene& scene) {
     for (const auto& kind : scene.kinds)
-        if (!kind.ball && !factoryObject(kind.object) && !isFile(kind.object))
+        if (kind.given == nullptr && !factoryObject(kind.object) && !isFile(kind.object))
             return shown(kind.object);
     if (!scene.keyboard || findFactoryPreset(scene.keyboard->preset) != nullptr)
         return std::nullopt;

@@ -52,7 +52,7 @@ Hand parseHand(const JsonPlace& place, const std::vector<BodyTemplate>& kinds) {
     place.allow({"kind", "tool", "path", "taps"});
     Hand hand;
     hand.kind = parseKindName(place.at("kind"), kinds);
-    if (kinds[hand.kind].ball)
+    if (kinds[hand.kind].given != nullptr)
         place.at("kind").fail("is a ball, which is not heard");
     hand.tool = parseKindName(place.at("tool"), kinds);
     if (kinds[hand.tool].isFixed)

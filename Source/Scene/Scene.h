@@ -3,6 +3,7 @@
 // points up.
 #pragma once
 
+#include "Object/ModalObject.h"
 #include "Parameters/ParameterTable.h"
 #include "Synth/Surface.h"
 #include "World/HeadModel.h"
@@ -10,6 +11,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -26,17 +28,12 @@ enum class BodyForm {
     ground    ///< everything below the top of the mesh's bounding box, for fixed bodies
 };
 
-/// A solid ball too small to be heard: its lowest mode is beyond hearing.
-struct SilentBall {
-    double radiusMetres = 0.01;
-    std::string material; ///< name of a material in the library
-};
-
 /// The common properties of bodies of one kind.
 struct BodyTemplate {
     std::string name;
-    std::string object;                  ///< modal object: a factory object's name or a file's path
-    std::optional<SilentBall> ball = {}; ///< replaces the object
+    std::string object; ///< modal object: a factory object's name or a file's path
+    /// Replaces `object` if it is not null. A body whose object has no modes is not heard.
+    std::shared_ptr<const ModalObject> given = {};
     BodyForm form = BodyForm::hull;
     bool isFixed = false;
     double sizeRatio = 1; ///< scale of the object, 0.001 to 1000

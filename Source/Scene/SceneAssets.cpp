@@ -1,11 +1,9 @@
 #include "Scene/SceneAssets.h"
 
-#include "Geometry/ParametricMesh.h"
 #include "Instrument/FactoryContent.h"
 #include "Instrument/Instrument.h"
 #include "Instrument/PresetFile.h"
 #include "Instrument/StrikePointMetres.h"
-#include "Mesh/ObjectMesh.h"
 #include "Object/FileBytes.h"
 #include "Object/OneLine.h"
 
@@ -20,8 +18,13 @@ Surface plainSurface(const Material& material) {
     return {.name = material.name, .roughness = material.roughness};
 }
 
-/// Bit k is the collision group of kind k. The bars have this bit.
+/// Bit k is the collision group of kind k. Kinds that pass through others are among the first 24
+/// (SceneText); all further ones share a group. The bars have the last bit.
 constexpr int keyboardGroup = 1 << 29;
+
+int groupOf(std::size_t kind) {
+    return 1 << std::min(kind, std::size_t{28});
+}
 
 int collidingGroups(const std::vector<BodyTemplate>& kinds, std::size_t kind) {
     const auto passes = [&](std::size_t one, std::size_t other) {
@@ -30,7 +33,7 @@ int collidingGroups(const std::vector<BodyTemplate>& kinds, std::size_t kind) {
     int groups = keyboardGroup;
     for (std::size_t other = 0; other < kinds.size(); ++other)
         if (!passes(kind, other) && !passes(other, kind))
-            groups |= 1 << other;
+            groups |= groupOf(other);
     return groups;
 }
 
@@ -46,19 +49,6 @@ Result<Preset> presetNamed(const std::string& nameOrFile) {
         preset.keyMap = withObjectsBeside(preset.keyMap, file);
         return preset;
     });
-}
-
-/// Makes a ball as an object without modes.
-Result<std::shared_ptr<const ModalObject>> ballOf(const SilentBall& ball) {
-    auto object = std::make_shared<ModalObject>();
-    object->name = "ball";
-    object->material = *findMaterial(ball.material);
-    const double r = ball.radiusMetres;
-    const double mass = 4.0 / 3 * std::numbers::pi * r * r * r * object->material.densityKgPerM3;
-    const double inertia = 0.4 * mass * r * r;
-    object->mass = {.massKg = mass, .inertiaKgM2 = {inertia, 0, 0, 0, inertia, 0, 0, 0, inertia}};
-    setMesh(*object, icosphereMesh(r, 2));
-    return object;
 }
 
 double topMetres(const ModalObject& object) {
@@ -85,7 +75,7 @@ Result<void> SceneAssets::addRole(const BodyTemplate& kind,
     for (const auto& role : allRoles)
         if (role.kind.model->object == object)
             surface = role.surface;
-    if (surface == nullptr && !kind.ball)
+    if (surface == nullptr && object->modeCount() > 0)
         surface = std::make_shared<ObjectSurface>(*object);
     return makeRigidBodyModel(kind, object)
         .map([&](const std::shared_ptr<const RigidBodyModel>& model) {
@@ -108,10 +98,10 @@ Result<void> SceneAssets::loadKinds(ObjectLibrary& library) {
     BoxSearch touching;
     for (std::size_t k = 0; k < played.kinds.size(); ++k) {
         const auto& kind = played.kinds[k];
-        const auto object = kind.ball ? ballOf(*kind.ball) : library.find(kind.object);
+        const auto object = kind.given != nullptr ? kind.given : library.find(kind.object);
         if (!object)
             return tl::unexpected(object.error());
-        if (auto done = addRole(kind, *object, 1 << k, collidingGroups(played.kinds, k)); !done)
+        if (auto done = addRole(kind, *object, groupOf(k), collidingGroups(played.kinds, k)); !done)
             return done;
         // Count a surface once for each kind: every simulation builds a shape for each.
         const auto& own = allRoles.back().kind.model->touchingFaces;

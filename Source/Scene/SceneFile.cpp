@@ -1,14 +1,18 @@
 #include "Scene/SceneFile.h"
 
+#include "Gltf/GltfDocument.h"
 #include "Instrument/FactoryContent.h"
 #include "Object/FileBytes.h"
 #include "Object/MaterialFile.h"
 #include "Object/TextFile.h"
+#include "Scene/GltfScene.h"
 #include "Scene/SceneText.h"
 
 namespace idiophone {
 
 Result<Scene> readSceneFile(const std::filesystem::path& file) {
+    if (isGltfFile(file))
+        return readGltfScene(file);
     auto scene = readTextFile(file, largestSceneBytes).and_then([&](const std::string& text) {
         return parseScene(text, nameOf(file.filename()));
     });
@@ -18,7 +22,7 @@ Result<Scene> readSceneFile(const std::filesystem::path& file) {
         return storedNameOf(file.parent_path() / pathNamed(localName(name)));
     };
     for (auto& kind : scene->kinds)
-        if (!kind.ball && !factoryObject(kind.object))
+        if (kind.given == nullptr && !factoryObject(kind.object))
             kind.object = beside(kind.object);
     if (scene->keyboard && findFactoryPreset(scene->keyboard->preset) == nullptr)
         scene->keyboard->preset = beside(scene->keyboard->preset);

@@ -9,8 +9,9 @@
 
 namespace idiophone {
 
-/// Reads a scene from a file of at most `largestSceneBytes`. Relative paths in it start at its
-/// folder. The error names the file and the place in it. Not for the audio thread.
+/// Reads a scene from a JSON file of at most `largestSceneBytes`, or from a glTF file with rigid
+/// bodies. Relative paths start at the file's folder. The error names the file and the place in it.
+/// Not for the audio thread.
 Result<Scene> readSceneFile(const std::filesystem::path& file);
 
 /// Returns the scene file that a project names by its absolute path, in UTF-8. If it is missing,

@@ -5,6 +5,7 @@
 #include "Object/Material.h"
 #include "Object/OneLine.h"
 #include "Scene/HandText.h"
+#include "Scene/SilentBody.h"
 
 #include <algorithm>
 #include <array>
@@ -37,13 +38,13 @@ BodyForm parseForm(const JsonPlace& place) {
                " and none of hull, ring, sphere, cylinder, surface and ground");
 }
 
-SilentBall parseBall(const JsonPlace& place) {
+std::shared_ptr<const ModalObject> parseBall(const JsonPlace& place) {
     place.allow({"radius", "material"});
-    SilentBall ball{.radiusMetres = place.at("radius").number(1e-4, 10),
-                    .material = place.at("material").text()};
-    if (findMaterial(ball.material) == nullptr)
-        place.at("material").fail("is " + inQuotes(ball.material) + ", which is no material");
-    return ball;
+    const auto name = place.at("material").text();
+    const auto* material = findMaterial(name);
+    if (material == nullptr)
+        place.at("material").fail("is " + inQuotes(name) + ", which is no material");
+    return silentBall(place.at("radius").number(1e-4, 10), *material);
 }
 
 BodyTemplate parseKind(const JsonPlace& place) {
@@ -54,8 +55,8 @@ BodyTemplate parseKind(const JsonPlace& place) {
     if (place.has("ball") == place.has("object"))
         place.fail("needs either 'object' or 'ball'");
     read(place, "object", kind.object, &JsonPlace::text);
-    read(place, "ball", kind.ball, parseBall);
-    if (kind.ball)
+    read(place, "ball", kind.given, parseBall);
+    if (kind.given != nullptr)
         kind.form = BodyForm::sphere;
     read(place, "form", kind.form, parseForm);
     read(place, "fixed", kind.isFixed, &JsonPlace::truth);

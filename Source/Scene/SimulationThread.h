@@ -16,8 +16,8 @@ namespace idiophone {
 
 /// Three lock-free queues connect the audio thread and the owner of `working`. They carry notes,
 /// filled blocks and used blocks. The filled blocks of a simulation are in order of time. If memory
-/// runs out, a simulation ends early: no exception leaves the thread. The worker sleeps while it has
-/// nothing to do. The audio thread wakes it for a note, and for every few used blocks.
+/// runs out, a simulation ends early: no exception leaves the thread. The worker sleeps while it
+/// has nothing to do. The audio thread wakes it for a note, and for every few used blocks.
 class SimulationThread {
 public:
     SimulationThread(const SceneStage& stage,

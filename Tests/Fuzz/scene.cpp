@@ -14,7 +14,7 @@ void claimFinite(const Scattered& quantity, const char* what) {
 }
 
 void claimKind(const BodyTemplate& kind, std::size_t kindCount) {
-    claim(!kind.name.empty() && (kind.ball || !kind.object.empty()),
+    claim(!kind.name.empty() && (kind.given != nullptr || !kind.object.empty()),
           "a kind has a name and a body");
     claim(kind.sizeRatio > 0 && kind.friction.value_or(0) >= 0, "its figures are in range");
     claim(kind.restitution.value_or(0) >= 0 && kind.restitution.value_or(0) <= 1,
@@ -34,7 +34,7 @@ void claimMotion(Scene scene) {
     if (scene.kinds.size() > mostKinds)
         return;
     for (auto& kind : scene.kinds) {
-        kind.object = kind.ball ? "" : "die";
+        kind.object = kind.given != nullptr ? "" : "die";
         if (kind.form == BodyForm::surface)
             kind.form = BodyForm::ground;
     }

@@ -1,6 +1,7 @@
 // Tests the sound of scenes.
 #include "Scene/FactoryScenes.h"
 #include "Scene/SceneSimulation.h"
+#include "Scene/SilentBody.h"
 #include "Synth/AlignedVector.h"
 #include "World/HeardBodies.h"
 
@@ -98,7 +99,7 @@ Scene rollingBall(double radiusMetres, double metresPerSecond) {
                     .rollingFrictionMetres = 0},
                    {.name = "ball",
                     .object = "",
-                    .ball = SilentBall{.radiusMetres = radiusMetres, .material = "Steel"},
+                    .given = silentBall(radiusMetres, *findMaterial("Steel")),
                     .form = BodyForm::sphere,
                     .rollingFrictionMetres = 0}};
     Release ball;

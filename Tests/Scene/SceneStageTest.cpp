@@ -4,6 +4,7 @@
 #include "Instrument/Player.h"
 #include "Scene/FactoryScenes.h"
 #include "Scene/SceneText.h"
+#include "Scene/SilentBody.h"
 
 #include <algorithm>
 #include <catch2/catch_test_macros.hpp>
@@ -279,7 +280,8 @@ TEST_CASE("The soft pedal slows the bodies that a note throws") {
 TEST_CASE("A stage without a note drop has a slot for each bar") {
     auto scene = *findFactoryScene("Dice on a xylophone");
     scene.noteDrop.reset();
-    scene.kinds = {{.name = "ball", .object = "", .ball = SilentBall{0.01, "Steel"}}};
+    scene.kinds = {
+        {.name = "ball", .object = "", .given = silentBall(0.01, *findMaterial("Steel"))}};
     scene.releases = {Release()}; // of the ball
     const auto assets = SceneAssets::make(scene, ObjectLibrary::shared()).value();
     const auto stage = SceneStage::make(assets).value();

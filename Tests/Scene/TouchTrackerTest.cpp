@@ -1,5 +1,6 @@
 // Tests how contact voices follow pairs of bodies.
 #include "Scene/TouchTracker.h"
+#include "Scene/SilentBody.h"
 
 #include <algorithm>
 #include <catch2/catch_test_macros.hpp>
@@ -18,14 +19,13 @@ constexpr std::size_t bodyCount = 100;
 /// Loads two plates, the second twice as large and rougher, and a ball that is not heard.
 std::shared_ptr<const SceneAssets> assetsOfThree() {
     Scene scene;
-    scene.kinds = {{.name = "plate", .object = "plate", .surface = Surface{.roughness = 0.2}},
-                   {.name = "doubled",
-                    .object = "plate",
-                    .sizeRatio = 2,
-                    .surface = Surface{.roughness = 0.3}},
-                   {.name = "ball",
-                    .object = "",
-                    .ball = SilentBall{.radiusMetres = 0.01, .material = "Steel"}}};
+    scene.kinds = {
+        {.name = "plate", .object = "plate", .surface = Surface{.roughness = 0.2}},
+        {.name = "doubled",
+         .object = "plate",
+         .sizeRatio = 2,
+         .surface = Surface{.roughness = 0.3}},
+        {.name = "ball", .object = "", .given = silentBall(0.01, *findMaterial("Steel"))}};
     return SceneAssets::make(scene, ObjectLibrary::shared()).value();
 }
 
