@@ -89,6 +89,8 @@ public:
         scene_.name = std::move(name);
         scene_.description = std::move(description);
         scene_.seconds = 5;
+        scene_.parameters.set(ParameterId::radiation, 100); // the draft's signal is a pressure
+        scene_.parameters.set(ParameterId::level, -30);     // full scale is 124 dB SPL
         scene_.listener = listener();
         return std::move(scene_);
     }
