@@ -4,6 +4,7 @@
 #include "Gltf/GltfAccessor.h"
 #include "Gltf/GltfValue.h"
 #include "Gltf/PrincipalInertia.h"
+#include "Gltf/TinyGltf.h"
 
 #include <algorithm>
 
@@ -155,16 +156,18 @@ GltfAudioNode readNode(const GltfValue& node, const AudioRigidBodies& all) {
 } // namespace
 
 bool hasModalModels(const GltfDocument& document) {
-    const auto& extensions = document.model().extensions;
-    const auto found = extensions.find(extensionName);
-    return found != extensions.end() && found->second.Has("modalModels");
+    try {
+        return GltfValue::extension(document, extensionName)["modalModels"].exists();
+    } catch (const GltfValue::Fault&) {
+        return false;
+    }
 }
 
 Result<AudioRigidBodies> audioRigidBodies(const GltfDocument& document) {
-    const auto& model = document.model();
+    const auto nodeCount = document.model().nodes.size();
     AudioRigidBodies all;
     try {
-        const auto root = GltfValue::extension(model.extensions, extensionName);
+        const auto root = GltfValue::extension(document, extensionName);
         const auto materials = root["acousticMaterials"], surfaces = root["acousticSurfaces"],
                    models = root["modalModels"];
         for (std::size_t i = 0; i < materials.size(); ++i)
@@ -173,11 +176,9 @@ Result<AudioRigidBodies> audioRigidBodies(const GltfDocument& document) {
             all.surfaces.push_back(readSurface(surfaces[i], materials.size()));
         for (std::size_t i = 0; i < models.size(); ++i)
             all.models.push_back(ModelReader(document, models[i]).read(materials.size()));
-        for (std::size_t i = 0; i < model.nodes.size(); ++i)
+        for (std::size_t i = 0; i < nodeCount; ++i)
             all.nodes.push_back(
-                readNode(GltfValue::extension(model.nodes[i].extensions, extensionName,
-                                              "nodes[" + std::to_string(i) + "]"),
-                         all));
+                readNode(GltfValue::extensionOfNode(document, i, extensionName), all));
     } catch (const GltfValue::Fault& fault) {
         return failure(fault.sentence);
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "Gltf/GltfDocument.h"
 
+#include "Gltf/GltfChunks.h"
 #include "Gltf/TinyGltf.h"
 #include "Object/FileBytes.h"
 #include "Object/OneLine.h"
@@ -9,41 +10,33 @@
 
 #include <algorithm>
 #include <array>
-#include <cstring>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <utility>
 
 namespace idiophone {
 namespace {
 
+/// Of all buffers together, except those inside the JSON.
 constexpr std::uintmax_t largestBufferBytes = std::uintmax_t{2} << 30;
-
-/// Returns the JSON of a .gltf file or of the first chunk of a .glb file.
-std::string_view jsonOf(std::string_view bytes) {
-    constexpr std::size_t headerBytes = 20; // magic, version, length; length and type of the chunk
-    if (!bytes.starts_with("glTF") || bytes.size() < headerBytes)
-        return bytes;
-    std::uint32_t chunkBytes = 0;
-    std::memcpy(&chunkBytes, bytes.data() + 12, sizeof(chunkBytes));
-    return bytes.substr(headerBytes, chunkBytes);
-}
+/// The name under which tinygltf asks for the binary chunk.
+constexpr std::string_view binaryChunkName = "the binary chunk";
 
 /// Returns whether the file can be used here although it requires this extension.
 bool isHarmless(std::string_view extension) {
-    constexpr std::array<std::string_view, 4> known{"KHR_mesh_quantization", "KHR_implicit_shapes",
-                                                    "KHR_physics_rigid_bodies",
-                                                    "KHR_audio_rigid_bodies"};
+    constexpr std::array<std::string_view, 5> known{
+        "EXT_mesh_gpu_instancing", "KHR_mesh_quantization", "KHR_implicit_shapes",
+        "KHR_physics_rigid_bodies", "KHR_audio_rigid_bodies"};
     constexpr std::array<std::string_view, 5> looks{"KHR_materials_", "KHR_texture_",
                                                     "EXT_texture_", "KHR_lights_", "EXT_lights_"};
     return std::ranges::find(known, extension) != known.end() ||
            std::ranges::any_of(looks, [&](auto prefix) { return extension.starts_with(prefix); });
 }
 
-/// Returns why the file must not be read, or nothing: tinygltf descends into JSON without a limit,
-/// and it does not look at what a file requires.
-std::optional<std::string> faultBeforehand(std::string_view text) {
-    const auto parsed = parseUntrusted(text);
+/// Returns why the file must not be read, or nothing: tinygltf does not look at what a file
+/// requires.
+std::optional<std::string> faultOf(const nlohmann::json& parsed, std::string_view text) {
     if (!parsed.is_object())
         return "it is not the JSON of a glTF file" + placeOfJsonFault(text);
     const auto asset = parsed.find("asset");
@@ -61,23 +54,52 @@ std::optional<std::string> faultBeforehand(std::string_view text) {
     return {};
 }
 
-/// Reads buffers in files of their own, beside or below the document, for tinygltf.
+/// Leaves out what nobody reads here, so that tinygltf neither opens files of pictures nor trusts
+/// their numbers.
+void leaveOutUnused(nlohmann::json& parsed) {
+    for (const auto* unused : {"animations", "cameras", "images", "samplers", "skins", "textures"})
+        parsed.erase(unused);
+}
+
+/// Names the binary chunk as the first buffer. Returns the part that this takes: the chunk may end
+/// with padding.
+std::string_view nameBinaryChunk(std::string_view binary, nlohmann::json& parsed) {
+    const auto buffers = parsed.find("buffers");
+    if (binary.empty() || buffers == parsed.end() || !buffers->is_array() || buffers->empty())
+        return {};
+    auto& first = buffers->front();
+    if (!first.is_object() || first.contains("uri"))
+        return {};
+    first["uri"] = binaryChunkName;
+    const auto length = first.value("byteLength", nlohmann::json{});
+    return length.is_number_unsigned() ? binary.substr(0, length.get<std::size_t>()) : binary;
+}
+
+/// Reads buffers in files of their own, beside or below the document, and the binary chunk, for
+/// tinygltf.
 struct BufferFiles {
     std::filesystem::path folder;
+    std::string_view binaryChunk;
+    std::uintmax_t bytesLeft = largestBufferBytes;
     std::string fault = {}; ///< of the last file that could not be read
 
-    bool read(std::vector<unsigned char>& buffer, const std::string& name) {
+    Result<std::string> bytesOf(const std::string& name) const {
+        if (name == binaryChunkName && binaryChunk.size() <= bytesLeft)
+            return std::string(binaryChunk);
         const auto path = pathNamed(name);
         if (path.empty() || path.is_absolute() || path.has_root_name() || isNetworkName(name) ||
-            std::ranges::find(path, std::filesystem::path("..")) != path.end()) {
-            fault = "its buffer " + inQuotes(name) + " is not in the folder of the file";
-            return false;
-        }
-        const auto bytes = readBytes(folder / path, largestBufferBytes);
+            std::ranges::find(path, std::filesystem::path("..")) != path.end())
+            return failure("it is not in the folder of the file");
+        return readBytes(folder / path, bytesLeft);
+    }
+
+    bool read(std::vector<unsigned char>& buffer, const std::string& name) {
+        const auto bytes = bytesOf(name);
         if (!bytes) {
             fault = "its buffer " + inQuotes(name) + " cannot be read: " + bytes.error().message;
             return false;
         }
+        bytesLeft -= bytes->size();
         buffer.assign(bytes->begin(), bytes->end());
         return true;
     }
@@ -93,36 +115,23 @@ struct BufferFiles {
     }
 };
 
-bool keepNoImage(
-    tinygltf::Image*, int, std::string*, std::string*, int, int, const unsigned char*, int, void*) {
-    return true;
-}
-
-/// Returns the fault, or nothing.
-std::optional<std::string> parseWithTinyGltf(tinygltf::Model& model,
-                                             std::string_view bytes,
-                                             const std::filesystem::path& folder) {
-    if (bytes.size() > std::numeric_limits<int>::max())
+/// Returns the fault, or nothing. tinygltf gets the JSON alone: its reader of .glb files reads
+/// beyond a chunk that is too long.
+std::optional<std::string>
+parseWithTinyGltf(tinygltf::Model& model, const std::string& json, BufferFiles files) {
+    if (json.size() > std::numeric_limits<int>::max())
         return "it is too large";
-    BufferFiles files{.folder = folder};
     tinygltf::TinyGLTF parser;
     parser.SetFsCallbacks(files.callbacks());
-    parser.SetImageLoader(keepNoImage, nullptr);
     std::string error, warnings;
-    const auto size = static_cast<unsigned int>(bytes.size());
     try {
-        const bool isParsed =
-            bytes.starts_with("glTF")
-                ? parser.LoadBinaryFromMemory(&model, &error, &warnings,
-                                              reinterpret_cast<const unsigned char*>(bytes.data()),
-                                              size)
-                : parser.LoadASCIIFromString(&model, &error, &warnings, bytes.data(), size, {});
-        if (isParsed)
+        if (parser.LoadASCIIFromString(&model, &error, &warnings, json.data(),
+                                       static_cast<unsigned int>(json.size()), {}))
             return {};
     } catch (const std::bad_alloc&) {
         throw;
     } catch (const std::exception&) {
-        error = "a part of it is malformed"; // an empty buffer, for example
+        error = "a part of it is malformed";
     }
     if (!files.fault.empty())
         return files.fault;
@@ -196,17 +205,29 @@ Result<std::vector<GltfNode>> placedNodes(const tinygltf::Model& model) {
 
 } // namespace
 
-GltfDocument::GltfDocument() : model_(std::make_unique<tinygltf::Model>()) {}
+GltfDocument::GltfDocument()
+    : json_(std::make_unique<nlohmann::json>()), model_(std::make_unique<tinygltf::Model>()) {}
 GltfDocument::GltfDocument(GltfDocument&&) noexcept = default;
 GltfDocument& GltfDocument::operator=(GltfDocument&&) noexcept = default;
 GltfDocument::~GltfDocument() = default;
 
 Result<GltfDocument> GltfDocument::parse(std::string_view bytes,
                                          const std::filesystem::path& folder) {
-    if (const auto fault = faultBeforehand(jsonOf(bytes)))
+    const auto chunks = gltfChunksOf(bytes);
+    if (!chunks)
+        return failure("it is truncated");
+    // Parsed with a limit of depth, because tinygltf descends without one.
+    auto parsed = parseUntrusted(chunks->json);
+    if (const auto fault = faultOf(parsed, chunks->json))
         return failure(*fault);
+    leaveOutUnused(parsed);
+    const auto binary = nameBinaryChunk(chunks->binary, parsed);
     GltfDocument document;
-    if (const auto fault = parseWithTinyGltf(*document.model_, bytes, folder))
+    const auto text = parsed.dump();
+    parsed.erase("buffers"); // may hold all bytes as text
+    *document.json_ = std::move(parsed);
+    if (const auto fault =
+            parseWithTinyGltf(*document.model_, text, {.folder = folder, .binaryChunk = binary}))
         return failure(*fault);
     auto nodes = placedNodes(*document.model_);
     if (!nodes)

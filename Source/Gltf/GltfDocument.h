@@ -8,6 +8,7 @@
 #include <Eigen/Geometry>
 #include <filesystem>
 #include <memory>
+#include <nlohmann/json_fwd.hpp>
 #include <string_view>
 #include <vector>
 
@@ -39,6 +40,8 @@ public:
     ~GltfDocument();
 
     const tinygltf::Model& model() const { return *model_; }
+    /// Returns the JSON without its buffers. tinygltf drops empty objects of extensions.
+    const nlohmann::json& json() const { return *json_; }
 
     /// Returns the nodes of the default scene, parents before children; those of all scenes if the
     /// file has no scene.
@@ -47,6 +50,7 @@ public:
 private:
     GltfDocument();
 
+    std::unique_ptr<nlohmann::json> json_;
     std::unique_ptr<tinygltf::Model> model_;
     std::vector<GltfNode> nodes_;
 };

@@ -12,9 +12,9 @@
 namespace idiophone {
 namespace {
 
-/// How loud every model is, in Pa·m for a modal acceleration of 1 m/s² √kg. The draft leaves this to
-/// us, but demands one factor for all models. With this one, its samples' bar of ceramic, 240 × 60 ×
-/// 20 mm, radiates at 2 kHz what the draft's section "Radiation and Distance" says.
+/// How loud every model is, in Pa·m for a modal acceleration of 1 m/s² √kg. The draft leaves this
+/// to us, but demands one factor for all models. With this one, its samples' bar of ceramic, 240 ×
+/// 60 × 20 mm, radiates at 2 kHz what the draft's section "Radiation and Distance" says.
 constexpr double pressurePerAcceleration = 0.001;
 /// A mode without damping would ring for ever.
 constexpr double slowestDecayPerSecond = 1e-3;

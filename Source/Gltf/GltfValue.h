@@ -2,7 +2,7 @@
 // Reads the JSON of a glTF extension and knows where in the file it is. Internal to Gltf.
 #pragma once
 
-#include "Gltf/TinyGltf.h"
+#include "Gltf/GltfDocument.h"
 #include "Object/NumberText.h"
 #include "Object/OneLine.h"
 
@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <utility>
@@ -25,37 +26,35 @@ public:
     };
 
     /// `value` may be null: then the member is missing.
-    GltfValue(const tinygltf::Value* value, std::string place)
+    GltfValue(const nlohmann::json* value, std::string place)
         : value_(value), place_(std::move(place)) {}
 
-    /// Returns the extension of a thing in the file, which may lack it.
-    static GltfValue extension(const tinygltf::ExtensionMap& extensions,
-                               const char* name,
-                               const std::string& owner = {}) {
-        const auto found = extensions.find(name);
-        return {found == extensions.end() ? nullptr : &found->second,
-                owner.empty() ? name : owner + "." + name};
+    /// Returns an extension of the whole file, or of a node, which may lack it.
+    static GltfValue extension(const GltfDocument& document, const char* name) {
+        return GltfValue(&document.json(), "")["extensions"].named(name, name);
+    }
+    static GltfValue
+    extensionOfNode(const GltfDocument& document, std::size_t node, const char* name) {
+        const auto place = "nodes[" + std::to_string(node) + "]";
+        return GltfValue(&document.json(), "")["nodes"][node]["extensions"].named(
+            name, place + "." + name);
     }
 
     bool exists() const { return value_ != nullptr; }
     const std::string& place() const { return place_; }
 
     /// Throws Fault if this exists and is no object.
-    GltfValue operator[](const char* key) const {
-        if (exists() && !value_->IsObject())
-            fail("is not an object");
-        return {exists() && value_->Has(key) ? &value_->Get(key) : nullptr, place_ + "." + key};
-    }
+    GltfValue operator[](const char* key) const { return named(key, place_ + "." + key); }
 
     /// Returns the number of elements, 0 if this is missing. Throws Fault if it is no list.
     std::size_t size() const {
-        if (exists() && !value_->IsArray())
+        if (exists() && !value_->is_array())
             fail("is not a list");
-        return exists() ? value_->ArrayLen() : 0;
+        return exists() ? value_->size() : 0;
     }
 
     GltfValue operator[](std::size_t index) const {
-        return {&value_->Get(static_cast<int>(index)), place_ + "[" + std::to_string(index) + "]"};
+        return {&value_->at(index), place_ + "[" + std::to_string(index) + "]"};
     }
 
     /// Returns the number, or `fallback` if this is missing.
@@ -66,7 +65,7 @@ public:
     /// Bounds are inclusive.
     double number(double least = std::numeric_limits<double>::lowest(),
                   double most = std::numeric_limits<double>::max()) const {
-        const double number = exists() && value_->IsNumber() ? value_->GetNumberAsDouble() : NAN;
+        const double number = asNumber();
         if (std::isnan(number))
             fail("is not a number");
         if (!(number >= least && number <= most))
@@ -92,7 +91,7 @@ public:
 
     /// Returns an index into a list of `count` things.
     std::size_t index(std::size_t count) const {
-        const double number = exists() && value_->IsNumber() ? value_->GetNumberAsDouble() : -1;
+        const double number = asNumber();
         if (!(number >= 0 && number < static_cast<double>(count) && number == std::floor(number)))
             fail(exists() ? "names something that does not exist" : "is missing");
         return static_cast<std::size_t>(number);
@@ -103,12 +102,12 @@ public:
     }
 
     bool flag(bool fallback) const {
-        return exists() && value_->IsBool() ? value_->Get<bool>() : fallback;
+        return exists() && value_->is_boolean() ? value_->get<bool>() : fallback;
     }
 
     /// Returns the text, or an empty one.
     std::string text() const {
-        return exists() && value_->IsString() ? value_->Get<std::string>() : std::string{};
+        return exists() && value_->is_string() ? value_->get<std::string>() : std::string{};
     }
 
     [[noreturn]] void fail(const std::string& fault) const {
@@ -116,7 +115,17 @@ public:
     }
 
 private:
-    const tinygltf::Value* value_;
+    GltfValue named(const char* key, std::string place) const {
+        if (exists() && !value_->is_object())
+            fail("is not an object");
+        return {exists() && value_->contains(key) ? &value_->at(key) : nullptr, std::move(place)};
+    }
+
+    double asNumber() const {
+        return exists() && value_->is_number() ? value_->get<double>() : NAN;
+    }
+
+    const nlohmann::json* value_;
     std::string place_;
 };
 

@@ -3,6 +3,7 @@
 
 #include "Gltf/GltfValue.h"
 #include "Gltf/PrincipalInertia.h"
+#include "Gltf/TinyGltf.h"
 
 #include <algorithm>
 #include <map>
@@ -22,9 +23,8 @@ class Reader {
 public:
     Reader(const GltfDocument& document, const AudioRigidBodies& audio)
         : document_(document), audio_(audio),
-          physics_(GltfValue::extension(document.model().extensions, extensionName)),
-          shapes_(
-              GltfValue::extension(document.model().extensions, "KHR_implicit_shapes")["shapes"]) {}
+          physics_(GltfValue::extension(document, extensionName)),
+          shapes_(GltfValue::extension(document, "KHR_implicit_shapes")["shapes"]) {}
 
     GltfRigidBodies read() {
         for (std::size_t place = 0; place < document_.nodes().size(); ++place) {
@@ -42,8 +42,7 @@ public:
 private:
     GltfValue physicsOf(std::size_t place) const {
         const auto number = static_cast<std::size_t>(document_.nodes()[place].node);
-        return GltfValue::extension(document_.model().nodes[number].extensions, extensionName,
-                                    "nodes[" + std::to_string(number) + "]");
+        return GltfValue::extensionOfNode(document_, number, extensionName);
     }
 
     const GltfAudioNode& audioOf(std::size_t place) const {
