@@ -90,6 +90,12 @@ ordered_json describe(const SceneTally& tally, const Recording& recording) {
     return report;
 }
 
+bool hasNamelessObjects(const SceneAssets& assets) {
+    return std::ranges::any_of(assets.roles(), [](const auto& role) {
+        return role.isHeard() && role.object.empty();
+    });
+}
+
 /// Returns the impacts in the format of docs/impulses.md.
 std::string impulseLines(const SceneAssets& assets,
                          const std::vector<SceneImpact>& impacts,
@@ -202,6 +208,8 @@ Result<void> perform(const SceneOptions& options) {
     auto recording = Recording::start(options.format, values);
     if (!recording)
         return tl::unexpected(recording.error());
+    if (!options.impulses.empty() && hasNamelessObjects(**assets))
+        return failure("--impulses: " + std::string(namelessObjects));
     const auto tally = renderScene(*assets, song->events, settings, **recording);
     if (!tally)
         return tl::unexpected(tally.error());
@@ -218,7 +226,7 @@ Result<void> perform(const SceneOptions& options) {
 void addScene(CLI::App& program, Action& chosen) {
     const auto [command, options] = addCommand<SceneOptions>(
         program, chosen, "scene", "Renders a scene of rigid bodies to a WAV file", perform);
-    command->add_option("scene", options->scene, "Name of a factory scene, or a scene file")
+    command->add_option("scene", options->scene, "Name of a factory scene, or a scene file (.json, .gltf, .glb)")
         ->required();
     command->add_option(
         "--midi", options->midi,

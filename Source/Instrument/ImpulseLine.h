@@ -14,6 +14,10 @@ namespace idiophone {
 /// thread.
 std::string objectInList(const std::string& nameOrFile, const std::filesystem::path& list);
 
+/// The error for impacts on objects that have no name, because they come with a glTF scene.
+inline constexpr const char* namelessObjects =
+    "a list of impulses names objects, and those inside a glTF scene have no files of their own";
+
 /// Returns the line with its line break. `object` comes from `objectInList` and is struck at
 /// `sizeRatio`. The slot identifies the body. Any thread; allocates.
 std::string impulseLine(const std::string& object, double sizeRatio, const PlacedImpact& impact);

@@ -119,8 +119,12 @@ Result<void> StageCapture::writeImpulses(const std::filesystem::path& file) cons
     if (kept.empty())
         return failure("nothing has been struck yet");
     std::vector<std::string> objects;
-    for (std::size_t slot = 0; slot < played->slots().size(); ++slot)
-        objects.push_back(objectInList(played->stage()->objectOf(slot), file));
+    for (std::size_t slot = 0; slot < played->slots().size(); ++slot) {
+        const auto& name = played->stage()->objectOf(slot);
+        if (name.empty())
+            return failure(namelessObjects);
+        objects.push_back(objectInList(name, file));
+    }
     std::string lines;
     for (const auto& impact : inOrder())
         lines += impulseLine(objects[impact.slot], played->slots()[impact.slot].sizeRatio, impact);

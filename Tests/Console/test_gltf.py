@@ -3,6 +3,7 @@ import math
 import os
 import pathlib
 import random
+import struct
 import unittest
 
 from console import OBJECTS, ConsoleTest, Wave
@@ -12,6 +13,8 @@ RATE = 48000
 CLICK = int(0.002 * RATE)  # the noise of acceleration is over by then
 # The draft's own samples can be tested, too. They are not part of this project.
 SAMPLES = os.environ.get("IDIOPHONE_GLTF_SAMPLES")
+# So can its schemas beside those of glTF 2.0, if there is jsonschema.
+SCHEMAS = os.environ.get("IDIOPHONE_GLTF_SCHEMAS")
 
 
 def gltf_model(file, frequencies, decays, size=0.1, seed=1, **more):
@@ -130,7 +133,32 @@ class Gltf(ConsoleTest):
         count = len(model.frequencies)
         self.assertGreater(energy(range(count // 3)), energy(range(2 * count // 3, count)))
         mesh = document["meshes"][0]["primitives"][0]
-        self.assertEqual(len(elements(mesh["indices"])), 3 * told["face_count"])
+        self.assertEqual(len(elements(mesh["indices"])), 3 * told["faces"])
+
+    @unittest.skipIf(SCHEMAS is None, "IDIOPHONE_GLTF_SCHEMAS is not set")
+    def test_the_schemas_accept_what_is_written(self):
+        import jsonschema
+        import referencing
+        schemas = {path.name: json.loads(path.read_text())
+                   for path in pathlib.Path(SCHEMAS).glob("*.json")}
+        registry = referencing.Registry().with_resources(
+            (name, referencing.Resource.from_contents(schema)) for each in schemas.values()
+            for name, schema in [(each["$id"], each)])
+
+        def faults(document):
+            parts = [("glTF", document), (f"glTF.{AUDIO}", document["extensions"][AUDIO]),
+                     (f"node.{AUDIO}", document["nodes"][0]["extensions"][AUDIO])]
+            return [error.message for name, part in parts
+                    for error in jsonschema.Draft202012Validator(
+                        schemas[f"{name}.schema.json"], registry=registry).iter_errors(part)]
+        for name in ("plate", "vibraphone-60", "tuning-fork", "die"):
+            self.succeed("export", name, "-o", self.folder / f"{name}.glb")
+            document, _ = parse(self.folder / f"{name}.glb")
+            self.assertEqual(faults(document), [])
+        for change in ({"modalModels": []}, {"acousticMaterials": [{"density": -1}]}):
+            document["extensions"][AUDIO].update(change)
+            self.assertEqual(len(faults(document)), 1)
+            document["extensions"][AUDIO].pop(next(iter(change)))
 
     def test_a_changed_model_is_what_it_says(self):
         self.succeed("export", "plate", "-o", self.folder / "plate.glb")
@@ -138,7 +166,6 @@ class Gltf(ConsoleTest):
         document, elements = parse(self.folder / "plate.glb")
         model = document["extensions"][AUDIO]["modalModels"][0]
         view = document["bufferViews"][document["accessors"][model["frequencies"]]["bufferView"]]
-        import struct
         begin = 28 + struct.unpack_from("<I", raw, 12)[0] + view["byteOffset"]
         frequency = struct.unpack_from("<f", raw, begin)[0]
         struct.pack_into("<f", raw, begin, 1.01 * frequency)
@@ -234,6 +261,10 @@ class Gltf(ConsoleTest):
             start = next(n for n, sample in enumerate(wave.left) if sample != 0) + RATE // 100
             levels = {f: wave.level_at(f, start, RATE // 4) for f in (700 / 1.5, 700)}
             self.assertEqual(max(levels, key=levels.get), pitch)
+
+    def test_no_list_of_impulses_names_the_objects_inside(self):
+        self.refuse("scene", self.scene("scene.gltf"), "-o", self.folder / "x.wav", "--impulses",
+                    self.folder / "list.jsonl", naming="--impulses", saying="no files of their own")
 
     def test_a_file_without_bodies_is_no_scene(self):
         self.refuse("scene", self.model_file(), "-o", self.folder / "x.wav", naming="model.gltf",
