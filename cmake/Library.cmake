@@ -21,7 +21,7 @@ function(install_modules export)
     endforeach()
 endfunction()
 
-foreach(module Object Synth Mesh World Geometry Analysis)
+foreach(module Object Synth Mesh Gltf World Geometry Analysis)
     string(TOLOWER ${module} lower)
     set_target_properties(idiophone_${lower} PROPERTIES EXPORT_NAME ${module})
     target_compile_features(idiophone_${lower} PUBLIC cxx_std_20)
@@ -51,7 +51,7 @@ install_modules(IdiophoneTargets
         Synth/Synthesiser Synth/SynthesiserSlot Synth/SynthesisSettings Synth/TubeOpening)
 # Makes objects from meshes. This is a component of its own because it needs Eigen.
 install_modules(IdiophoneAnalysisTargets
-    TARGETS idiophone_mesh idiophone_world idiophone_geometry idiophone_analysis idiophone_tetgen
+    TARGETS idiophone_mesh idiophone_gltf idiophone_world idiophone_geometry idiophone_analysis idiophone_tetgen
     HEADERS
         Mesh/Mesh Mesh/ShapeMesh Mesh/SurfaceQuery
         World/HeadModel World/HeadResponses World/World

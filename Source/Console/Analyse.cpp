@@ -90,7 +90,7 @@ Result<ModalObject> analyseFile(const AnalyseOptions& options) {
     auto object = analyse(file->mesh, *settings, progress.control());
     if (!object && object.error().message != cancelledMessage)
         return failure(options.mesh.string() + ": " +
-                       joinedSentences({object.error().message, file->notes}));
+                       joinedSentences({object.error().message, file->unitSentence, file->notes}));
     if (object)
         object->provenance.notes =
             joinedSentences({file->notes, file->unitSentence, object->provenance.notes});
@@ -141,7 +141,8 @@ Result<void> analyseAndWrite(const AnalyseOptions& options) {
 void addAnalyse(CLI::App& program, Action& chosen) {
     const auto [command, options] = addCommand<AnalyseOptions>(
         program, chosen, "analyse", "Makes a modal object from a triangle mesh", analyseAndWrite);
-    command->add_option("MESH", options->mesh, "An .obj, .off, .ply or .stl file")->required();
+    command->add_option("MESH", options->mesh, "An .obj, .off, .ply, .stl, .gltf or .glb file")
+        ->required();
     command->add_option("-o,--output", options->output, "The .modal file to write")
         ->type_name(writtenFile)
         ->required();
@@ -166,8 +167,8 @@ void addAnalyse(CLI::App& program, Action& chosen) {
         ->capture_default_str();
     command
         ->add_option("--unit", options->unit,
-                     "Unit of the mesh file: m, cm, mm, in or ft (default: guessed from its "
-                     "size)")
+                     "Unit of the mesh file: m, cm, mm, in or ft (default: metres for glTF, else "
+                     "guessed from its size)")
         ->check(unitOfLength());
     command->add_flag("--largest-part", options->largestPart,
                       "Analyses only the largest connected part");

@@ -24,7 +24,8 @@ public:
         : DeckPage("Object"), view(processor),
           open("Open...",
                "Open a mesh, a recording or a modal object",
-               "Open a mesh (OBJ, PLY, STL, OFF), the recording of a strike (WAV, FLAC, AIFF) or a "
+               "Open a mesh (OBJ, PLY, STL, OFF, glTF), the recording of a strike (WAV, FLAC, "
+               "AIFF) or a "
                "modal object. Dropping it on the window does the same.",
                fromUtf8(processor.workshop.openPatterns()),
                [this](const std::filesystem::path& chosen) {
@@ -157,7 +158,8 @@ private:
     }
     juce::String words() const {
         if (shown.stage == Stage::none)
-            return "A mesh in OBJ, PLY, STL or OFF becomes an object that can be played: within a "
+            return "A mesh in OBJ, PLY, STL, OFF or glTF becomes an object that can be played: "
+                   "within a "
                    "moment as a preview, then as it is. The settings above may be changed at any "
                    "time. The recording of one strike (WAV, FLAC or AIFF) becomes an object with "
                    "its modes.";

@@ -82,7 +82,7 @@ public:
     explicit StruckChoice(MaterialFitView& materialFits)
         : view(materialFits), mesh("Mesh file...",
                                    "Mesh of the object",
-                                   "Open the mesh of what was struck (OBJ, PLY, STL, OFF)",
+                                   "Open the mesh of what was struck (OBJ, PLY, STL, OFF, glTF)",
                                    fromUtf8(materialFits.meshPatterns()),
                                    [this](const std::filesystem::path& file) { choose(file); }) {
         list.setTitle("What was struck");

@@ -31,19 +31,24 @@ std::string millimetresText(double lengthMetres) {
     return figureOf(lengthMetres / millimetres.metresPerUnit) + " mm";
 }
 
-UnitGuess guessLengthUnit(const Mesh& mesh) {
+UnitGuess guessLengthUnit(const Mesh& mesh, bool isInMetres) {
     constexpr double largestMetres = 20, smallestMetres = 0.005;
     Eigen::Vector3d extent = Eigen::Vector3d::Zero();
     if (mesh.faceCount() > 0)
         extent = boxOfFaces(mesh).sizes();
     const double largest = extent.maxCoeff();
-    const bool isMetres = !(largest > largestMetres);
-    UnitGuess guess{.unit = isMetres ? metres : millimetres, .isSure = false, .sentence = {}};
-    guess.isSure =
-        isMetres ? largest >= smallestMetres : largest * millimetres.metresPerUnit <= largestMetres;
+    const auto& unit = isInMetres || !(largest > largestMetres) ? metres : millimetres;
+    const double size = largest * unit.metresPerUnit;
+    UnitGuess guess{
+        .unit = unit, .isSure = size >= smallestMetres && size <= largestMetres, .sentence = {}};
     guess.sentence = "The mesh measures " + figureOf(extent.x()) + " x " + figureOf(extent.y()) +
                      " x " + figureOf(extent.z());
-    if (guess.isSure)
+    if (isInMetres)
+        guess.sentence += guess.isSure
+                              ? " metres."
+                              : ", which its format takes for metres, but no instrument has "
+                                "this size: set the unit if it is another.";
+    else if (guess.isSure)
         guess.sentence += ", which looks like " + std::string(guess.unit.name) + ".";
     else
         guess.sentence += ", which no unit makes the size of an instrument; it is taken to be in " +

@@ -38,6 +38,7 @@ struct UnitGuess {
 ///     0.005 to 20       metres;
 ///     below, or empty   metres, uncertain.
 /// Size cannot tell centimetres and inches from millimetres: the user has to name them.
-UnitGuess guessLengthUnit(const Mesh& meshInFileUnits);
+/// With `isInMetres`, the format says metres: they are certain from 0.005 to 20.
+UnitGuess guessLengthUnit(const Mesh& meshInFileUnits, bool isInMetres = false);
 
 } // namespace idiophone

@@ -1,5 +1,8 @@
 #include "Geometry/MeshFile.h"
 
+#include "Object/FileBytes.h"
+#include "Object/SameName.h"
+
 #include <algorithm>
 
 namespace idiophone {
@@ -8,6 +11,10 @@ namespace {
 constexpr std::string_view blanks = " \t\r\n\v\f";
 
 } // namespace
+
+bool hasExtension(const std::filesystem::path& file, std::string_view extension) {
+    return sameName(nameOf(file.extension()), extension);
+}
 
 std::string_view withoutBlankEnd(std::string_view text) {
     return text.substr(0, text.find_last_not_of(blanks) + 1);

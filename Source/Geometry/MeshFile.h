@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <span>
 #include <string>
@@ -31,6 +32,7 @@ struct RawMesh {
     std::vector<std::size_t> polygonEnds; ///< [P] where the polygon ends in `corners`
     std::string notes;                    ///< sentences for the user; may be empty
     std::vector<RawGroup> groups;         ///< some may be empty
+    bool isInMetres = false;              ///< the format says so
 
     std::int64_t vertexCount() const { return static_cast<std::int64_t>(coordinates.size() / 3); }
     /// Leaves out what has fewer than three corners.
@@ -61,6 +63,9 @@ private:
     char lineEnd_;
 };
 
+/// Returns whether the name has the extension, such as ".obj", in upper or lower case.
+bool hasExtension(const std::filesystem::path& file, std::string_view extension);
+
 /// Returns the text without the white space at its end.
 std::string_view withoutBlankEnd(std::string_view text);
 
@@ -73,5 +78,7 @@ Result<RawMesh> readObj(std::string_view bytes);
 Result<RawMesh> readOff(std::string_view bytes);
 Result<RawMesh> readPly(std::string_view bytes);
 Result<RawMesh> readStl(std::string_view bytes);
+/// Reads buffers in files of their own from the folder.
+Result<RawMesh> readGltf(std::string_view bytes, const std::filesystem::path& folder);
 
 } // namespace idiophone

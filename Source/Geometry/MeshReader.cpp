@@ -2,10 +2,10 @@
 
 #include "Geometry/MeshFile.h"
 #include "Geometry/PolygonTriangles.h"
+#include "Gltf/GltfDocument.h"
 #include "Object/FileBytes.h"
 #include "Object/NumberText.h"
 #include "Object/OneLine.h"
-#include "Object/SameName.h"
 #include "Object/TextFile.h"
 
 #include <algorithm>
@@ -25,17 +25,19 @@ constexpr std::array<std::pair<std::string_view, Result<RawMesh> (*)(std::string
     {{".obj", readObj}, {".off", readOff}, {".ply", readPly}, {".stl", readStl}}};
 
 Result<RawMesh> readRawMesh(const std::filesystem::path& file) {
-    const auto extension = nameOf(file.extension());
-    for (const auto& [name, read] : formats)
-        if (sameName(extension, name)) {
-            const auto bytes = readBytes(file, largestFileBytes);
-            if (!bytes)
-                return failure(bytes.error().message);
-            if (bytes->empty())
-                return failure("it is empty");
-            return read(withoutByteOrderMark(*bytes));
-        }
-    return failure("its extension is none of .obj, .off, .ply and .stl");
+    if (!isMeshFile(file))
+        return failure("its extension is none of .obj, .off, .ply, .stl, .gltf and .glb");
+    const auto bytes = readBytes(file, largestFileBytes);
+    if (!bytes)
+        return failure(bytes.error().message);
+    if (bytes->empty())
+        return failure("it is empty");
+    const auto content = withoutByteOrderMark(*bytes);
+    if (isGltfFile(file))
+        return readGltf(content, file.parent_path());
+    return std::ranges::find_if(
+               formats, [&](const auto& format) { return hasExtension(file, format.first); })
+        ->second(content);
 }
 
 /// Returns the first fault of the whole mesh; empty if there is none.
@@ -86,7 +88,7 @@ std::vector<MeshGroup> groupsOf(const std::vector<RawGroup>& raw,
 
 /// Cuts the polygons into triangles.
 MeshOfFile triangulated(const RawMesh& raw) {
-    MeshOfFile result{.mesh = {}, .notes = raw.notes};
+    MeshOfFile result{.mesh = {}, .notes = raw.notes, .isInMetres = raw.isInMetres};
     using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
     const auto& vertices = result.mesh.vertices =
         Eigen::Map<const RowMajor>(raw.coordinates.data(), raw.vertexCount(), 3);
@@ -160,9 +162,9 @@ void gatherStrays(Mesh& mesh) {
 } // namespace
 
 bool isMeshFile(const std::filesystem::path& file) {
-    const auto extension = nameOf(file.extension());
-    return std::ranges::any_of(
-        formats, [&](const auto& format) { return sameName(extension, format.first); });
+    return isGltfFile(file) || std::ranges::any_of(formats, [&](const auto& format) {
+               return hasExtension(file, format.first);
+           });
 }
 
 Result<const MeshGroup*> findGroup(const std::vector<MeshGroup>& groups, std::string_view name) {

@@ -1,5 +1,5 @@
-// Reads triangle meshes from OBJ, OFF, PLY and STL files, text and binary. It trusts nothing in the
-// file and repairs nothing: see MeshRepair.
+// Reads triangle meshes from OBJ, OFF, PLY, STL and glTF files, text and binary. It trusts nothing
+// in the file and repairs nothing: see MeshRepair.
 #pragma once
 
 #include "Mesh/Mesh.h"
@@ -24,6 +24,7 @@ struct MeshOfFile {
     Mesh mesh;
     std::string notes; ///< sentences for the user: what is odd in the file; may be empty
     std::vector<MeshGroup> groups = {}; ///< in the file's order, at most `maximumMeshGroups`
+    bool isInMetres = false;            ///< the format says so; otherwise the unit is unknown
 };
 
 /// Faces of further groups have no name.
@@ -33,8 +34,10 @@ inline constexpr std::size_t maximumMeshGroups = 1000;
 Result<const MeshGroup*> findGroup(const std::vector<MeshGroup>& groups, std::string_view name);
 
 /// Reads a mesh and scales it to metres. The extension selects the format (.obj, .off, .ply, .stl,
-/// in upper or lower case).
-/// The groups are those of "g" and "o" in OBJ and of the solids of a text STL.
+/// .gltf, .glb, in upper or lower case).
+/// The groups are those of "g" and "o" in OBJ, the solids of a text STL and the nodes of glTF. Axes
+/// stay as they are in the file. A glTF file's scene is read with its nodes' places, its buffers
+/// from the folder of the file and the folders below.
 /// Polygons are cut into triangles inside their outline, or with a note if it crosses itself. A
 /// mesh whose faces lie more than a hundred diagonals from the origin is moved there, because
 /// objects are stored in single precision. Vertices without a face are kept; those that are no

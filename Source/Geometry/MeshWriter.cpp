@@ -1,8 +1,8 @@
 #include "Geometry/MeshWriter.h"
 
+#include "Geometry/MeshFile.h"
 #include "Object/FileBeside.h"
 #include "Object/FileBytes.h"
-#include "Object/SameName.h"
 
 #include <limits>
 #include <locale>
@@ -10,10 +10,6 @@
 
 namespace idiophone {
 namespace {
-
-bool hasExtension(const std::filesystem::path& file, std::string_view extension) {
-    return sameName(nameOf(file.extension()), extension);
-}
 
 /// Writes each row of a matrix as a line that begins with this word.
 Eigen::IOFormat linesOf(const char* word) {

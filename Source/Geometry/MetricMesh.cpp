@@ -7,9 +7,9 @@
 namespace idiophone {
 namespace {
 
-Result<UnitGuess> unitOf(const Mesh& meshInFileUnits, const std::optional<std::string>& named) {
+Result<UnitGuess> unitOf(const MeshOfFile& file, const std::optional<std::string>& named) {
     if (!named) {
-        UnitGuess guess = guessLengthUnit(meshInFileUnits);
+        UnitGuess guess = guessLengthUnit(file.mesh, file.isInMetres);
         if (guess.isSure && guess.unit.metresPerUnit == 1)
             guess.sentence.clear();
         return guess;
@@ -27,7 +27,7 @@ Result<MetricMesh> readMetricMesh(const std::filesystem::path& file,
     auto read = readMeshFile(file);
     if (!read)
         return tl::unexpected(read.error());
-    const auto guess = unitOf(read->mesh, unit);
+    const auto guess = unitOf(*read, unit);
     if (!guess)
         return tl::unexpected(guess.error());
     read->mesh.vertices *= guess->unit.metresPerUnit;

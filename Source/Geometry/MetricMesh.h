@@ -20,7 +20,8 @@ struct MetricMesh {
     std::vector<MeshGroup> groups;
 };
 
-/// `unit` is m, cm, mm, in or ft, or nothing: guessed. The error names the file and the fault.
+/// `unit` is m, cm, mm, in or ft, or nothing: of the format, else guessed. The error names the file
+/// and the fault.
 Result<MetricMesh> readMetricMesh(const std::filesystem::path& file,
                                   const std::optional<std::string>& unit);
 

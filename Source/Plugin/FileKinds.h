@@ -9,8 +9,8 @@ namespace idiophone {
 // Patterns as file choosers take them.
 /// Meshes, modal objects and recordings.
 inline constexpr const char* objectFiles =
-    "*.obj;*.off;*.ply;*.stl;*.modal;*.wav;*.flac;*.aif;*.aiff";
-inline constexpr const char* meshFiles = "*.obj;*.off;*.ply;*.stl";
+    "*.obj;*.off;*.ply;*.stl;*.gltf;*.glb;*.modal;*.wav;*.flac;*.aif;*.aiff";
+inline constexpr const char* meshFiles = "*.obj;*.off;*.ply;*.stl;*.gltf;*.glb";
 inline constexpr const char* modalFiles = "*.modal";
 inline constexpr const char* recordingFiles = "*.wav;*.flac;*.aif;*.aiff";
 inline constexpr const char* tuningFiles = "*.scl;*.kbm"; ///< scales and keyboard mappings

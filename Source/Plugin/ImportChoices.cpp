@@ -7,18 +7,18 @@
 namespace idiophone {
 namespace {
 
-UnitGuess givenUnit(const Mesh& mesh, bool isMetres, const ImportSettings& settings) {
-    if (isMetres)
+UnitGuess givenUnit(const Mesh& mesh, UnitSource source, const ImportSettings& settings) {
+    if (source == UnitSource::object)
         return {.unit = *lengthUnitNamed("m"), .isSure = true, .sentence = {}};
     if (const auto named = lengthUnitNamed(settings.unit))
         return {.unit = *named, .isSure = true, .sentence = {}};
-    return guessLengthUnit(mesh);
+    return guessLengthUnit(mesh, source == UnitSource::format);
 }
 
 } // namespace
 
-UnitGuess unitOf(const Mesh& mesh, bool isMetres, const ImportSettings& settings) {
-    auto unit = givenUnit(mesh, isMetres, settings);
+UnitGuess unitOf(const Mesh& mesh, UnitSource source, const ImportSettings& settings) {
+    auto unit = givenUnit(mesh, source, settings);
     if (settings.longestMetres == 0 || mesh.faceCount() == 0)
         return unit;
     const double longest = boxOfFaces(mesh).sizes().maxCoeff();

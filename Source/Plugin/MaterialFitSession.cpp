@@ -25,7 +25,7 @@ MaybeStruck objectOfFile(const std::filesystem::path& file, double thicknessMetr
     const auto read = readMeshFile(file);
     if (!read)
         return failure(withoutFolder(read.error().message, file));
-    const auto guess = guessLengthUnit(read->mesh);
+    const auto guess = guessLengthUnit(read->mesh, read->isInMetres);
     StruckObject object{.name = fileNameOf(file),
                         .mesh = read->mesh,
                         .thicknessMetres = thicknessMetres,

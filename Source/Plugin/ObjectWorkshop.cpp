@@ -58,7 +58,7 @@ void ObjectWorkshop::analyse(const ModalObject& object, const ImportSettings& se
     job->source = std::make_shared<const Source>(
         Source{.name = object.name.empty() ? "Object" : object.name,
                .mesh = objectMesh(object),
-               .isMetres = true,
+               .unit = UnitSource::object,
                .parts = {.clampedVertices = object.clampedVertices}});
     job->settings = settings;
     start(job);
@@ -150,7 +150,7 @@ Result<void> ObjectWorkshop::make(const Job& job) {
         return tl::unexpected(read.error());
     Source made{.name = fileNameOf(job.file),
                 .mesh = std::move(read->mesh),
-                .isMetres = false,
+                .unit = read->isInMetres ? UnitSource::format : UnitSource::unknown,
                 .notes = std::move(read->notes),
                 .parts = {.groups = std::move(read->groups)}};
     made.groups = namesOfGroups(made.parts, made.mesh);
@@ -170,7 +170,7 @@ Result<void> ObjectWorkshop::makeFromMesh(const Job& job, const Source& source) 
     const auto choices = choicesOf(job.settings);
     if (!choices)
         return refuse(choices.error());
-    const auto unit = unitOf(source.mesh, source.isMetres, job.settings);
+    const auto unit = unitOf(source.mesh, source.unit, job.settings);
     Mesh metres = source.mesh;
     metres.vertices *= unit.unit.metresPerUnit;
     auto support = supportOf(job.settings.held, source.parts, metres);
@@ -207,7 +207,8 @@ Result<void> ObjectWorkshop::makeFromMesh(const Job& job, const Source& source) 
     }
     auto object = idiophone::analyse(metres, settings, control(previewShare, 1, ""));
     if (!object)
-        return refuse(object.error());
+        return refuse(
+            {joinedSentences({object.error().message, unit.isSure ? "" : unit.sentence})});
     addNotes(*object);
     const auto rows = std::max(minimumRows, maximumShapes / object->modeCount());
     deliver(job, withFewerShapes(std::move(*object), rows), unit, Finish::whole);

@@ -8,6 +8,7 @@
 #include "Object/ModalObject.h"
 #include "Object/Result.h"
 #include "Plugin/HeldParts.h"
+#include "Plugin/ImportChoices.h"
 #include "Plugin/RemainingTime.h"
 #include "Plugin/WorkThread.h"
 
@@ -62,7 +63,7 @@ private:
     struct Source {
         std::string name; ///< file name, or the name given
         Mesh mesh;
-        bool isMetres = false;  ///< if not, the unit is the file's
+        UnitSource unit = UnitSource::unknown;
         std::string notes = {}; ///< on the file; may be empty
         HoldableParts parts = {};
         std::vector<std::string> groups = {}; ///< `namesOfGroups` of the parts

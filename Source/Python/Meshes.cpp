@@ -71,8 +71,9 @@ void bindMeshes(nb::module_& module) {
             return valueOf(std::move(read)).mesh;
         },
         nb::arg("path"), nb::arg("unit") = nb::none(),
-        "Reads an OBJ, OFF, PLY or STL file.\n\n"
-        "`unit` is m, cm, mm, in or ft; None guesses it from the size.");
+        "Reads an OBJ, OFF, PLY, STL or glTF file (.gltf, .glb).\n\n"
+        "`unit` is m, cm, mm, in or ft. None takes metres for glTF, and else guesses it from the "
+        "size.");
 }
 
 } // namespace idiophone::python

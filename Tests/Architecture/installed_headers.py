@@ -17,7 +17,7 @@ INCLUDE = re.compile(r'#include "([^"]+)"')
 NAME = re.compile(r"\b\w+/\w+\.h\b|\b(?!\d)\w*[a-z]\w*[A-Z]\w*", re.ASCII)
 TYPE = re.compile(r"\b(?:class|struct|enum(?:\s+class)?)\s+(\w+)[^;{]*\{", re.ASCII)
 AMID = re.compile(r"(?:[a-z,;(] |`|::)([A-Z]\w*)", re.ASCII)
-ORDINARY = {"dB", "kHz", "KiB", "MiB", "NaN", "macOS"}
+ORDINARY = {"dB", "glTF", "kHz", "KiB", "MiB", "NaN", "macOS"}
 
 
 def faults_of(headers, others=()):

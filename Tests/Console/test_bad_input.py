@@ -19,7 +19,7 @@ class BadMeshes(ConsoleTest):
         self.refuse("analyse", path, "-o", self.folder / "out.modal", naming=name, saying=saying)
 
     def test_empty_meshes_are_refused(self):
-        for ending in ("obj", "off", "ply", "stl"):
+        for ending in ("obj", "off", "ply", "stl", "gltf", "glb"):
             self.refuse_mesh(f"empty.{ending}", b"", saying="empty")
 
     def test_meshes_without_faces_are_refused(self):
@@ -64,7 +64,7 @@ class BadMeshes(ConsoleTest):
 
     def test_random_bytes_are_refused(self):
         random.seed(2)
-        for ending in ("obj", "off", "ply", "stl"):
+        for ending in ("obj", "off", "ply", "stl", "gltf", "glb"):
             for size in (1, 84, 1000):
                 self.refuse_mesh(f"noise.{ending}", random.randbytes(size))
 

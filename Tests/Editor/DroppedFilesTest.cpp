@@ -18,6 +18,7 @@ TEST_CASE("Before a drop, the window says which files it opens or why it opens n
         return DroppedFiles(files, processor.view()).offer();
     };
     CHECK(offer({"/home/me/teapot.obj"}) == "Drop to play teapot.obj");
+    CHECK(offer({"/home/me/Teapot.GLB"}) == "Drop to play Teapot.GLB");
     CHECK(offer({"/a/letter.docx", "/a/teapot.obj"}) ==
           "Drop to play teapot.obj, without the other file");
     CHECK(offer({"/a/teapot.obj", "/a/cup.stl", "/a/meantone.scl"}) ==

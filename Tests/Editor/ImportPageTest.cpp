@@ -344,7 +344,7 @@ TEST_CASE("Files can be dropped anywhere on the window; unreadable files are rep
         CHECK(status.isError);
         CHECK(status.sentence.starts_with('"' + std::string(refused) + '"'));
         CHECK(status.sentence.ends_with(
-            "none of .obj, .off, .ply, .stl, .modal, .wav, .flac, .aif, .aiff, .scl, .kbm, "
+            "none of .obj, .off, .ply, .stl, .gltf, .glb, .modal, .wav, .flac, .aif, .aiff, .scl, .kbm, "
             ".json."));
     }
     const auto captured = juce::File::getSpecialLocation(juce::File::tempDirectory)

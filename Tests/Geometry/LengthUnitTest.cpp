@@ -45,6 +45,17 @@ TEST_CASE("Sizes that fit no instrument are reported as uncertain") {
     CHECK_FALSE(guessLengthUnit({}).isSure);
 }
 
+TEST_CASE("Metres that the format states are kept, whatever the size") {
+    for (const double size : {0.001, 0.1, 350.0}) {
+        const auto guess = guessLengthUnit(boxMesh({size, size, size}, {1, 1, 1}), true);
+        CHECK(guess.unit.symbol == "m");
+        CHECK(guess.isSure == (size == 0.1));
+    }
+    CHECK(guessLengthUnit(boxMesh({350, 50, 20}, {1, 1, 1}), true).sentence ==
+          "The mesh measures 350 x 50 x 20, which its format takes for metres, but no instrument "
+          "has this size: set the unit if it is another.");
+}
+
 TEST_CASE("Units are found by symbol and by name") {
     CHECK(lengthUnitNamed("mm")->metresPerUnit == 0.001);
     CHECK(lengthUnitNamed("centimetres")->metresPerUnit == 0.01);

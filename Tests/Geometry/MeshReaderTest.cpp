@@ -2,6 +2,7 @@
 
 #include "Geometry/MeshWriter.h"
 #include "Geometry/ParametricMesh.h"
+#include "Support/GltfFile.h"
 #include "Support/TestFolder.h"
 
 #include <catch2/catch_test_macros.hpp>
@@ -239,7 +240,8 @@ TEST_CASE("Files with random changed bytes never crash the reader") {
     std::mt19937 random(1);
     for (const auto& [name, source] : {std::pair<std::string, std::string>{"fuzz.obj", text},
                                        {"fuzz.ply", binaryPly(sphere)},
-                                       {"fuzz.stl", binaryStl(sphere)}})
+                                       {"fuzz.stl", binaryStl(sphere)},
+                                       {"fuzz.glb", test::glbOf(sphere)}})
         for (int round = 0; round < 300; ++round) {
             auto bytes = source;
             for (unsigned change = 0; change <= random() % 8; ++change)

@@ -3,7 +3,9 @@
 
 #include "Geometry/ParametricMesh.h"
 #include "Object/ModalObjectFile.h"
+#include "Plugin/ImportChoices.h"
 #include "Plugin/ObjectWorkshop.h"
+#include "Support/GltfFile.h"
 #include "Support/SyntheticObject.h"
 
 #include <catch2/catch_test_macros.hpp>
@@ -134,6 +136,22 @@ TEST_CASE("A mesh is scaled to the longest side that is given, whatever its unit
     workshop.analyseAgain({.longestMetres = 21});
     CHECK(productsOf(workshop).empty());
     CHECK(workshop.status().error == "plate.obj: The longest side must be between 1 mm and 20 m.");
+}
+
+TEST_CASE("A glTF mesh is in metres until another unit is chosen") {
+    const auto mesh = sheetMesh(0.06, 0.036, 150);
+    ObjectWorkshop workshop;
+    workshop.open(writtenFile("plate.glb", glbOf(mesh)), {});
+    CHECK_FALSE(productsOf(workshop).empty());
+    CHECK(workshop.status().unit == "m");
+    CHECK_THAT(workshop.status().notes,
+               ContainsSubstring("The mesh measures 0.06 x 0.036 x 0 metres."));
+    auto large = mesh;
+    large.vertices *= 1000;
+    CHECK(unitOf(large, UnitSource::format, {}).unit.symbol == "m");
+    CHECK(unitOf(large, UnitSource::unknown, {}).unit.symbol == "mm");
+    CHECK(unitOf(large, UnitSource::format, {.unit = "cm"}).unit.symbol == "cm");
+    CHECK(unitOf(large, UnitSource::object, {.unit = "cm"}).unit.symbol == "m");
 }
 
 TEST_CASE("Impossible settings are refused in a sentence, and other settings can use the mesh") {
