@@ -61,17 +61,21 @@ def console_render(render_in_console):
 
 @pytest.fixture(scope="session")
 def idiophone(build, sources, tmp_path_factory):
-    """Builds the Python package on the installed library, and imports it."""
+    """Builds the Python package on the installed library, on Linux as a wheel, and imports it."""
     prefix, site = tmp_path_factory.mktemp("prefix"), tmp_path_factory.mktemp("site")
-    subprocess.run(["cmake", "--install", build, "--component", "development", "--prefix", prefix],
-                   check=True, capture_output=True)
-    built = subprocess.run(
-        [sys.executable, "-m", "pip", "install", "--no-deps", "--no-build-isolation", "--target", site,
-         "-C", "cmake.source-dir=Source/Python", "-C", f"cmake.define.CMAKE_PREFIX_PATH={prefix}",
-         "-C", f"build-dir={tmp_path_factory.mktemp('build')}", sources],
-        capture_output=True, text=True)
-    assert built.returncode == 0, built.stdout + built.stderr
+    made = tmp_path_factory.mktemp("made")
+
+    def run(*command):
+        result = subprocess.run(command, capture_output=True, text=True)
+        assert result.returncode == 0, result.stdout + result.stderr
+    run("cmake", "--install", build, "--component", "development", "--prefix", prefix)
+    package = [sources, "--no-build-isolation", "-C", "cmake.source-dir=Source/Python",
+               "-C", f"cmake.define.CMAKE_PREFIX_PATH={prefix}", "-C", f"build-dir={made}"]
+    if sys.platform == "linux":
+        run(sources / "Source/Python/make_wheels.sh", "-l", prefix, "-o", made, sys.executable)
+        package = made.glob("*.whl")
+    run(sys.executable, "-m", "pip", "install", "--no-deps", "--target", site, *package)
     sys.path.insert(0, str(site))
-    import idiophone as package
-    assert package.__file__.startswith(str(site))
-    return package
+    import idiophone as imported
+    assert imported.__file__.startswith(str(site))
+    return imported

@@ -262,6 +262,17 @@ def test_type_checkers_find_the_fault_of_a_program(idiophone, tmp_path):
     assert 'expected "int"' in said and "Found 1 error" in said, said
 
 
+@pytest.mark.skipif(sys.platform != "linux", reason="wheels are built for Linux only")
+def test_the_wheel_brings_its_library_and_all_licences(idiophone):
+    site = pathlib.Path(idiophone.__file__).parents[1]
+    (about,) = site.glob("idiophone-*.dist-info")
+    assert "manylinux" in (about / "WHEEL").read_text()
+    notices = (about / "licenses/THIRD-PARTY").read_text()
+    assert "AFFERO" in (about / "licenses/LICENSE").read_text() and "\nnanobind" in notices
+    assert {path.name.split("-")[0] for path in site.glob("idiophone.libs/*")} <= {"libhwy"}  # in the notices too
+    assert "\nHighway" in notices
+
+
 def test_everything_is_documented(idiophone):
     for name in idiophone.__all__:
         named = getattr(idiophone, name)
