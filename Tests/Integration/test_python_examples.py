@@ -1,4 +1,4 @@
-"""Tests the examples of the Python package: the notebooks and the game."""
+"""Tests the examples of the Python package, the notebooks and the game, and the script of its figures."""
 import base64
 import importlib.util
 import io
@@ -37,6 +37,16 @@ def test_a_notebook_is_stored_without_outputs_and_shows_plots_and_sounds(noteboo
     for sound in sounds:
         samples, rate = soundfile.read(io.BytesIO(base64.b64decode(sound)))
         assert rate == 48000 and abs(samples).max() > 0.1
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="processor times are those of POSIX")
+def test_the_figures_compare_with_the_console_and_with_real_time(environment, sources, console):
+    """Does not check times, because they depend on the machine."""
+    told = subprocess.run([sys.executable, sources / "Tests/Benchmarks/python_package.py", console, "--rounds", "1",
+                           "--vertices", "30", "--max-frequency", "1000"],
+                          check=True, env=environment, capture_output=True, text=True).stdout
+    figures = re.findall(r"(?:ratio |: )([\d.]+)(?: times faster than real time)?$", told, re.MULTILINE)
+    assert len(figures) == 8 and min(map(float, figures)) > 0
 
 
 def test_boxes_that_are_thrown_about_are_heard(environment, sources, tmp_path):
