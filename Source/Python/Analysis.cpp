@@ -1,13 +1,9 @@
 #include "Analysis/MeasuredObject.h"
 #include "Analysis/ModalAnalysis.h"
 #include "Analysis/RecordedMaterial.h"
-#include "Object/MaterialFile.h"
 #include "Python/Binding.h"
 
-#include <nanobind/stl/array.h>
-#include <nanobind/stl/optional.h>
 #include <nanobind/stl/pair.h>
-#include <nanobind/stl/string.h>
 #include <nanobind/stl/tuple.h>
 #include <nanobind/stl/variant.h>
 #include <nanobind/stl/vector.h>
@@ -17,11 +13,21 @@ namespace {
 
 using Samples = nb::ndarray<const float, nb::ndim<1>, nb::c_contig, nb::device::cpu>;
 
+Samples samplesOf(const ArrayLike& given, const std::string& name) {
+    return arrayOf<Samples>(given, "float32", name + ": it is not [frames] of one channel");
+}
+
+/// The samples must outlive what is returned.
+StrikeRecording recordingOf(const Samples& samples, double rateHz, const std::string& name) {
+    if (!(rateHz >= 8000 && rateHz <= 384000))
+        throw nb::value_error((name + ": its rate is not between 8000 and 384000 Hz").c_str());
+    return {.name = name, .samples = {samples.data(), samples.size()}, .sampleRateHz = rateHz};
+}
+
 Material materialOf(const std::variant<Material, std::string>& given) {
     if (const auto* material = std::get_if<Material>(&given))
         return *material;
-    const auto& name = std::get<std::string>(given);
-    return valueOf(findAnyMaterial(name));
+    return materialNamed(std::get<std::string>(given));
 }
 
 std::optional<AnalysisMethod> methodOf(const std::optional<std::string>& name) {
@@ -46,7 +52,7 @@ PythonObject analysed(const Mesh& mesh,
                       bool allAround,
                       const std::string& radiation,
                       unsigned threads,
-                      const nb::object& progress) {
+                      const Progress& progress) {
     AnalysisSettings settings{.name = name,
                               .source = "Python",
                               .material = materialOf(material),
@@ -80,23 +86,24 @@ PythonObject analysed(const Mesh& mesh,
 
 using Place = std::variant<double, Numbers3>;
 
-PythonObject fitted(const std::vector<std::tuple<Samples, double, Place>>& recordings,
+PythonObject fitted(const std::vector<std::tuple<ArrayLike, double, Place>>& recordings,
                     const std::string& name,
                     const std::optional<std::variant<Material, std::string>>& material,
                     const std::optional<Mesh>& mesh,
                     const std::optional<double>& mass,
                     std::size_t modes,
                     double contactTime,
-                    const nb::object& progress) {
+                    const Progress& progress) {
+    std::vector<Samples> kept;
     std::vector<StrikeRecording> strikes;
     std::vector<StruckPlace> places;
     for (const auto& [samples, rate, place] : recordings) {
-        strikes.push_back({.name = "recording " + std::to_string(strikes.size()),
-                           .samples = {samples.data(), samples.size()},
-                           .sampleRateHz = rate});
+        const auto recording = "recording " + std::to_string(strikes.size());
+        kept.push_back(samplesOf(samples, recording));
+        strikes.push_back(recordingOf(kept.back(), rate, recording));
         places.push_back(std::holds_alternative<double>(place)
                              ? StruckPlace(std::get<double>(place))
-                             : StruckPlace(std::get<Numbers3>(place)));
+                             : StruckPlace(valuesOf(std::get<Numbers3>(place), "the place")));
     }
     MeasuredObjectSettings settings{.name = name,
                                     .source = "recordings, from Python",
@@ -115,16 +122,15 @@ PythonObject fitted(const std::vector<std::tuple<Samples, double, Place>>& recor
     })};
 }
 
-std::pair<Material, std::string> recordedMaterial(const Samples& samples,
+std::pair<Material, std::string> recordedMaterial(const ArrayLike& given,
                                                   double sampleRate,
                                                   const std::string& name,
                                                   const std::optional<Mesh>& mesh,
                                                   const std::optional<std::string>& method,
                                                   double thickness,
-                                                  const nb::object& progress) {
-    const StrikeRecording recording{.name = "the recording",
-                                    .samples = {samples.data(), samples.size()},
-                                    .sampleRateHz = sampleRate};
+                                                  const Progress& progress) {
+    const auto samples = samplesOf(given, "the recording");
+    const auto recording = recordingOf(samples, sampleRate, "the recording");
     std::optional<StruckObject> struck;
     if (mesh)
         struck = StruckObject{.name = "the mesh",
@@ -155,28 +161,30 @@ void bindAnalysis(nb::module_& module) {
         "spring-mass or van-gelder; None takes what suits the mesh. `thickness` (m) is of "
         "shells. `max_frequency` is in Hz. `elements` is about the number of tetrahedra of a "
         "solid. `clamps` hold parts of the body, such as \"x<0.02\"; `support_resistance` "
-        "(N s/m) says what they take. `all_around` computes the radiation for bodies that "
-        "turn. `radiation` is none, quick or exact. `progress(fraction, step)` is called from "
-        "time to time. Other Python threads run meanwhile. Raises ValueError with one "
-        "sentence.");
+        "(N s/m) says what they take. `largest_part` analyses the largest connected part only. "
+        "`radiation` is none, quick or exact: what a World hears at a distance, which takes most "
+        "of the time for shells. `all_around` computes it for bodies that turn. `threads` is the "
+        "maximum number of cores, 0 for all. `progress(fraction, step)` is called from time to "
+        "time. Other Python threads run meanwhile.");
     module.def(
         "fit", &fitted, nb::arg("recordings"), nb::kw_only(), nb::arg("name") = "fit",
         nb::arg("material") = nb::none(), nb::arg("mesh") = nb::none(),
         nb::arg("mass") = nb::none(), nb::arg("modes") = 200, nb::arg("contact_time") = 0.0,
         nb::arg("progress") = nb::none(),
         "Makes a modal object from recordings of single strikes.\n\n"
-        "`recordings` are tuples of samples (float32), sample rate (Hz) and the struck place: "
-        "a point (x, y, z) in m, or a distance from the z axis. `mesh` is that of the object; "
-        "without one it is a surface through the places. `mass` is in kg, `contact_time` of "
-        "the mallet in s.");
+        "`recordings` are tuples of samples [frames], sample rate (Hz) and the struck place: a "
+        "point (x, y, z) in m, or a distance from the z axis. `mesh` is that of the object; "
+        "without one it is a surface through the places. `mass` is in kg, `modes` the maximum "
+        "number of modes, `contact_time` of the mallet in s, 0 if it is unknown.");
     module.def(
         "material_from_recording", &recordedMaterial, nb::arg("samples"), nb::arg("sample_rate"),
         nb::kw_only(), nb::arg("name") = "Recorded", nb::arg("mesh") = nb::none(),
         nb::arg("method") = nb::none(), nb::arg("thickness") = defaults.thicknessMetres,
         nb::arg("progress") = nb::none(),
-        "Finds the material of a struck object from a recording (float32).\n\n"
-        "With the `mesh` of the object (in m) it finds stiffness and damping, without one the "
-        "damping alone. Returns the Material, and what was found in words.");
+        "Finds the material of a struck object from the samples [frames] of a recording.\n\n"
+        "With the `mesh` of the object it finds stiffness and damping, without one the damping "
+        "alone. `method` and `thickness` are as of `analyse`. Returns the Material, and what was "
+        "found in words.");
 }
 
 } // namespace idiophone::python

@@ -4,8 +4,7 @@
 
 #include <nanobind/eigen/dense.h>
 #include <nanobind/stl/filesystem.h>
-#include <nanobind/stl/optional.h>
-#include <nanobind/stl/string.h>
+#include <nanobind/stl/pair.h>
 
 namespace idiophone::python {
 namespace {
@@ -13,27 +12,19 @@ namespace {
 using Vertices = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
 using Faces = Eigen::Matrix<int, Eigen::Dynamic, 3, Eigen::RowMajor>;
 
-/// Returns the [N,3] array that numpy makes of what is given, such as a list.
-template <class Matrix>
-Matrix matrixOf(const nb::object& given, const char* type, const char* fault) {
-    const nb::object array = nb::module_::import_("numpy").attr("ascontiguousarray")(given, type);
-    Matrix matrix;
-    if (!nb::try_cast(array, matrix))
-        throw nb::value_error(fault);
-    return matrix;
-}
-
-Mesh meshOf(const nb::object& givenVertices, const nb::object& givenFaces) {
-    const auto vertices =
-        matrixOf<Vertices>(givenVertices, "float64", "the vertices are not [N,3]");
-    const auto faces = matrixOf<Faces>(givenFaces, "int32", "the faces are not [F,3]");
+Mesh meshOf(const ArrayLike& givenVertices, const ArrayLike& givenFaces) {
+    const auto vertices = arrayOf<Vertices>(givenVertices, "float64", "the vertices are not [N,3]");
+    // NumPy would cut fractions off.
+    const auto faces = arrayOf<Vertices>(givenFaces, "float64", "the faces are not [F,3]");
     if (!vertices.allFinite())
         throw nb::value_error("a vertex is not finite");
     if (faces.rows() == 0)
         throw nb::value_error("the mesh has no faces");
-    if (faces.minCoeff() < 0 || faces.maxCoeff() >= vertices.rows())
+    if ((faces.array() != faces.array().floor()).any())
+        throw nb::value_error("a face has a vertex number with a fraction");
+    if (faces.minCoeff() < 0 || faces.maxCoeff() >= static_cast<double>(vertices.rows()))
         throw nb::value_error("a face has a vertex that does not exist");
-    return {.vertices = vertices, .faces = faces};
+    return {.vertices = vertices, .faces = faces.cast<int>()};
 }
 
 } // namespace
@@ -45,19 +36,29 @@ void bindMeshes(nb::module_& module) {
         "counter-clockwise seen from outside.")
         .def(
             "__init__",
-            [](Mesh* self, const nb::object& vertices, const nb::object& faces) {
+            [](Mesh* self, const ArrayLike& vertices, const ArrayLike& faces) {
                 new (self) Mesh(meshOf(vertices, faces));
             },
             nb::arg("vertices"), nb::arg("faces"))
-        .def_prop_ro("vertices", [](const Mesh& self) { return Vertices(self.vertices); })
-        .def_prop_ro("faces", [](const Mesh& self) { return Faces(self.faces); })
+        .def_prop_ro(
+            "vertices", [](const Mesh& self) { return Vertices(self.vertices); },
+            "[N,3] in m, a copy.")
+        .def_prop_ro(
+            "faces", [](const Mesh& self) { return Faces(self.faces); },
+            "[F,3] vertex numbers, a copy.")
         .def(
             "save",
             [](const Mesh& self, const std::filesystem::path& path) {
                 if (const auto written = writeMesh(self, path); !written)
                     throw nb::value_error(written.error().message.c_str());
             },
-            nb::arg("path"), "Writes an OBJ, OFF, PLY or STL file.")
+            nb::arg("path"), "Writes an OBJ or PLY file, in m.")
+        .def("__getstate__",
+             [](const Mesh& self) { return std::pair(Vertices(self.vertices), Faces(self.faces)); })
+        .def("__setstate__",
+             [](Mesh& self, const std::pair<Vertices, Faces>& state) {
+                 new (&self) Mesh{.vertices = state.first, .faces = state.second};
+             })
         .def("__repr__", [](const Mesh& self) {
             return "<Mesh of " + std::to_string(self.vertexCount()) + " vertices, " +
                    std::to_string(self.faceCount()) + " faces>";

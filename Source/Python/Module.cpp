@@ -1,7 +1,16 @@
 #include "Python/Binding.h"
 
+#include <new>
+
 NB_MODULE(_core, module) {
     using namespace idiophone::python;
+    nb::register_exception_translator([](const std::exception_ptr& thrown, void*) {
+        try {
+            std::rethrow_exception(thrown);
+        } catch (const std::bad_alloc&) {
+            PyErr_SetString(PyExc_MemoryError, "there is not enough memory");
+        }
+    });
     bindMaterials(module);
     bindMeshes(module);
     bindObjects(module);

@@ -1,8 +1,9 @@
 #include "Gltf/ObjectFile.h"
+#include "Object/ModalObjectFile.h"
 #include "Python/Binding.h"
 
 #include <nanobind/stl/filesystem.h>
-#include <nanobind/stl/string.h>
+#include <span>
 
 namespace idiophone::python {
 namespace {
@@ -31,8 +32,11 @@ void bindObjects(nb::module_& module) {
                              "The modes of a body: what its shape and material make of its sound. "
                              "M modes, V vertices that carry shapes. It does not change.")
         .def_prop_ro("name", [](const PythonObject& self) { return self.object->name; })
-        .def_prop_ro("material", [](const PythonObject& self) { return self.object->material; })
-        .def_prop_ro("method", [](const PythonObject& self) { return self.object->method; })
+        .def_prop_ro(
+            "material", [](const PythonObject& self) { return self.object->material; }, "A copy.")
+        .def_prop_ro(
+            "method", [](const PythonObject& self) { return self.object->method; },
+            "How it was made, such as fem.")
         .def_prop_ro(
             "mass", [](const PythonObject& self) { return self.object->mass.massKg; }, "In kg.")
         .def_prop_ro(
@@ -98,6 +102,17 @@ void bindObjects(nb::module_& module) {
                     throw nb::value_error(written.error().message.c_str());
             },
             nb::arg("path"), "Writes a .modal file, or a glTF file if the name ends in .glb.")
+        .def("__getstate__",
+             [](const PythonObject& self) {
+                 const auto bytes = encodeModalObject(*self.object);
+                 return nb::bytes(bytes.data(), bytes.size());
+             })
+        .def("__setstate__",
+             [](PythonObject& self, const nb::bytes& state) {
+                 const std::span bytes(static_cast<const std::byte*>(state.data()), state.size());
+                 new (&self) PythonObject{std::make_shared<const ModalObject>(
+                     valueOf(readModalObject(bytes, "a pickled object")))};
+             })
         .def("__repr__", [](const PythonObject& self) {
             return "<ModalObject '" + self.object->name + "' of " +
                    std::to_string(self.object->modeCount()) + " modes>";

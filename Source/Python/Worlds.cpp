@@ -2,8 +2,6 @@
 #include "World/World.h"
 
 #include <Eigen/Geometry>
-#include <nanobind/stl/array.h>
-#include <nanobind/stl/optional.h>
 #include <nanobind/stl/pair.h>
 #include <nanobind/stl/variant.h>
 #include <nanobind/stl/vector.h>
@@ -11,8 +9,8 @@
 namespace idiophone::python {
 namespace {
 
-Eigen::Vector3d vectorOf(const Numbers3& numbers) {
-    return Eigen::Vector3d(numbers.data());
+Eigen::Vector3d vectorOf(const Numbers3& numbers, const char* name) {
+    return Eigen::Vector3d(valuesOf(numbers, name).data());
 }
 
 class PythonWorld {
@@ -38,6 +36,14 @@ public:
         world = valueOf(World::make(std::move(slots), settings));
     }
 
+    /// Raises ValueError if the body does not exist.
+    void checkBody(std::size_t body) const {
+        if (body >= world->bodyCount())
+            throw nb::value_error(("there is no body " + std::to_string(body) + ": the world has " +
+                                   std::to_string(world->bodyCount()) + ", numbered from 0")
+                                      .c_str());
+    }
+
     /// Raises an exception if the world did not do what it was told.
     static void check(WorldAnswer answer, const char* invalid) {
         if (answer == WorldAnswer::busy)
@@ -47,19 +53,23 @@ public:
             throw nb::value_error(invalid);
     }
 
-    void place(std::size_t body,
-               const Numbers3& position,
-               const std::optional<std::array<double, 4>>& rotation) {
-        WorldPose pose{.originMetres = vectorOf(position)};
-        if (rotation)
-            pose.axes = Eigen::Quaterniond(rotation->data()).toRotationMatrix();
-        check(world->place(body, pose), "the body does not exist, or its pose is out of range");
+    void
+    place(std::size_t body, const Numbers3& position, const std::optional<Numbers<4>>& rotation) {
+        checkBody(body);
+        WorldPose pose{.originMetres = vectorOf(position, "the position")};
+        if (rotation) {
+            const Eigen::Quaterniond turn(valuesOf(*rotation, "the rotation").data());
+            if (!(std::abs(turn.norm() - 1) < 1e-3))
+                throw nb::value_error("the rotation is not a unit quaternion");
+            pose.axes = turn.normalized().toRotationMatrix();
+        }
+        check(world->place(body, pose), "the position is not finite");
     }
 
     void listen(const Numbers3& position, const Numbers3& towards, const Numbers3& up) {
-        check(world->placeListener({.positionMetres = vectorOf(position),
-                                    .towardsMetres = vectorOf(towards),
-                                    .up = vectorOf(up)}),
+        check(world->placeListener({.positionMetres = vectorOf(position, "the position"),
+                                    .towardsMetres = vectorOf(towards, "towards"),
+                                    .up = vectorOf(up, "up")}),
               "the world has no listener, or a number is not finite");
     }
 
@@ -69,13 +79,18 @@ public:
                 const std::optional<std::int64_t>& vertex,
                 const std::optional<double>& time,
                 double contactTime) {
-        check(world->strike({.body = body,
-                             .seconds = time.value_or(0),
-                             .vertex = vertex,
-                             .pointMetres = vectorOf(point.value_or(Numbers3{})),
-                             .impulseNewtonSeconds = vectorOf(impulse),
-                             .contactSeconds = contactTime}),
-              "the body or the vertex does not exist, or a number is out of range");
+        checkBody(body);
+        if (point.has_value() == vertex.has_value())
+            throw nb::value_error("a strike needs either a point or a vertex");
+        check(world->strike(
+                  {.body = body,
+                   .seconds = time.value_or(0),
+                   .vertex = vertex,
+                   .pointMetres = point ? vectorOf(*point, "the point") : Eigen::Vector3d::Zero(),
+                   .impulseNewtonSeconds = vectorOf(impulse, "the impulse"),
+                   .contactSeconds = contactTime}),
+              vertex ? "the vertex carries no shapes, or a number is out of range"
+                     : "a number is out of range");
     }
 
     std::size_t beginTouch() {
@@ -91,13 +106,15 @@ public:
                const Numbers3& slide,
                double roll,
                const std::optional<std::size_t>& other) {
+        checkBody(body);
+        checkBody(other.value_or(body));
         check(world->touch(number, {.body = body,
                                     .other = other,
-                                    .pointMetres = vectorOf(point),
+                                    .pointMetres = vectorOf(point, "the point"),
                                     .forceNewtons = force,
-                                    .slideMetresPerSecond = vectorOf(slide),
+                                    .slideMetresPerSecond = vectorOf(slide, "the slide"),
                                     .rollMetresPerSecond = roll}),
-              "the touch or the body does not exist, or a number is not finite");
+              "the touch does not exist, or a number is not finite");
     }
     void endTouch(std::size_t number) {
         check(world->endTouch(number), "the touch does not exist");
@@ -115,17 +132,21 @@ public:
         check(world->setSynthesis(wanted), "a number is out of range");
     }
     void setMaterial(std::size_t body, const std::optional<Material>& material) {
+        checkBody(body);
         check(world->setMaterial(body,
                                  material ? std::optional(liveMaterial(*material)) : std::nullopt),
-              "the body does not exist, or a figure is out of range");
+              "a figure of the material is out of range");
     }
     void setDamping(std::size_t body, double rate) {
-        check(world->setDamping(body, rate), "the body does not exist, or the rate is negative");
+        checkBody(body);
+        check(world->setDamping(body, rate), "the rate is negative or not finite");
     }
     void setGain(double gain) { check(world->setGain(gain), "the gain is out of range"); }
 
     /// Returns [frames, 2] samples.
     auto render(std::size_t frames) {
+        if (frames > std::size_t{1} << 32)
+            throw nb::value_error("the number of frames is above 2^32");
         auto* samples = new float[2 * frames];
         const nb::capsule owner(samples,
                                 [](void* data) noexcept { delete[] static_cast<float*>(data); });
@@ -134,6 +155,10 @@ public:
             std::array<float, 256> left, right;
             for (std::size_t done = 0; done < frames;) {
                 const std::size_t count = std::min(frames - done, left.size());
+                if (done > 0 && done % 65536 == 0) {
+                    const nb::gil_scoped_acquire lock;
+                    checkInterrupt();
+                }
                 world->render(std::span(left).first(count), std::span(right).first(count));
                 for (std::size_t k = 0; k < count; ++k, ++done) {
                     samples[2 * done] = left[k];
@@ -157,19 +182,19 @@ void bindWorlds(nb::module_& module) {
         module, "World",
         "Bodies that are moved, struck and pressed, and the sound that a listener hears.\n\n"
         "`bodies` are modal objects, or pairs of an object and a size. They are numbered from 0 "
-        "and "
-        "stand at the origin. Without a `listener` everything is heard at the struck place. At "
-        "most "
-        "`events` calls wait for the next `render`. One thread may render while another says what "
-        "happens. Positions are in m. What is out of range raises ValueError.")
+        "and stand at the origin. Without a `listener` everything is heard at the struck place. At "
+        "most `events` calls wait for the next `render`; a further one raises BufferError. One "
+        "thread may render while another says what happens. Positions are in m. What is out of "
+        "range raises ValueError.")
         .def(nb::init<const std::vector<PythonWorld::Body>&, double, bool, std::size_t>(),
              nb::arg("bodies"), nb::kw_only(), nb::arg("sample_rate") = 48000.0,
              nb::arg("listener") = true, nb::arg("events") = 65536)
         .def_prop_ro(
             "seconds", [](const PythonWorld& self) { return self.played().seconds(); },
             "The world's clock: what has been rendered.")
-        .def_prop_ro("sample_rate",
-                     [](const PythonWorld& self) { return self.played().sampleRateHz(); })
+        .def_prop_ro(
+            "sample_rate", [](const PythonWorld& self) { return self.played().sampleRateHz(); },
+            "In Hz.")
         .def_prop_ro(
             "silent", [](const PythonWorld& self) { return self.played().silent(); },
             "Whether nothing sounds or waits.")
@@ -179,33 +204,40 @@ void bindWorlds(nb::module_& module) {
             "Impacts that were too hard for their objects.")
         .def("place", &PythonWorld::place, nb::arg("body"), nb::arg("position"),
              nb::arg("rotation") = nb::none(),
-             "Says where a body is; the rotation is a unit quaternion (x, y, z, w).")
+             "Says where a body is: the origin of its object, and a rotation about it as a unit "
+             "quaternion (x, y, z, w).")
         .def("listen", &PythonWorld::listen, nb::arg("position"), nb::arg("towards"),
-             nb::arg("up") = Numbers3{0, 0, 1}, "Says where the listener is and looks.")
+             nb::arg("up") = Numbers3{{{0, 0, 1}}},
+             "Says where the listener is, a point that it looks at, and a direction upwards.")
         .def("strike", &PythonWorld::strike, nb::arg("body"), nb::arg("impulse"),
              nb::arg("point") = nb::none(), nb::arg("vertex") = nb::none(),
              nb::arg("time") = nb::none(), nb::arg("contact_time") = 0.0,
-             "Strikes a body by an impulse (N s) at a point of the world or a vertex of its "
-             "object.\n\n"
-             "`time` is by the world's clock; None, or a time that has passed, means at once. "
-             "`contact_time` is in s.")
-        .def("begin_touch", &PythonWorld::beginTouch, "Takes one of 24 touches.")
+             "Strikes a body by an impulse (N s), at a point or at a vertex of its object.\n\n"
+             "`impulse` and `point` are in the world's axes; an impact into a surface points "
+             "against its normal. `time` is by the world's clock; None, or a time that has passed, "
+             "means at once. `contact_time` is in s, 0 to 1.")
+        .def("begin_touch", &PythonWorld::beginTouch,
+             "Takes one of 24 touches and returns its number. It sounds from the first `touch` "
+             "until `end_touch`.")
         .def("touch", &PythonWorld::touch, nb::arg("touch"), nb::arg("body"), nb::arg("point"),
-             nb::arg("force"), nb::arg("slide") = Numbers3{}, nb::arg("roll") = 0.0,
+             nb::arg("force"), nb::arg("slide") = Numbers3{{{}}}, nb::arg("roll") = 0.0,
              nb::arg("other") = nb::none(),
              "Says how a body slides or rolls: the force (N), the velocity of the other surface "
-             "past "
-             "it and the speed of rolling (m/s).")
-        .def("end_touch", &PythonWorld::endTouch, nb::arg("touch"))
+             "past it and the speed of rolling (m/s). `other` is the body under it, which sounds "
+             "too.")
+        .def("end_touch", &PythonWorld::endTouch, nb::arg("touch"), "Ends a touch.")
         .def("set_quality", &PythonWorld::setQuality, nb::kw_only(), nb::arg("budget") = nb::none(),
              nb::arg("tau") = nb::none(), nb::arg("slope") = nb::none(),
              nb::arg("compression") = nb::none(),
-             "Sets the mode budget, truncation, quality slope and compression; None leaves one.")
+             "Sets the mode budget, truncation, quality slope and compression of all bodies; None "
+             "leaves one as it is.")
         .def("set_material", &PythonWorld::setMaterial, nb::arg("body"), nb::arg("material").none(),
              "Replaces the material of a body; None restores it.")
         .def("set_damping", &PythonWorld::setDamping, nb::arg("body"), nb::arg("rate"),
              "Damps a body further: its sound falls as exp(-rate t). 0: no more.")
-        .def("set_gain", &PythonWorld::setGain, nb::arg("gain"))
+        .def("set_gain", &PythonWorld::setGain, nb::arg("gain"),
+             "Sets the gain of everything, 1 at first: full scale is 1 Pa, without a listener "
+             "1 m/s.")
         .def("render", &PythonWorld::render, nb::arg("frames"),
              "Returns the next samples [frames, 2] of both ears, float32.");
 }

@@ -1,6 +1,7 @@
-"""Shared by the integration tests: the paths from CMake, and the console's render."""
+"""Shared by the integration tests: the paths from CMake, the console's render, and the Python package."""
 import pathlib
 import subprocess
+import sys
 
 import pytest
 import soundfile
@@ -56,3 +57,25 @@ def render_in_console(console, songs, tmp_path_factory):
 @pytest.fixture(scope="session")
 def console_render(render_in_console):
     return render_in_console(PRESET)
+
+
+@pytest.fixture(scope="session")
+def idiophone(build, sources, tmp_path_factory):
+    """Builds the Python package on the installed library, on Linux as a wheel, and imports it."""
+    prefix, site = tmp_path_factory.mktemp("prefix"), tmp_path_factory.mktemp("site")
+    made = tmp_path_factory.mktemp("made")
+
+    def run(*command):
+        result = subprocess.run(command, capture_output=True, text=True)
+        assert result.returncode == 0, result.stdout + result.stderr
+    run("cmake", "--install", build, "--component", "development", "--prefix", prefix)
+    package = [sources, "--no-build-isolation", "-C", "cmake.source-dir=Source/Python",
+               "-C", f"cmake.define.CMAKE_PREFIX_PATH={prefix}", "-C", f"build-dir={made}"]
+    if sys.platform == "linux":
+        run(sources / "Source/Python/make_wheels.sh", "-l", prefix, "-o", made, sys.executable)
+        package = made.glob("*.whl")
+    run(sys.executable, "-m", "pip", "install", "--no-deps", "--target", site, *package)
+    sys.path.insert(0, str(site))
+    import idiophone as imported
+    assert imported.__file__.startswith(str(site))
+    return imported

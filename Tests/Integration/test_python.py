@@ -1,6 +1,8 @@
 """Tests the Python package, built by pip on the installed library."""
 import json
 import os
+import pathlib
+import pickle
 import signal
 import subprocess
 import sys
@@ -11,23 +13,6 @@ import pytest
 import soundfile
 
 RATE = 48000
-
-
-@pytest.fixture(scope="session")
-def idiophone(build, sources, tmp_path_factory):
-    prefix, site = tmp_path_factory.mktemp("prefix"), tmp_path_factory.mktemp("site")
-    subprocess.run(["cmake", "--install", build, "--component", "development", "--prefix", prefix],
-                   check=True, capture_output=True)
-    built = subprocess.run(
-        [sys.executable, "-m", "pip", "install", "--no-deps", "--no-build-isolation", "--target", site,
-         "-C", "cmake.source-dir=Source/Python", "-C", f"cmake.define.CMAKE_PREFIX_PATH={prefix}",
-         "-C", f"build-dir={tmp_path_factory.mktemp('build')}", sources],
-        capture_output=True, text=True)
-    assert built.returncode == 0, built.stdout + built.stderr
-    sys.path.insert(0, str(site))
-    import idiophone as package
-    assert package.__file__.startswith(str(site))
-    return package
 
 
 @pytest.fixture(scope="session")
@@ -95,6 +80,9 @@ def test_meshes_are_made_of_arrays(idiophone):
     mesh = idiophone.Mesh(numpy.eye(3), [[0, 1, 2]])
     assert mesh.vertices.shape == (3, 3) and mesh.faces.tolist() == [[0, 1, 2]]
     for vertices, faces, fault in ((numpy.eye(3), [[0, 1, 3]], "does not exist"),
+                                   (numpy.eye(3), [[0, 1, 2**40]], "does not exist"),
+                                   (numpy.eye(3), [[0, 1, 1.5]], "fraction"),
+                                   (numpy.eye(2), [[0, 1, 0]], r"vertices are not \[N,3\]"),
                                    (numpy.full((3, 3), numpy.nan), [[0, 1, 2]], "not finite"),
                                    (numpy.eye(3), numpy.zeros((0, 3)), "no faces")):
         with pytest.raises(ValueError, match=fault):
@@ -110,6 +98,11 @@ def test_a_fault_is_one_sentence(idiophone, bar_file, tmp_path):
                        (lambda: idiophone.analyse(mesh, "Unobtainium"), "Unobtainium"),
                        (lambda: idiophone.analyse(mesh, method="guess"), "method"),
                        (lambda: idiophone.analyse(mesh, clamps=["w<0"]), "w<0"),
+                       (lambda: mesh.save(tmp_path / "bar.stl"), "bar.stl"),
+                       (lambda: idiophone.fit([(numpy.zeros((9, 2)), RATE, 0.1)]), "recording 0.*one channel"),
+                       (lambda: idiophone.fit([(numpy.zeros(9600), 0, 0.1)]), "recording 0.*rate"),
+                       (lambda: idiophone.fit([(numpy.zeros(9600), RATE, (0, 1))]), "place is not 3 numbers"),
+                       (lambda: idiophone.material_from_recording([0.0] * 9600, RATE), "silent"),
                        (lambda: idiophone.World([]), "no body")):
         with pytest.raises(ValueError, match=fault):
             act()
@@ -177,16 +170,35 @@ def test_a_world_is_heard_from_where_the_listener_is(idiophone, bar):
 
 def test_a_world_says_what_it_cannot_do(idiophone, bar):
     world = idiophone.World([bar], listener=False, events=16)
-    with pytest.raises(ValueError):
-        world.strike(1, (0, 0, -1))
-    with pytest.raises(ValueError):
-        world.strike(0, (0, 0, numpy.nan))
-    with pytest.raises(ValueError):
-        world.listen((0, 0, 0), (0, 1, 0))
+    impulse, point = (0, 0, -0.001), numpy.zeros(3)
+    for act, fault in ((lambda: world.strike(1, impulse, point), "no body 1"),
+                       (lambda: world.strike(0, (0, 0, numpy.nan), point), "out of range"),
+                       (lambda: world.strike(0, (0, -1), point), "impulse is not 3 numbers"),
+                       (lambda: world.strike(0, impulse), "point or a vertex"),
+                       (lambda: world.strike(0, impulse, point, vertex=0), "point or a vertex"),
+                       (lambda: world.strike(0, impulse, vertex=10**6), "vertex"),
+                       (lambda: world.place(0, point, (0, 0, 0, 2)), "unit quaternion"),
+                       (lambda: world.place(0, numpy.zeros((3, 3))), "position is not 3 numbers"),
+                       (lambda: world.listen((0, 0, 0), (0, 1, 0)), "no listener"),
+                       (lambda: world.render(2**63), "frames")):
+        with pytest.raises(ValueError, match=fault):
+            act()
     with pytest.raises(BufferError):
         for _ in range(100):
-            world.strike(0, (0, 0, -0.001))
+            world.strike(0, impulse, point)
     assert not world.silent and world.render(64).any()
+
+
+def test_a_long_render_can_be_interrupted(idiophone, bar):
+    world = idiophone.World([bar])
+
+    def interrupt():
+        while world.seconds == 0:
+            pass
+        os.kill(os.getpid(), signal.SIGINT)
+    threading.Thread(target=interrupt).start()
+    with pytest.raises(KeyboardInterrupt):
+        world.render(2**27)
 
 
 def test_touches_sound_until_they_end(idiophone, bar):
@@ -217,10 +229,54 @@ def test_materials_and_objects_come_from_recordings(idiophone, bar):
     assert abs(fitted.frequencies[0] / bar.frequencies[0] - 1) < 0.002
 
 
-def test_it_is_typed_and_documented(idiophone):
-    folder = os.path.dirname(idiophone.__file__)
-    with open(os.path.join(folder, "_core.pyi"), encoding="utf-8") as file:
-        assert "def analyse(" in file.read()
-    assert os.path.exists(os.path.join(folder, "py.typed"))
+def test_meshes_materials_and_objects_go_to_other_processes(idiophone, bar):
+    again = pickle.loads(pickle.dumps(bar))
+    assert numpy.array_equal(again.shapes, bar.shapes) and numpy.array_equal(again.decays, bar.decays)
+    mesh = idiophone.Mesh(numpy.eye(3), [[0, 1, 2]])
+    assert numpy.array_equal(pickle.loads(pickle.dumps(mesh)).vertices, mesh.vertices)
+    glass = idiophone.Material("Glass")
+    glass.density = 3000
+    assert pickle.loads(pickle.dumps(glass)).density == 3000
+
+
+PROGRAM = """
+import idiophone
+import numpy as np
+mesh: idiophone.Mesh = idiophone.load_mesh("bell.obj", unit="mm")
+bell = idiophone.analyse(mesh, "Brass", progress=lambda done, step: print(f"{done:.0%} {step}"))
+samples = idiophone.strike(bell, impulse=(0, 0, -0.02), point=np.zeros(3))[:, 0]
+found, words = idiophone.material_from_recording(samples, 48000, mesh=mesh)
+world = idiophone.World([bell, (bell, 0.5)])
+world.place(1, bell.vertices[0], (0, 0, 0, 1))
+world.strike(1, (0, 0, -0.01), point=bell.vertices[0], contact_time=0.0005)
+loudest: float = float(world.render(480).max()) + found.density
+world.render("all")
+"""
+
+
+def test_type_checkers_find_the_fault_of_a_program(idiophone, tmp_path):
+    (tmp_path / "program.py").write_text(PROGRAM)
+    site = str(pathlib.Path(idiophone.__file__).parents[1])
+    said = subprocess.run([sys.executable, "-m", "mypy", "--strict", "program.py"], cwd=tmp_path,
+                          env={**os.environ, "PYTHONPATH": site}, capture_output=True, text=True).stdout
+    assert 'expected "int"' in said and "Found 1 error" in said, said
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="wheels are built for Linux only")
+def test_the_wheel_brings_its_library_and_all_licences(idiophone):
+    site = pathlib.Path(idiophone.__file__).parents[1]
+    (about,) = site.glob("idiophone-*.dist-info")
+    assert "manylinux" in (about / "WHEEL").read_text()
+    notices = (about / "licenses/THIRD-PARTY").read_text()
+    assert "AFFERO" in (about / "licenses/LICENSE").read_text() and "\nnanobind" in notices
+    assert {path.name.split("-")[0] for path in site.glob("idiophone.libs/*")} <= {"libhwy"}  # in the notices too
+    assert "\nHighway" in notices
+
+
+def test_everything_is_documented(idiophone):
     for name in idiophone.__all__:
-        assert getattr(idiophone, name).__doc__, name
+        named = getattr(idiophone, name)
+        assert named.__doc__, name
+        members = vars(named).items() if isinstance(named, type) else ()
+        for member, value in members:
+            assert member.startswith("_") or value.__doc__, f"{name}.{member}"
