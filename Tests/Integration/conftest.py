@@ -1,6 +1,7 @@
 """Shared by the integration tests: the paths from CMake, and the console's render."""
 import pathlib
 import subprocess
+import sys
 
 import pytest
 import soundfile
@@ -56,3 +57,21 @@ def render_in_console(console, songs, tmp_path_factory):
 @pytest.fixture(scope="session")
 def console_render(render_in_console):
     return render_in_console(PRESET)
+
+
+@pytest.fixture(scope="session")
+def idiophone(build, sources, tmp_path_factory):
+    """The Python package, built by pip on the installed library."""
+    prefix, site = tmp_path_factory.mktemp("prefix"), tmp_path_factory.mktemp("site")
+    subprocess.run(["cmake", "--install", build, "--component", "development", "--prefix", prefix],
+                   check=True, capture_output=True)
+    built = subprocess.run(
+        [sys.executable, "-m", "pip", "install", "--no-deps", "--no-build-isolation", "--target", site,
+         "-C", "cmake.source-dir=Source/Python", "-C", f"cmake.define.CMAKE_PREFIX_PATH={prefix}",
+         "-C", f"build-dir={tmp_path_factory.mktemp('build')}", sources],
+        capture_output=True, text=True)
+    assert built.returncode == 0, built.stdout + built.stderr
+    sys.path.insert(0, str(site))
+    import idiophone as package
+    assert package.__file__.startswith(str(site))
+    return package

@@ -1,9 +1,8 @@
-"""Tests the Python package, built by pip on the installed library."""
+"""Tests the Python package."""
 import json
 import os
 import signal
 import subprocess
-import sys
 import threading
 
 import numpy
@@ -11,23 +10,6 @@ import pytest
 import soundfile
 
 RATE = 48000
-
-
-@pytest.fixture(scope="session")
-def idiophone(build, sources, tmp_path_factory):
-    prefix, site = tmp_path_factory.mktemp("prefix"), tmp_path_factory.mktemp("site")
-    subprocess.run(["cmake", "--install", build, "--component", "development", "--prefix", prefix],
-                   check=True, capture_output=True)
-    built = subprocess.run(
-        [sys.executable, "-m", "pip", "install", "--no-deps", "--no-build-isolation", "--target", site,
-         "-C", "cmake.source-dir=Source/Python", "-C", f"cmake.define.CMAKE_PREFIX_PATH={prefix}",
-         "-C", f"build-dir={tmp_path_factory.mktemp('build')}", sources],
-        capture_output=True, text=True)
-    assert built.returncode == 0, built.stdout + built.stderr
-    sys.path.insert(0, str(site))
-    import idiophone as package
-    assert package.__file__.startswith(str(site))
-    return package
 
 
 @pytest.fixture(scope="session")
