@@ -1,11 +1,10 @@
-"""Tests the Python package, built by pip on the installed library."""
+"""Tests the Python package."""
 import json
 import os
 import pathlib
 import pickle
 import signal
 import subprocess
-import sys
 import threading
 
 import numpy
