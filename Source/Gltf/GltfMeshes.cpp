@@ -95,8 +95,9 @@ public:
             place = shown.transform * place;
         isPosed = isPosed || node.skin >= 0;
         const auto& nameOfMesh = model.meshes[static_cast<std::size_t>(node.mesh)].name;
-        meshes.parts.push_back(
-            {.name = node.name.empty() ? nameOfMesh : node.name, .mesh = placed(**mesh, *places)});
+        meshes.parts.push_back({.node = shown.node,
+                                .name = node.name.empty() ? nameOfMesh : node.name,
+                                .mesh = placed(**mesh, *places)});
         return {};
     }
 

@@ -13,6 +13,7 @@ namespace idiophone {
 
 /// The triangles of one node.
 struct GltfPart {
+    int node = -1;    ///< its number in the file
     std::string name; ///< of the node, else of its mesh; any text, may be empty
     Mesh mesh;        ///< in the scene's space. Vertices may coincide, be unused or not finite
 };

@@ -57,7 +57,7 @@ Result<ModalObject> fromRecording(const std::filesystem::path& file, const WorkC
 
 Result<ModalObject> finishedObject(const std::filesystem::path& file, const WorkControl& control) {
     control.report(0, "Reading");
-    return matches(file, modalFiles) ? fromModal(file) : fromRecording(file, control);
+    return matches(file, recordingFiles) ? fromRecording(file, control) : fromModal(file);
 }
 
 } // namespace idiophone

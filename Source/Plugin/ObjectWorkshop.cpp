@@ -6,6 +6,7 @@
 #include "Editor/Utf8.h"
 #include "Geometry/LengthUnit.h"
 #include "Geometry/MeshReader.h"
+#include "Gltf/ObjectFile.h"
 #include "Mesh/ObjectMesh.h"
 #include "Plugin/FileKinds.h"
 #include "Plugin/FinishedObject.h"
@@ -142,7 +143,8 @@ void ObjectWorkshop::work(const Job& job) {
 Result<void> ObjectWorkshop::make(const Job& job) {
     if (job.source != nullptr)
         return makeFromMesh(job, *job.source);
-    if (matches(job.file, modalFiles) || matches(job.file, recordingFiles))
+    if (matches(job.file, modalFiles) || matches(job.file, recordingFiles) ||
+        hasModalModel(job.file))
         return makeFinished(job);
     report(job, 0, "Reading");
     auto read = readMeshFile(job.file);

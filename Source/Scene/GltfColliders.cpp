@@ -40,6 +40,31 @@ std::vector<Eigen::Vector3d> pointsOf(const GltfCollider& collider) {
     return points;
 }
 
+/// Adds the corners of faces.
+void addMesh(ColliderSurface& surface,
+             const Mesh& mesh,
+             const Eigen::Affine3d& place,
+             bool hasFaces) {
+    for (const auto face : mesh.faces.rowwise()) {
+        std::array<int, 3> corners{};
+        for (int k = 0; k < 3; ++k) {
+            corners[static_cast<std::size_t>(k)] = static_cast<int>(surface.points.size());
+            surface.points.push_back(place * Eigen::Vector3d(mesh.vertices.row(face(k))));
+            if (!surface.points.back().allFinite())
+                surface.points.back().setZero();
+        }
+        if (hasFaces)
+            surface.faces.push_back(corners);
+    }
+}
+
+Eigen::Affine3d nodeFromScene(const GltfDocument& document, int node) {
+    for (const auto& placed : document.nodes())
+        if (placed.node == node && placed.transform.linear().determinant() != 0)
+            return placed.transform.inverse();
+    return Eigen::Affine3d::Identity();
+}
+
 } // namespace
 
 Eigen::Matrix3d zUpFromYUp() {
@@ -57,15 +82,28 @@ PlacedPose placedPose(const Eigen::Affine3d& transform) {
     return pose;
 }
 
-std::vector<Eigen::Vector3d>
-pointsAround(const GltfDocument& document, const GltfRigidBody& body, const PlacedPose& pose) {
+ColliderSurface surfaceOf(const GltfDocument& document,
+                          const std::vector<GltfPart>& meshes,
+                          const GltfRigidBody& body,
+                          const PlacedPose& pose) {
     const Eigen::Isometry3d bodyFromWorld = pose.worldFromBody.inverse();
-    std::vector<Eigen::Vector3d> points;
-    for (const auto& collider : body.colliders)
-        for (const auto& point : pointsOf(collider))
-            points.push_back(bodyFromWorld *
-                             (zUpFromYUp() * (document.nodes()[collider.place].transform * point)));
-    return points;
+    ColliderSurface surface;
+    for (const auto& collider : body.colliders) {
+        const Eigen::Affine3d bodyFromCollider =
+            bodyFromWorld *
+            Eigen::Affine3d(zUpFromYUp() * document.nodes()[collider.place].transform);
+        if (collider.form != GltfCollider::Form::mesh) {
+            for (const auto& point : pointsOf(collider))
+                surface.points.push_back(bodyFromCollider * point);
+            continue;
+        }
+        const bool hasFaces = body.colliders.size() == 1 && !collider.isConvexHull;
+        for (const auto& part : meshes)
+            if (part.node == collider.meshNode)
+                addMesh(surface, part.mesh, bodyFromCollider * nodeFromScene(document, part.node),
+                        hasFaces);
+    }
+    return surface;
 }
 
 } // namespace idiophone

@@ -1,9 +1,11 @@
 // Places and shapes of a glTF file's bodies in a scene, whose z points up.
 #pragma once
 
+#include "Gltf/GltfMeshes.h"
 #include "Gltf/RigidBodies.h"
 
 #include <Eigen/Geometry>
+#include <array>
 #include <vector>
 
 namespace idiophone {
@@ -19,9 +21,17 @@ struct PlacedPose {
 
 PlacedPose placedPose(const Eigen::Affine3d& transform);
 
-/// Returns points whose convex hull is that of all the body's colliders, in the coordinates of a
-/// pose.
-std::vector<Eigen::Vector3d>
-pointsAround(const GltfDocument& document, const GltfRigidBody& body, const PlacedPose& pose);
+struct ColliderSurface {
+    std::vector<Eigen::Vector3d> points;   ///< their convex hull is that of all colliders
+    std::vector<std::array<int, 3>> faces; ///< of a single mesh that is not a convex hull, or none
+
+    bool operator==(const ColliderSurface&) const = default;
+};
+
+/// Returns the body's colliders in the coordinates of a pose. `meshes` are the document's.
+ColliderSurface surfaceOf(const GltfDocument& document,
+                          const std::vector<GltfPart>& meshes,
+                          const GltfRigidBody& body,
+                          const PlacedPose& pose);
 
 } // namespace idiophone

@@ -39,15 +39,17 @@ struct BodyKey {
     bool isFixed = false;
     BodyForm form = BodyForm::hull;
     std::optional<double> friction, restitution;
-    std::vector<Eigen::Vector3d> points; ///< around the colliders
+    ColliderSurface colliders = {};
 
     bool operator==(const BodyKey&) const = default;
 };
 
 class SceneBuilder {
 public:
-    SceneBuilder(const GltfDocument& document, const AudioRigidBodies& audio)
-        : document_(document), audio_(audio) {}
+    SceneBuilder(const GltfDocument& document,
+                 const AudioRigidBodies& audio,
+                 const std::vector<GltfPart>& meshes)
+        : document_(document), audio_(audio), meshes_(meshes) {}
 
     /// The error is the end of a sentence.
     Result<void> add(const GltfRigidBody& body) {
@@ -63,7 +65,9 @@ public:
                     .form = form,
                     .friction = body.friction,
                     .restitution = body.restitution,
-                    .points = pointsAround(document_, body, pose)};
+                    .colliders = surfaceOf(document_, meshes_, body, pose)};
+        if (key.colliders.points.empty())
+            return {}; // its mesh is not in the scene
         if (body.soundPlace) {
             const auto& audio = audioAt(*body.soundPlace);
             key.model = audio.model;
@@ -139,13 +143,14 @@ private:
 
     Result<std::shared_ptr<const ModalObject>> objectFor(const BodyKey& key) const {
         Eigen::AlignedBox3d box;
-        for (const auto& point : key.points)
+        for (const auto& point : key.colliders.points)
             box.extend(point);
         if (!key.model) {
             GltfAcousticMaterial material;
             if (key.finish && audio_.surfaces[*key.finish].material)
                 material = audio_.materials[*audio_.surfaces[*key.finish].material];
-            return silentBody(key.points, materialOf(material), key.mass);
+            return silentBody(key.colliders.points, key.colliders.faces, materialOf(material),
+                              key.mass);
         }
         GltfInstance instance{.surface = key.surface,
                               .gain = key.gain,
@@ -175,6 +180,9 @@ private:
             return BodyForm::hull;
         if (form == Form::plane && body.isFixed && !body.soundPlace)
             return BodyForm::ground;
+        if (form == Form::mesh && body.isFixed && !body.soundPlace &&
+            !body.colliders.front().isConvexHull)
+            return BodyForm::surface;
         return form == Form::sphere ? BodyForm::sphere : BodyForm::hull;
     }
 
@@ -215,9 +223,18 @@ private:
 
     const GltfDocument& document_;
     const AudioRigidBodies& audio_;
+    const std::vector<GltfPart>& meshes_;
     Scene scene_;
     std::vector<BodyKey> keys_; ///< of the scene's kinds
 };
+
+bool hasMeshColliders(const GltfRigidBodies& physics) {
+    return std::ranges::any_of(physics.bodies, [](const auto& body) {
+        return std::ranges::any_of(body.colliders, [](const auto& collider) {
+            return collider.form == GltfCollider::Form::mesh;
+        });
+    });
+}
 
 /// The error is the end of a sentence.
 Result<Scene> sceneOf(const GltfDocument& document, const std::string& name) {
@@ -229,7 +246,10 @@ Result<Scene> sceneOf(const GltfDocument& document, const std::string& name) {
         return failure(physics.error().message);
     if (physics->bodies.empty())
         return failure("it has no rigid bodies (KHR_physics_rigid_bodies)");
-    SceneBuilder builder(document, *audio);
+    const auto meshes = hasMeshColliders(*physics) ? meshesOf(document) : GltfMeshes{};
+    if (!meshes)
+        return failure(meshes.error().message);
+    SceneBuilder builder(document, *audio, meshes->parts);
     for (const auto& body : physics->bodies)
         if (const auto added = builder.add(body); !added)
             return failure(added.error().message);
@@ -238,16 +258,24 @@ Result<Scene> sceneOf(const GltfDocument& document, const std::string& name) {
 
 } // namespace
 
+Result<Scene> gltfScene(std::string_view bytes, const std::filesystem::path& file) {
+    return GltfDocument::parse(withoutByteOrderMark(bytes), file.parent_path())
+        .and_then([&](const GltfDocument& document) {
+            return sceneOf(document, shownName(nameOf(file.stem())));
+        })
+        .map_error(
+            [&](const Error& error) { return Error{shownNameOf(file) + ": " + error.message}; });
+}
+
 Result<Scene> readGltfScene(const std::filesystem::path& file) {
-    const auto scene = readBytes(file, largestFileBytes).and_then([&](const std::string& bytes) {
-        return GltfDocument::parse(withoutByteOrderMark(bytes), file.parent_path())
-            .and_then([&](const GltfDocument& document) {
-                return sceneOf(document, nameOf(file.stem()));
-            });
-    });
-    if (!scene)
-        return failure(shownNameOf(file) + ": " + scene.error().message);
-    return scene;
+    const auto bytes = readBytes(file, largestFileBytes);
+    if (!bytes)
+        return failure(shownNameOf(file) + ": " + bytes.error().message);
+    try {
+        return gltfScene(*bytes, file);
+    } catch (const std::bad_alloc&) {
+        return failure(shownNameOf(file) + ": it is too large for this machine's memory");
+    }
 }
 
 } // namespace idiophone

@@ -31,6 +31,7 @@ MassProperties withInertia(MassProperties mass, const Eigen::AlignedBox3d& box) 
 }
 
 std::shared_ptr<const ModalObject> silentBody(const std::vector<Eigen::Vector3d>& pointsMetres,
+                                              const std::vector<std::array<int, 3>>& faces,
                                               const Material& material,
                                               const MassProperties& mass) {
     auto object = std::make_shared<ModalObject>();
@@ -42,6 +43,8 @@ std::shared_ptr<const ModalObject> silentBody(const std::vector<Eigen::Vector3d>
         for (const double metres : point)
             object->vertices.push_back(static_cast<float>(metres));
     }
+    for (const auto& corners : faces)
+        object->faces.insert(object->faces.end(), corners.begin(), corners.end());
     object->mass = mass;
     if (!(mass.massKg > 0)) {
         object->mass.massKg = box.volume() * material.densityKgPerM3;

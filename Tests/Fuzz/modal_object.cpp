@@ -1,5 +1,6 @@
-// Fuzzes modal objects, as users import them or projects carry them.
+// Fuzzes modal objects, as users import them or projects carry them, and those in glTF files.
 #include "Fuzz/FuzzTarget.h"
+#include "Gltf/ObjectFile.h"
 #include "Object/ModalObjectFile.h"
 #include "Synth/Synthesiser.h"
 
@@ -100,7 +101,7 @@ void claimPlayable(const std::shared_ptr<const ModalObject>& object,
 } // namespace
 
 void examine(std::string_view bytes) {
-    auto object = readModalObject(asBytes(bytes), "fuzz.modal");
+    auto object = readObject(asBytes(bytes), "fuzz.modal");
     if (!object)
         return claimSentence(object.error());
     claimSizes(*object);

@@ -1,5 +1,6 @@
-// Fuzzes scene files.
+// Fuzzes scene files: JSON, and glTF in one piece.
 #include "Fuzz/FuzzTarget.h"
+#include "Scene/GltfScene.h"
 #include "Scene/SceneSimulation.h"
 #include "Scene/SceneText.h"
 
@@ -61,7 +62,8 @@ void claimMotion(Scene scene) {
 } // namespace
 
 void examine(std::string_view bytes) {
-    const auto scene = parseScene(bytes, "fuzz.json");
+    const auto scene =
+        bytes.starts_with("glTF") ? gltfScene(bytes, "fuzz.glb") : parseScene(bytes, "fuzz.json");
     if (!scene)
         return claimSentence(scene.error());
     claim(!scene->name.empty(), "a scene has a name");

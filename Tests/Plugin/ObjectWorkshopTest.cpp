@@ -2,6 +2,7 @@
 #include "Support/ImportedFiles.h"
 
 #include "Geometry/ParametricMesh.h"
+#include "Gltf/ObjectGlb.h"
 #include "Object/ModalObjectFile.h"
 #include "Plugin/ImportChoices.h"
 #include "Plugin/ObjectWorkshop.h"
@@ -136,6 +137,18 @@ TEST_CASE("A mesh is scaled to the longest side that is given, whatever its unit
     workshop.analyseAgain({.longestMetres = 21});
     CHECK(productsOf(workshop).empty());
     CHECK(workshop.status().error == "plate.obj: The longest side must be between 1 mm and 20 m.");
+}
+
+TEST_CASE("A glTF file with a modal model is an object and is not analysed") {
+    const auto bytes = encodeGlb(syntheticObject({300, 700}));
+    const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    ObjectWorkshop workshop;
+    workshop.open(writtenFile("synthetic.glb", std::string(text)), {});
+    const auto products = productsOf(workshop);
+    CHECK(workshop.status().error.empty());
+    REQUIRE(products.size() == 1);
+    CHECK(products.front().object->eigenvalues == syntheticObject({300, 700}).eigenvalues);
+    CHECK(products.front().object->method == "synthetic");
 }
 
 TEST_CASE("A glTF mesh is in metres until another unit is chosen") {
