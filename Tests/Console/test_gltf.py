@@ -1,3 +1,4 @@
+import base64
 import json
 import math
 import os
@@ -231,6 +232,25 @@ class Gltf(ConsoleTest):
         file.document["extensions"][physics] = {"physicsMaterials": [
             {"staticFriction": 0.5, "dynamicFriction": 0.4, "restitution": 0.2}]}
         return self.write(name, file.text())
+
+    def test_bodies_collide_with_meshes(self):
+        # A bowl of four faces catches the body, which would miss a plane at its rim.
+        document = json.loads(self.scene("scene.gltf", body_mass=0.5).read_text())
+        file = GltfFile()
+        file.document = document
+        raw = document["buffers"][0]["uri"].split(",")[1]
+        file.data = base64.b64decode(raw)
+        rim = [(-1, -1), (1, -1), (1, 1), (-1, 1)]
+        positions = file.add([c for x, z in rim for c in (x, 0.5, z)] + [0, -0.5, 0], "VEC3")
+        indices = file.add([1, 0, 4, 2, 1, 4, 3, 2, 4, 0, 3, 4], component=5123)
+        document["meshes"] = [{"primitives": [{"attributes": {"POSITION": positions}, "indices": indices}]}]
+        floor = document["nodes"][0]
+        floor["mesh"] = 0
+        floor["extensions"]["KHR_physics_rigid_bodies"]["collider"]["geometry"] = {"node": 0}
+        report, wave = self.render_scene(self.write("bowl.gltf", file.text()))
+        self.assertGreaterEqual(report["impacts"], 2)
+        first = next(n for n, sample in enumerate(wave.left) if sample != 0) / RATE
+        self.assertGreater(first, math.sqrt(2 * 0.4 / 9.81), "it falls below the plane")
 
     def render_scene(self, file, *options):
         output = self.folder / "scene.wav"

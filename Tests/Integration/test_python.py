@@ -38,10 +38,12 @@ def test_it_analyses_as_the_console_does(idiophone, bar, bar_file, console, tmp_
     assert bar.mass == other.mass and bar.material.name == "Glass"
 
 
-def test_a_saved_object_comes_back(idiophone, bar, tmp_path):
-    bar.save(tmp_path / "bar.modal")
-    again = idiophone.load(tmp_path / "bar.modal")
+@pytest.mark.parametrize("name", ["bar.modal", "bar.glb"])
+def test_a_saved_object_comes_back(idiophone, bar, tmp_path, name):
+    bar.save(tmp_path / name)
+    again = idiophone.load(tmp_path / name)
     assert numpy.array_equal(bar.shapes, again.shapes) and again.name == "bar"
+    assert numpy.array_equal(bar.eigenvalues, again.eigenvalues)
 
 
 def test_impacts_sound_bit_for_bit_as_in_the_console(idiophone, bar, console, tmp_path):
