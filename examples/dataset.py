@@ -26,7 +26,7 @@ import pyarrow.parquet
 from distributed import Client, as_completed
 from distributed.scheduler import KilledWorker
 
-FORMATS = (".obj", ".off", ".ply", ".stl")
+FORMATS = (".obj", ".off", ".ply", ".stl", ".gltf", ".glb")
 SCHEMA = pyarrow.schema({
     "mesh": "string", "material": "string", "file": "string", "error": "string",
     "vertices": "int32", "faces": "int32", "modes": "int32", "lowest_hz": "float64",
