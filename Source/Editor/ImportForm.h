@@ -117,7 +117,7 @@ private:
     // A mode of 400 Hz sounds for 5, 1 and 0.2 s in the latter three.
     static constexpr std::array supports{SupportChoice{0, "Rigid"}, SupportChoice{1000, "Metal"},
                                          SupportChoice{200, "Wood"}, SupportChoice{40, "Soft"}};
-    static constexpr std::array units{Choice{"", "Guessed"},       Choice{"m", "Metres"},
+    static constexpr std::array units{Choice{"", "Auto"},          Choice{"m", "Metres"},
                                       Choice{"cm", "Centimetres"}, Choice{"mm", "Millimetres"},
                                       Choice{"in", "Inches"},      Choice{"ft", "Feet"}};
     static constexpr std::array methods{Choice{"", "Auto"}, Choice{"fem", "Solid"},

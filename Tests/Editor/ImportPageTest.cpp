@@ -202,7 +202,7 @@ TEST_CASE("The page shows the file and the choices made, and new settings start 
     CHECK(p.report().contains("looks like millimetres"));
     CHECK(p.report().contains("Taken as a shell of 2 mm"));
     CHECK_FALSE(part<juce::Button>(p.page, "Cancel the analysis").isVisible());
-    CHECK(part<juce::ComboBox>(p.page, "Unit").getText() == "Guessed: mm");
+    CHECK(part<juce::ComboBox>(p.page, "Unit").getText() == "Auto: mm");
     CHECK(part<juce::ComboBox>(p.page, "Method").getText() == "Auto: Shell");
 
     part<juce::ComboBox>(p.page, "Material").setText("Glass", juce::sendNotificationSync);
