@@ -24,8 +24,9 @@ Result<RawMesh> readGltf(std::string_view bytes, const std::filesystem::path& fo
         const auto mesh = std::exchange(part.mesh, {}); // frees its memory
         const auto group = groupNames.numberOf(part.name);
         const auto first = all.vertexCount();
-        for (const auto& vertex : mesh.vertices.rowwise())
-            all.coordinates.insert(all.coordinates.end(), vertex.begin(), vertex.end());
+        for (const auto& vertex : mesh.vertices.rowwise()) // glTF's y points up
+            for (const double metres : {vertex.x(), -vertex.z(), vertex.y()})
+                all.coordinates.push_back(metres);
         for (const auto& face : mesh.faces.rowwise()) {
             all.addPolygon(std::array{first + face(0), first + face(1), first + face(2)});
             groupNames.addTo(group, all.polygonEnds.size() - 1);

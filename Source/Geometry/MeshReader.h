@@ -36,7 +36,7 @@ Result<const MeshGroup*> findGroup(const std::vector<MeshGroup>& groups, std::st
 /// Reads a mesh and scales it to metres. The extension selects the format (.obj, .off, .ply, .stl,
 /// .gltf, .glb, in upper or lower case).
 /// The groups are those of "g" and "o" in OBJ, the solids of a text STL and the nodes of glTF. Axes
-/// stay as they are in the file. A glTF file's scene is read with its nodes' places, its buffers
+/// stay as they are in the file; glTF's y, which points up, becomes z. A glTF file's scene is read with its nodes' places, its buffers
 /// from the folder of the file and the folders below.
 /// Polygons are cut into triangles inside their outline, or with a note if it crosses itself. A
 /// mesh whose faces lie more than a hundred diagonals from the origin is moved there, because

@@ -208,6 +208,8 @@ json meshJson(BufferWriter& buffer, const ModalObject& object) {
 json documentJson(BufferWriter& buffer, const ModalObject& object) {
     json node{
         {"name", object.name},
+        // Our z points up, glTF's y does.
+        {"rotation", {-std::numbers::sqrt2 / 2, 0, 0, std::numbers::sqrt2 / 2}},
         {"extensions", {{"KHR_audio_rigid_bodies", {{"modalModel", 0}, {"acousticSurface", 0}}}}}};
     json document{{"asset", {{"version", "2.0"}, {"generator", object.provenance.software}}},
                   {"extensionsUsed", {"KHR_audio_rigid_bodies", "IDIOPHONE_modal_object"}},

@@ -135,6 +135,13 @@ class Gltf(ConsoleTest):
         self.assertGreater(energy(range(count // 3)), energy(range(2 * count // 3, count)))
         mesh = document["meshes"][0]["primitives"][0]
         self.assertEqual(len(elements(mesh["indices"])), 3 * told["faces"])
+        # As a mesh, it is where it was: the node turns z up to y up, and reading turns it back.
+        positions = elements(mesh["attributes"]["POSITION"])
+        x, y, z, w = document["nodes"][0]["rotation"]
+        self.assertEqual((y, z), (0, 0))
+        up = [2 * w * x * p[2] * -1 + (1 - 2 * x * x) * p[1] for p in positions]
+        self.assertAlmostEqual(max(up) - min(up), max(p[2] for p in positions) -
+                               min(p[2] for p in positions), delta=1e-6)
 
     @unittest.skipIf(SCHEMAS is None, "IDIOPHONE_GLTF_SCHEMAS is not set")
     def test_the_schemas_accept_what_is_written(self):

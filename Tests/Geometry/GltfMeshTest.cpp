@@ -1,4 +1,4 @@
-// Meshes from glTF files: what is read.
+// Meshes from glTF files: what is read. Its (x, y, z) becomes (x, −z, y).
 #include "Geometry/MeshReader.h"
 
 #include "Geometry/MeshRepair.h"
@@ -133,7 +133,7 @@ TEST_CASE("Numbers of a glTF file are read in every type, with gaps, sparse and 
         file.addMesh(positions, file.addIndices(cubeTriangles));
         checkBody(readFile(file).mesh, 1);
         file.json["accessors"][0].erase("bufferView");
-        CHECK(readFile(file).mesh.vertices.colwise().sum() == Eigen::RowVector3d(1, 1, 1));
+        CHECK(readFile(file).mesh.vertices.colwise().sum() == Eigen::RowVector3d(1, -1, 1));
     }
     SECTION("whole numbers, as they are and normalised") {
         std::vector<std::int16_t> shorts;
@@ -165,10 +165,10 @@ TEST_CASE("Nodes place their meshes, and mirrored ones stay outward") {
     const auto turned = readFile(file).mesh;
     checkBody(turned, 2);
     const auto box = boxOfFaces(turned);
-    CHECK(box.min().isApprox(Eigen::Vector3d(9, 0, -1)));
-    CHECK((box.max() - Eigen::Vector3d(10, 2, 0)).norm() < 1e-9);
+    CHECK(box.min().isApprox(Eigen::Vector3d(9, 0, 0)));
+    CHECK((box.max() - Eigen::Vector3d(10, 1, 2)).norm() < 1e-9);
     file.json["scene"] = 2;
-    CHECK(boxOfFaces(readFile(file).mesh).max() == Eigen::Vector3d(3, 1, 6));
+    CHECK(boxOfFaces(readFile(file).mesh).max() == Eigen::Vector3d(3, 0, 1));
     SECTION("a file without scenes shows all nodes") {
         file.json.erase("scenes");
         file.json.erase("scene");
@@ -189,8 +189,8 @@ TEST_CASE("Instances are placed, relative to their node") {
         {"TRANSLATION", translations}, {"ROTATION", rotations}, {"SCALE", scales}};
     const auto mesh = readFile(file).mesh;
     checkBody(mesh, 4);
-    CHECK(boxOfFaces(mesh).min().isApprox(Eigen::Vector3d(-1, 99, -3)));
-    CHECK(boxOfFaces(mesh).max().isApprox(Eigen::Vector3d(6, 101, 1)));
+    CHECK(boxOfFaces(mesh).min().isApprox(Eigen::Vector3d(-1, -1, 99)));
+    CHECK(boxOfFaces(mesh).max().isApprox(Eigen::Vector3d(6, 3, 101)));
 }
 
 TEST_CASE("The nodes of a glTF file are its groups, and what is left out is noted") {
