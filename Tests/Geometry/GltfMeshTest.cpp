@@ -168,7 +168,7 @@ TEST_CASE("Nodes place their meshes, and mirrored ones stay outward") {
     CHECK(box.min().isApprox(Eigen::Vector3d(9, 0, 0)));
     CHECK((box.max() - Eigen::Vector3d(10, 1, 2)).norm() < 1e-9);
     file.json["scene"] = 2;
-    CHECK(boxOfFaces(readFile(file).mesh).max() == Eigen::Vector3d(3, 0, 1));
+    CHECK(boxOfFaces(readFile(file).mesh).max() == Eigen::Vector3d(3, -5, 1));
     SECTION("a file without scenes shows all nodes") {
         file.json.erase("scenes");
         file.json.erase("scene");
