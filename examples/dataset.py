@@ -9,6 +9,7 @@ failed. Run the same command again to go on after an interruption: what is done 
 docs/datasets.md describes the columns, Slurm, Kubernetes and the costs.
 """
 import argparse
+from concurrent.futures import CancelledError
 import hashlib
 import json
 import math
@@ -22,7 +23,7 @@ import dask
 import idiophone
 import pyarrow
 import pyarrow.parquet
-from distributed import Client, LocalCluster, as_completed
+from distributed import Client, as_completed
 from distributed.scheduler import KilledWorker
 
 FORMATS = (".obj", ".off", ".ply", ".stl")
@@ -95,6 +96,10 @@ def work(job, materials, meshes, objects, timeout):
 
 def fault_of_worker(version, folders):
     """Returns why a worker cannot do the work, or None. Runs on a worker."""
+    try:
+        import idiophone  # not outside: a worker without it would die of the function
+    except ImportError as error:
+        return str(error)
     if idiophone.__version__ != version:
         return f"it has idiophone {idiophone.__version__} instead of {version}"
     return next((f"it does not see the folder {folder}" for folder in folders if not folder.is_dir()), None)
@@ -120,7 +125,7 @@ def is_done(job, row, objects, retry):
 
 
 def run(client, jobs, rows, index, **constants):
-    """Does the jobs and keeps the index up to date. Returns the number of failures."""
+    """Does the jobs and keeps the index up to date."""
     futures = dict(zip(client.map(work, jobs, pure=False, **constants), jobs))
     done = failed = 0
     started = reported = time.monotonic()
@@ -140,7 +145,6 @@ def run(client, jobs, rows, index, **constants):
                 write_index(rows, index)
     finally:
         write_index(rows, index)
-    return failed
 
 
 def parse(arguments):
@@ -199,15 +203,18 @@ def main(arguments=None):
         return 0
     for left in objects.rglob("*.part"):  # of workers that were killed
         left.unlink()
-    with connect(options) as client:
-        if fault := client.submit(fault_of_worker, idiophone.__version__, (meshes, objects)).result():
-            sys.exit(f"A worker cannot do the work: {fault}")
-        try:
+    try:
+        with connect(options) as client:
+            if fault := client.submit(fault_of_worker, idiophone.__version__, (meshes, objects)).result():
+                sys.exit(f"A worker cannot do the work: {fault}")
             run(client, waiting, rows, index, materials=materials, meshes=meshes, objects=objects,
                 timeout=options.timeout)
-        except KeyboardInterrupt:
-            print("Interrupted. The same command goes on from here.", flush=True)
-            return 130
+    except KeyboardInterrupt:
+        print("Interrupted. The same command goes on from here.")
+        return 130
+    except (OSError, CancelledError) as error:
+        print(f"The cluster or a disk failed: {error}. The same command goes on from here.")
+        return 1
     print(f"{index} has {len(rows)} rows")
     return 0
 

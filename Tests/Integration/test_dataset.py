@@ -1,11 +1,10 @@
 """Tests examples/dataset.py on a Dask cluster of two worker processes."""
 import os
 import signal
-import subprocess
 import sys
 
 import dask
-import distributed
+import distributed.comm
 import pyarrow.parquet
 import pytest
 
@@ -159,18 +158,33 @@ def test_a_lost_index_is_made_of_the_files(idiophone, folder, run):
     assert check_index(idiophone, folder, 8) == [{**row, "seconds": None} for row in index]
 
 
-def test_an_interrupt_keeps_what_is_done(idiophone, folder, run, dataset, monkeypatch):
-    def interrupted(futures):
+def interrupt():
+    os.kill(os.getpid(), signal.SIGINT)
+
+
+def lose_the_cluster():
+    raise distributed.comm.CommClosedError("the stream is closed")
+
+
+@pytest.mark.parametrize("end, code", [(interrupt, 130), (lose_the_cluster, 1)])
+def test_what_is_done_is_kept_at_an_early_end(idiophone, folder, run, dataset, monkeypatch, end, code):
+    def ended(futures):
         for count, future in enumerate(distributed.as_completed(futures)):
             if count == 3:
-                os.kill(os.getpid(), signal.SIGINT)
+                end()
             yield future
     with monkeypatch.context() as patched:
-        patched.setattr(dataset, "as_completed", interrupted)
-        assert run(expected=130) == 8
+        patched.setattr(dataset, "as_completed", ended)
+        assert run(expected=code) == 8
     check_index(idiophone, folder, 3)
     assert run() == 5
     check_index(idiophone, folder, 8)
+
+
+def test_a_worker_is_checked_before_it_works(idiophone, dataset, tmp_path):
+    assert dataset.fault_of_worker(idiophone.__version__, (tmp_path,)) is None
+    assert "instead of 0.0.0" in dataset.fault_of_worker("0.0.0", (tmp_path,))
+    assert "does not see" in dataset.fault_of_worker(idiophone.__version__, (tmp_path, tmp_path / "none"))
 
 
 def test_a_timeout_is_recorded_and_may_be_tried_again(idiophone, folder, run):
@@ -183,17 +197,13 @@ def test_a_timeout_is_recorded_and_may_be_tried_again(idiophone, folder, run):
     check_index(idiophone, folder, 8)
 
 
-def test_it_starts_workers_of_its_own(idiophone, folder, sources):
-    def command(*options):
-        return subprocess.run([sys.executable, sources / "examples/dataset.py", "meshes", "-o", "out", *options],
-                              capture_output=True, text=True, cwd=folder,
-                              env={**os.environ, "PYTHONPATH": os.path.dirname(os.path.dirname(idiophone.__file__))})
-    told = command("--workers", "2", *QUICK)
-    assert told.returncode == 0, told.stderr
-    assert "8 of 8 done, 0 failed" in told.stdout
-    check_index(idiophone, folder, 8)
+def test_faults_in_the_command_end_it_with_a_sentence(dataset, folder, capfd):
     for options, fault in ((["--materials", "Unobtainium"], "no material 'Unobtainium'"),
                            (["--materials", "Glass,glass"], "the same name"),
                            (["--workers", "2", "--scheduler", "tcp://x"], "not allowed")):
-        told = command(*options)
-        assert told.returncode == 2 and fault in told.stderr
+        with pytest.raises(SystemExit, match="2"):
+            dataset.main([str(folder / "meshes"), "-o", str(folder / "out"), *options])
+        assert fault in capfd.readouterr().err
+    with pytest.raises(SystemExit, match="2"):
+        dataset.main([str(folder / "out"), "-o", str(folder / "out")])
+    assert "no mesh in" in capfd.readouterr().err
