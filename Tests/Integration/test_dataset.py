@@ -1,6 +1,8 @@
 """Tests examples/dataset.py on a Dask cluster of two worker processes."""
 import os
+import re
 import signal
+import subprocess
 import sys
 
 import dask
@@ -207,3 +209,13 @@ def test_faults_in_the_command_end_it_with_a_sentence(dataset, folder, capfd):
     with pytest.raises(SystemExit, match="2"):
         dataset.main([str(folder / "out"), "-o", str(folder / "out")])
     assert "no mesh in" in capfd.readouterr().err
+
+
+def test_its_speed_is_measured_with_workers_of_its_own(idiophone, sources):
+    site = os.path.dirname(os.path.dirname(idiophone.__file__))
+    program = sources / "Tests/Benchmarks/dataset_speed.py"
+    told = subprocess.run([sys.executable, program, "--meshes", "2", "--rounds", "1"],
+                          capture_output=True, text=True, env={**os.environ, "PYTHONPATH": site})
+    assert told.returncode == 0, told.stderr
+    assert re.findall(r"^(\d) workers", told.stdout, re.MULTILINE) == ["1", "2"]
+    assert re.search(r"two workers over one: \d", told.stdout)
