@@ -72,6 +72,8 @@ Result<void> writeObject(const ModalObject& object, const std::filesystem::path&
         return writeModalObject(object, file);
     if (!sameName(nameOf(file.extension()), ".glb"))
         return failure(shownNameOf(file) + ": objects are written as .glb, not as .gltf");
+    if (!(object.dampedFrequencyHz(object.modeCount() - 1) > 0))
+        return failure(shownNameOf(file) + ": none of the object's modes rings");
     const auto bytes = encodeGlb(object);
     const bool isWritten = replaceFile(file, [&](std::ostream& stream) {
         stream.write(reinterpret_cast<const char*>(bytes.data()),
