@@ -159,7 +159,7 @@ bool hasModalModels(const GltfDocument& document) {
     try {
         return GltfValue::extension(document, extensionName)["modalModels"].exists();
     } catch (const GltfValue::Fault&) {
-        return false;
+        return true; // the reader says what is broken
     }
 }
 

@@ -35,8 +35,8 @@ struct GltfModalModel {
 /// What a file leaves out is not set.
 struct GltfAcousticMaterial {
     std::string name;
-    std::optional<double> densityKgPerM3, youngsModulusPa, poissonRatio;
-    std::optional<double> alphaPerSecond, betaSeconds; ///< Rayleigh damping: 2d = α + βω²
+    std::optional<double> densityKgPerM3 = {}, youngsModulusPa = {}, poissonRatio = {};
+    std::optional<double> alphaPerSecond = {}, betaSeconds = {}; ///< Rayleigh damping: 2d = α + βω²
 };
 
 /// A finish. The defaults are the draft's.

@@ -110,6 +110,8 @@ Mesh collisionSurface(const ModalObject& object) {
     Mesh mesh = objectMesh(object);
     dropDegenerateFaces(mesh);
     dropDuplicateFaces(mesh);
+    if (object.modeCount() == 0)
+        return mesh;
     for (auto faces = 4 * mesh.faceCount(); faces > 0 && faces <= maximumSmoothFaces; faces *= 4)
         mesh = subdivided(mesh, 1);
     return mesh;
