@@ -3,6 +3,7 @@
 
 #include "Gltf/GltfObject.h"
 #include "Gltf/ObjectGlb.h"
+#include "Gltf/RigidBodies.h"
 #include "Object/FileBeside.h"
 #include "Object/FileBytes.h"
 #include "Object/ModalObjectFile.h"
@@ -16,6 +17,18 @@ namespace idiophone {
 namespace {
 
 constexpr std::uintmax_t largestFileBytes = std::uintmax_t{2} << 30;
+
+/// Returns sentences about what else is in the file; may be empty.
+std::string notesOn(const GltfDocument& document, const AudioRigidBodies& audio) {
+    std::string notes;
+    if (audio.models.size() > 1)
+        notes =
+            "The first of " + std::to_string(audio.models.size()) + " modal models in its file.";
+    if (hasRigidBodies(document))
+        notes += (notes.empty() ? "" : " ") +
+                 std::string("The file has rigid bodies: it is a scene, too (docs/gltf.md).");
+    return notes;
+}
 
 /// The error is the end of a sentence.
 Result<ModalObject> objectIn(std::string_view bytes, const std::filesystem::path& folder) {
@@ -33,7 +46,11 @@ Result<ModalObject> objectIn(std::string_view bytes, const std::filesystem::path
             instance.surface = node.surface;
             break;
         }
-    return objectOf(*document, *audio, 0, instance);
+    return objectOf(*document, *audio, 0, instance).map([&](ModalObject&& object) {
+        if (const auto notes = notesOn(*document, *audio); !notes.empty())
+            object.provenance.notes = notes;
+        return std::move(object);
+    });
 }
 
 Result<ModalObject> named(Result<ModalObject> object, const std::string& name) {

@@ -173,6 +173,11 @@ private:
 
 } // namespace
 
+bool hasRigidBodies(const GltfDocument& document) {
+    return std::ranges::find(document.model().extensionsUsed, extensionName) !=
+           document.model().extensionsUsed.end();
+}
+
 Result<GltfRigidBodies> rigidBodies(const GltfDocument& document, const AudioRigidBodies& audio) {
     try {
         return Reader(document, audio).read();

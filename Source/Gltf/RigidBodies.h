@@ -39,6 +39,9 @@ struct GltfRigidBodies {
     std::string notes; ///< sentences for the user: what is left out; may be empty
 };
 
+/// Returns whether the file says that it has rigid bodies.
+bool hasRigidBodies(const GltfDocument& document);
+
 /// Returns the bodies of the document's scene. Bodies without a collider are left out, as are
 /// joints and triggers. The error is the end of a sentence that begins with the file's name.
 Result<GltfRigidBodies> rigidBodies(const GltfDocument& document, const AudioRigidBodies& audio);

@@ -275,6 +275,15 @@ class Gltf(ConsoleTest):
         at_mode, beside = (wave.level_at(f, start, RATE // 4) for f in (700, 760))
         self.assertGreater(at_mode, 20 * beside)
 
+    def test_the_object_of_a_scene_says_that_it_is_one_of_it(self):
+        document = json.loads(self.scene("scene.gltf").read_text())
+        document["extensionsUsed"].append("KHR_physics_rigid_bodies")
+        models = document["extensions"][AUDIO]["modalModels"]
+        models.append({**models[0], "name": "second"})
+        notes = self.json("info", self.write("two.gltf", json.dumps(document)))["provenance"]["notes"]
+        self.assertIn("The first of 2 modal models", notes)
+        self.assertIn("it is a scene, too", notes)
+
     def test_the_gain_of_a_node_counts(self):
         loud, soft = (self.render_scene(self.scene(f"{gain}.gltf", body_mass=0.5, gain=gain))[1].peak()
                       for gain in (1, 0.25))
