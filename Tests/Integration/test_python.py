@@ -202,6 +202,24 @@ def test_a_long_render_can_be_interrupted(idiophone, bar):
         world.render(2**27)
 
 
+def test_threads_that_render_one_world_share_its_samples(idiophone, bar):
+    def struck():
+        world = idiophone.World([bar])
+        world.strike(0, (0, 0, -0.01), vertex=int(bar.shape_vertices[0]))
+        return world
+
+    def render():
+        for _ in range(50):
+            shares.append((world.render(480).astype(float) ** 2).sum())
+    world, shares = struck(), []
+    threads = [threading.Thread(target=render) for _ in range(2)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert sum(shares) == pytest.approx((struck().render(100 * 480).astype(float) ** 2).sum(), rel=1e-9)
+
+
 def test_touches_sound_until_they_end(idiophone, bar):
     world = idiophone.World([bar])
     touch = world.begin_touch()
