@@ -211,9 +211,9 @@ private:
                         .towardsMetres = camera * Eigen::Vector3d(0, 0, -1)};
             }
         Eigen::AlignedBox3d box;
-        for (std::size_t k = 0; k < scene_.releases.size(); ++k)
-            if (!scene_.kinds[k].isFixed)
-                box.extend(scene_.releases[k].positionMetres.mean);
+        for (const auto& release : scene_.releases)
+            if (!scene_.kinds[release.kind].isFixed)
+                box.extend(release.positionMetres.mean);
         if (box.isEmpty())
             return {};
         const double distance = 1 + box.diagonal().norm();
