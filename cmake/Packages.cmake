@@ -68,7 +68,8 @@ else()
         PATTERN "*.py" EXCLUDE PATTERN "*.sh" EXCLUDE)
     # Files that the pages link to.
     install(FILES LICENSE LICENSE-APACHE THIRD-PARTY DESTINATION "${documents}" COMPONENT console)
-    install(DIRECTORY Presets DESTINATION "${documents}" COMPONENT console)
+    install(DIRECTORY Presets examples DESTINATION "${documents}" COMPONENT console
+        PATTERN "__pycache__" EXCLUDE)
     install(DIRECTORY Resources/Mallets Resources/Materials Resources/Pictures
         DESTINATION "${documents}/Resources" COMPONENT console)
     # Debian looks for the licence of each package here.
