@@ -174,6 +174,8 @@ def connect(options):
     dask.config.set({
         # One object at a time, so that a worker that dies does not put the blame on two.
         "distributed.scheduler.worker-saturation": 1.0,
+        # A worker that starts on a busy machine may be slow to connect.
+        "distributed.comm.timeouts.connect": "10 minutes",
         # Ctrl-C in the terminal is for this process, which ends the workers.
         "distributed.worker.preload": ["import signal; signal.signal(signal.SIGINT, signal.SIG_IGN)"]})
     return Client(n_workers=options.workers, threads_per_worker=1, dashboard_address=None)
