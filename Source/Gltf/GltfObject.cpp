@@ -16,11 +16,11 @@ namespace {
 /// to us, but demands one factor for all models. With this one, its samples' bar of ceramic, 240 ×
 /// 60 × 20 mm, radiates at 2 kHz what the draft's section "Radiation and Distance" says.
 constexpr double pressurePerAcceleration = 0.001;
-/// A mode without damping would ring for ever.
+/// The decay of a mode that has none in the file.
 constexpr double slowestDecayPerSecond = 1e-3;
 constexpr const char* usualMaterial = "Steel";
 
-/// Returns the finishes of the draft's Authoring Notes.
+/// A finish of the draft's Authoring Notes.
 struct Finish {
     double roughness; ///< 0 to 1
     double roughnessMetres, correlationLengthMetres, spectralSlope;
