@@ -78,6 +78,7 @@ CollisionShape::CollisionShape(const RigidBodyModel& model) {
         root = round(model);
         break;
     case BodyForm::surface:
+    case BodyForm::mesh:
         root = meshOf(model);
         break;
     case BodyForm::ground:
@@ -172,7 +173,7 @@ btCollisionShape* CollisionShape::ground(const RigidBodyModel& model) {
 }
 
 btCollisionShape* CollisionShape::meshOf(const RigidBodyModel& model) {
-    Mesh mesh = collisionSurface(*model.object);
+    Mesh mesh = collisionSurface(*model.object, model.form);
     mesh.vertices *= model.sizeRatio;
     auto& triangles = *meshes.emplace_back(std::make_unique<btTriangleMesh>());
     const auto corner = [&](Eigen::Index face, int k) {

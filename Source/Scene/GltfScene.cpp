@@ -182,7 +182,7 @@ private:
             return BodyForm::ground;
         if (form == Form::mesh && body.isFixed && !body.soundPlace &&
             !body.colliders.front().isConvexHull)
-            return BodyForm::surface;
+            return BodyForm::mesh;
         return form == Form::sphere ? BodyForm::sphere : BodyForm::hull;
     }
 

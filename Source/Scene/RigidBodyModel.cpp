@@ -51,7 +51,7 @@ Result<BoxSearch> touchingFaces(const BodyTemplate& kind, const ModalObject& obj
     // Bullet numbers faces with 21 bits and does not check.
     if (object.faceCount() > maximumSurfaceFaces)
         return fault("more than " + std::to_string(maximumSurfaceFaces) + " faces");
-    const auto mesh = collisionSurface(object);
+    const auto mesh = collisionSurface(object, kind.form);
     if (mesh.faceCount() == 0)
         return fault("no face with an area");
     if (const auto touching = BoxTree(mesh).touchingFaces(maximumTouchingFaces))
@@ -89,14 +89,14 @@ makeRigidBodyModel(const BodyTemplate& kind, std::shared_ptr<const ModalObject> 
             return failure(inQuotes(kind.name) + " cannot move: its object " + inQuotes(own.name) +
                            " has no mass");
     }
-    if (kind.form == BodyForm::surface) {
+    if (hasFaces(kind.form)) {
         const auto touching = touchingFaces(kind, own);
         if (!touching)
             return tl::unexpected(touching.error());
         model.touchingFaces = *touching;
     }
     const Eigen::Vector3d sizes = boundingBox(outerVertices(model)).sizes();
-    if (!(sizes.minCoeff() > minimumMetres) && kind.form != BodyForm::surface &&
+    if (!(sizes.minCoeff() > minimumMetres) && !hasFaces(kind.form) &&
         kind.form != BodyForm::ground)
         return failure(inQuotes(kind.name) + " is as flat as a sheet: its object " +
                        inQuotes(own.name) + " has no thickness");
@@ -105,12 +105,12 @@ makeRigidBodyModel(const BodyTemplate& kind, std::shared_ptr<const ModalObject> 
     return std::make_shared<const RigidBodyModel>(std::move(model));
 }
 
-Mesh collisionSurface(const ModalObject& object) {
+Mesh collisionSurface(const ModalObject& object, BodyForm form) {
     constexpr Eigen::Index maximumSmoothFaces = 24000; // each subdivision turns one face into four
     Mesh mesh = objectMesh(object);
     dropDegenerateFaces(mesh);
     dropDuplicateFaces(mesh);
-    if (object.modeCount() == 0)
+    if (form == BodyForm::mesh)
         return mesh;
     for (auto faces = 4 * mesh.faceCount(); faces > 0 && faces <= maximumSmoothFaces; faces *= 4)
         mesh = subdivided(mesh, 1);

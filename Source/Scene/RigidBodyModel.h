@@ -43,9 +43,9 @@ inline constexpr BoxSearch maximumTouchingFaces{.pairs = 5'000'000, .boxes = 50'
 Result<std::shared_ptr<const RigidBodyModel>>
 makeRigidBodyModel(const BodyTemplate& kind, std::shared_ptr<const ModalObject> object);
 
-/// Returns the object's faces for collisions, not scaled. Coarse meshes are smoothed, but for silent
-/// bodies, whose meshes are made for collisions. Faces without area and duplicates are removed.
-Mesh collisionSurface(const ModalObject& object);
+/// Returns the object's faces for collisions, not scaled. For the form `surface`, coarse meshes are
+/// smoothed. Faces without area and duplicates are removed.
+Mesh collisionSurface(const ModalObject& object, BodyForm form = BodyForm::surface);
 
 /// Returns the surface vertices in mesh coordinates. A shell has vertices on both sides.
 std::vector<Eigen::Vector3d> outerVertices(const RigidBodyModel& model);

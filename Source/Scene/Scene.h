@@ -25,8 +25,14 @@ enum class BodyForm {
     sphere,   ///< centred in the bounding box, as wide as its mean size
     cylinder, ///< about the mesh's z axis, with closed ends
     surface,  ///< the smoothed mesh, for hollow fixed bodies
-    ground    ///< everything below the top of the mesh's bounding box, for fixed bodies
+    ground,   ///< everything below the top of the mesh's bounding box, for fixed bodies
+    mesh      ///< the mesh as it is, for fixed bodies: rooms, stairs
 };
+
+/// Returns whether faces collide, smoothed or not.
+constexpr bool hasFaces(BodyForm form) {
+    return form == BodyForm::surface || form == BodyForm::mesh;
+}
 
 /// The common properties of bodies of one kind.
 struct BodyTemplate {

@@ -20,13 +20,14 @@ constexpr int maximumBodies = 10000;
 constexpr std::size_t maximumKinds = 24; // SceneAssets uses one bit for each
 constexpr std::size_t maximumEntries = 10000;
 
-constexpr std::array<std::pair<std::string_view, BodyForm>, 6> formNames{{
+constexpr std::array<std::pair<std::string_view, BodyForm>, 7> formNames{{
     {"hull", BodyForm::hull},
     {"ring", BodyForm::ring},
     {"sphere", BodyForm::sphere},
     {"cylinder", BodyForm::cylinder},
     {"surface", BodyForm::surface},
     {"ground", BodyForm::ground},
+    {"mesh", BodyForm::mesh},
 }};
 
 BodyForm parseForm(const JsonPlace& place) {
@@ -35,7 +36,7 @@ BodyForm parseForm(const JsonPlace& place) {
         if (name == known)
             return form;
     place.fail("is " + inQuotes(name) +
-               " and none of hull, ring, sphere, cylinder, surface and ground");
+               " and none of hull, ring, sphere, cylinder, surface, mesh and ground");
 }
 
 std::shared_ptr<const ModalObject> parseBall(const JsonPlace& place) {
@@ -67,7 +68,7 @@ BodyTemplate parseKind(const JsonPlace& place) {
     read(place, "contact_radius", kind.contactRadiusMetres, &JsonPlace::number, 1e-5,
          maximumMetres);
     read(place, "surface", kind.surface, surfaceAt);
-    if (!kind.isFixed && (kind.form == BodyForm::surface || kind.form == BodyForm::ground))
+    if (!kind.isFixed && (hasFaces(kind.form) || kind.form == BodyForm::ground))
         place.at("form").fail("is for fixed bodies only");
     return kind;
 }

@@ -14,9 +14,8 @@ constexpr auto mostPairs = 150'000; // pairs of faces of a surface; more take ov
 BodyTemplate templateOf(unsigned char bits) {
     BodyTemplate kind;
     kind.name = "body";
-    kind.form = static_cast<BodyForm>((bits & 7) % 6);
-    kind.isFixed =
-        (bits & 8) != 0 || kind.form == BodyForm::surface || kind.form == BodyForm::ground;
+    kind.form = static_cast<BodyForm>((bits & 7) % 7);
+    kind.isFixed = (bits & 8) != 0 || hasFaces(kind.form) || kind.form == BodyForm::ground;
     return kind;
 }
 

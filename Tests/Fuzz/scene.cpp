@@ -36,7 +36,7 @@ void claimMotion(Scene scene) {
         return;
     for (auto& kind : scene.kinds) {
         kind.object = kind.given != nullptr ? "" : "die";
-        if (kind.form == BodyForm::surface)
+        if (hasFaces(kind.form))
             kind.form = BodyForm::ground;
     }
     scene.keyboard.reset();

@@ -5,6 +5,7 @@ import pathlib
 import pickle
 import signal
 import subprocess
+import sys
 import threading
 
 import numpy

@@ -124,8 +124,8 @@ TEST_CASE("The members of a kind are checked") {
     CHECK(faultOfKind(R"({"name": "a", "object": "table"})").empty());
     CHECK(faultOfKind(R"({"name": "a"})") == "test.json: kinds[0] needs either 'object' or 'ball'");
     CHECK(faultOfKind(R"({"name": "a", "object": "table", "form": "cube"})") ==
-          "test.json: kinds[0].form is 'cube' and none of hull, ring, sphere, cylinder, surface "
-          "and ground");
+          "test.json: kinds[0].form is 'cube' and none of hull, ring, sphere, cylinder, surface, "
+          "mesh and ground");
     CHECK(faultOfKind(R"({"name": "a", "object": "table", "form": "ground"})") ==
           "test.json: kinds[0].form is for fixed bodies only");
     CHECK(faultOfKind(R"({"name": "a", "ball": {"radius": 0.1, "material": "Cheese"}})") ==

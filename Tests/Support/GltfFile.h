@@ -123,7 +123,11 @@ inline std::vector<std::uint16_t> cornersOf(const Mesh& mesh) {
 /// Returns a .glb file of one node that shows the mesh, which has at most 65536 vertices.
 inline std::string glbOf(const Mesh& mesh) {
     GltfFile file;
-    const int positions = file.addPositions(coordinatesOf(mesh));
+    // glTF's y points up.
+    Mesh upright = mesh;
+    upright.vertices.col(1) = mesh.vertices.col(2);
+    upright.vertices.col(2) = -mesh.vertices.col(1);
+    const int positions = file.addPositions(coordinatesOf(upright));
     file.addMesh(positions, file.addIndices(cornersOf(mesh)));
     file.json["nodes"] = {{{"mesh", 0}}};
     return file.glb();
