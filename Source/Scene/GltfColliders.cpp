@@ -82,26 +82,39 @@ PlacedPose placedPose(const Eigen::Affine3d& transform) {
     return pose;
 }
 
-ColliderSurface surfaceOf(const GltfDocument& document,
-                          const std::vector<GltfPart>& meshes,
-                          const GltfRigidBody& body,
-                          const PlacedPose& pose) {
+std::optional<ColliderSurface> surfaceOf(const GltfDocument& document,
+                                         const std::vector<GltfPart>& meshes,
+                                         const GltfRigidBody& body,
+                                         const PlacedPose& pose,
+                                         std::size_t& pointsLeft) {
     const Eigen::Isometry3d bodyFromWorld = pose.worldFromBody.inverse();
     ColliderSurface surface;
+    const auto spend = [&](std::size_t points) {
+        const bool isAffordable = points <= pointsLeft;
+        pointsLeft -= isAffordable ? points : 0;
+        return isAffordable;
+    };
     for (const auto& collider : body.colliders) {
         const Eigen::Affine3d bodyFromCollider =
             bodyFromWorld *
             Eigen::Affine3d(zUpFromYUp() * document.nodes()[collider.place].transform);
         if (collider.form != GltfCollider::Form::mesh) {
-            for (const auto& point : pointsOf(collider))
+            const auto points = pointsOf(collider);
+            if (!spend(points.size()))
+                return {};
+            for (const auto& point : points)
                 surface.points.push_back(bodyFromCollider * point);
             continue;
         }
         const bool hasFaces = body.colliders.size() == 1 && !collider.isConvexHull;
-        for (const auto& part : meshes)
-            if (part.node == collider.meshNode)
-                addMesh(surface, part.mesh, bodyFromCollider * nodeFromScene(document, part.node),
-                        hasFaces);
+        for (const auto& part : meshes) {
+            if (part.node != collider.meshNode)
+                continue;
+            if (!spend(3 * static_cast<std::size_t>(part.mesh.faceCount())))
+                return {};
+            addMesh(surface, part.mesh, bodyFromCollider * nodeFromScene(document, part.node),
+                    hasFaces);
+        }
     }
     return surface;
 }

@@ -6,6 +6,8 @@
 
 #include <Eigen/Geometry>
 #include <array>
+#include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace idiophone {
@@ -29,9 +31,12 @@ struct ColliderSurface {
 };
 
 /// Returns the body's colliders in the coordinates of a pose. `meshes` are the document's.
-ColliderSurface surfaceOf(const GltfDocument& document,
-                          const std::vector<GltfPart>& meshes,
-                          const GltfRigidBody& body,
-                          const PlacedPose& pose);
+/// Subtracts their points from `pointsLeft`, and returns nothing if they are more: a small file can
+/// repeat a mesh many times.
+std::optional<ColliderSurface> surfaceOf(const GltfDocument& document,
+                                         const std::vector<GltfPart>& meshes,
+                                         const GltfRigidBody& body,
+                                         const PlacedPose& pose,
+                                         std::size_t& pointsLeft);
 
 } // namespace idiophone

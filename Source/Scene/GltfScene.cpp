@@ -58,6 +58,9 @@ public:
         const auto form = formOf(body);
         if (form == BodyForm::ground) // everything below the mesh's z
             pose.worldFromBody.linear() *= zUpFromYUp().transpose();
+        auto colliders = surfaceOf(document_, meshes_, body, pose, pointsLeft_);
+        if (!colliders)
+            return failure("its colliders have too many faces together");
         BodyKey key{.gain = 1,
                     .scale = pose.scale,
                     .mass = massIn(pose, body),
@@ -65,7 +68,7 @@ public:
                     .form = form,
                     .friction = body.friction,
                     .restitution = body.restitution,
-                    .colliders = surfaceOf(document_, meshes_, body, pose)};
+                    .colliders = *std::move(colliders)};
         if (key.colliders.points.empty())
             return {}; // its mesh is not in the scene
         if (body.soundPlace) {
@@ -226,6 +229,7 @@ private:
     const std::vector<GltfPart>& meshes_;
     Scene scene_;
     std::vector<BodyKey> keys_; ///< of the scene's kinds
+    std::size_t pointsLeft_ = std::size_t{1} << 24;
 };
 
 bool hasMeshColliders(const GltfRigidBodies& physics) {
@@ -249,6 +253,8 @@ Result<Scene> sceneOf(const GltfDocument& document, const std::string& name) {
     const auto meshes = hasMeshColliders(*physics) ? meshesOf(document) : GltfMeshes{};
     if (!meshes)
         return failure(meshes.error().message);
+    if (physics->bodies.size() > std::size_t{maximumSceneBodies})
+        return failure("it has more than " + std::to_string(maximumSceneBodies) + " bodies");
     SceneBuilder builder(document, *audio, meshes->parts);
     for (const auto& body : physics->bodies)
         if (const auto added = builder.add(body); !added)

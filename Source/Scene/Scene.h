@@ -126,6 +126,8 @@ struct Hand {
     std::vector<Tap> taps;    ///< ascending in time
 };
 
+inline constexpr int maximumSceneBodies = 10000; ///< of a file
+
 struct Scene {
     std::string name;
     std::string description;

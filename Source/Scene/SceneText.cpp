@@ -16,7 +16,6 @@ namespace {
 // The bounds are generous, as in HandText.h.
 constexpr double fastestMetresPerSecond = 100;
 constexpr double fastestTurnsPerSecond = 100;
-constexpr int maximumBodies = 10000;
 constexpr std::size_t maximumKinds = 24; // SceneAssets uses one bit for each
 constexpr std::size_t maximumEntries = 10000;
 
@@ -87,7 +86,7 @@ Release parseRelease(const JsonPlace& place, const std::vector<BodyTemplate>& ki
                  "turned_at_random", "velocity", "velocity_scatter", "spin", "spin_scatter"});
     Release release;
     release.kind = parseKindName(place.at("kind"), kinds);
-    read(place, "count", release.count, &JsonPlace::integer, 1, maximumBodies);
+    read(place, "count", release.count, &JsonPlace::integer, 1, maximumSceneBodies);
     read(place, "time", release.seconds, &JsonPlace::number, 0, longestSeconds);
     read(place, "over", release.overSeconds, &JsonPlace::number, 0, longestSeconds);
     release.positionMetres = parseScattered(place, "at", maximumMetres);
@@ -209,8 +208,8 @@ Scene parse(const JsonPlace& root) {
     int count = 0;
     for (const auto& release : scene.releases)
         count += release.count;
-    if (count > maximumBodies)
-        root.at("bodies").fail("are more than " + std::to_string(maximumBodies));
+    if (count > maximumSceneBodies)
+        root.at("bodies").fail("are more than " + std::to_string(maximumSceneBodies));
     if (root.has("kicks"))
         for (const auto& place : root.at("kicks").list(maximumEntries))
             scene.kicks.push_back(parseKick(place, scene.kinds));
