@@ -32,7 +32,7 @@ struct GltfModalModel {
     Eigen::Index pointCount() const { return positions.rows(); }
 };
 
-/// What a file leaves out is not set.
+/// Members that the file leaves out are not set.
 struct GltfAcousticMaterial {
     std::string name;
     std::optional<double> densityKgPerM3 = {}, youngsModulusPa = {}, poissonRatio = {};
@@ -48,7 +48,7 @@ struct GltfAcousticSurface {
     std::optional<std::size_t> material;
 };
 
-/// What a node of the file does with them.
+/// The model and the finish of a node.
 struct GltfAudioNode {
     std::optional<std::size_t> model, surface;
     double gain = 1;

@@ -18,7 +18,7 @@
 namespace idiophone {
 namespace {
 
-/// Of all buffers together, except those inside the JSON.
+/// The limit of all buffers together, except those inside the JSON.
 constexpr std::uintmax_t largestBufferBytes = std::uintmax_t{2} << 30;
 /// The name under which tinygltf asks for the binary chunk.
 constexpr std::string_view binaryChunkName = "the binary chunk";

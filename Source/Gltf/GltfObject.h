@@ -7,7 +7,7 @@
 
 namespace idiophone {
 
-/// What a node adds to its model.
+/// The part of a node in the sound of its model.
 struct GltfInstance {
     std::optional<std::size_t> surface = {}; ///< index into `AudioRigidBodies::surfaces`
     double gain = 1;

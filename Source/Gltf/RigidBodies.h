@@ -11,8 +11,8 @@ struct GltfCollider {
     enum class Form { box, sphere, cylinder, capsule, plane, mesh };
     std::size_t place = 0; ///< its node: an index into `GltfDocument::nodes`
     Form form = Form::box;
-    /// Of a box, or of the box around another shape, which stands along y. A plane is as large as
-    /// one likes, and its normal is y.
+    /// The box, or the box around another shape, which stands along y. A plane is infinite, and its
+    /// normal is y.
     Eigen::Vector3d sizesMetres{1, 1, 1};
     double topRatio = 1; ///< top radius over the greater one; of round shapes
     double bottomRatio = 1;
@@ -24,7 +24,7 @@ struct GltfCollider {
 struct GltfRigidBody {
     std::size_t place = 0; ///< an index into `GltfDocument::nodes`
     bool isFixed = false;
-    /// Of a moving body, if the file says so. The moments are all 0 if it does not.
+    /// The mass of a moving body, if the file has it. The moments are all 0 if it has none.
     std::optional<MassProperties> mass = {};
     Eigen::Vector3d velocityMetresPerSecond = Eigen::Vector3d::Zero(); ///< in the node's own space
     Eigen::Vector3d spinRadiansPerSecond = Eigen::Vector3d::Zero();    ///< in the node's own space

@@ -33,7 +33,7 @@ const std::array<double, N>& valuesOf(const Numbers<N>& numbers, const std::stri
     return *numbers;
 }
 
-/// What NumPy makes an array of.
+/// Anything from which NumPy makes an array.
 class ArrayLike : public nb::object {
     NB_OBJECT(ArrayLike, nb::object, "numpy.typing.ArrayLike", [](PyObject*) { return true; })
 };
