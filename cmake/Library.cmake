@@ -44,7 +44,7 @@ install(FILES "${CMAKE_CURRENT_BINARY_DIR}/idiophone.pc"
 install_modules(IdiophoneTargets
     TARGETS idiophone_object idiophone_synth
     HEADERS
-        Object/DampingLaw Object/Material Object/MaterialFile Object/ModalObject Object/ModalObjectFile
+        Object/DampingLaw Object/Material Object/MaterialFile Object/MaterialText Object/ModalObject Object/ModalObjectBytes Object/ModalObjectFile
         Object/OrthotropicElasticity Object/RadiationTable Object/Result Object/WorkControl
         Synth/BowedPoint Synth/CellOutput Synth/ContactForce Synth/ContactWidth Synth/ForceCell Synth/HeardForce Synth/LiveConditions
         Synth/ModalPole Synth/PointModes Synth/Reson Synth/SlotStatus Synth/SoundingGroups Synth/Strike Synth/StrikePoints Synth/Surface Synth/SurfaceProfile

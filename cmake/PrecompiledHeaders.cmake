@@ -7,8 +7,12 @@ function(idiophone_precompile target)
     if(count LESS 6)
         return() # it would cost more than it saves
     endif()
+    set(files <filesystem>)
+    if(IDIOPHONE_WEB)
+        set(files)
+    endif()
     target_precompile_headers(${target} PRIVATE
         ${ARGN}
-        <algorithm> <array> <cmath> <cstddef> <cstdint> <filesystem> <functional> <limits> <map>
+        <algorithm> <array> <cmath> <cstddef> <cstdint> ${files} <functional> <limits> <map>
         <memory> <numbers> <optional> <span> <string> <string_view> <utility> <vector>)
 endfunction()

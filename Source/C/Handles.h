@@ -47,6 +47,10 @@ typename std::invoke_result_t<Make>::value_type orNull(Make make) noexcept {
     return nullptr;
 }
 
+inline idiophone_object* handleOf(ModalObject&& object) {
+    return new idiophone_object{std::make_shared<const ModalObject>(std::move(object))};
+}
+
 /// Returns a structure of any version. Fields that the program does not know have their defaults.
 template <class Structure>
 Structure read(const Structure* given, Structure defaults) {

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "C/Handles.h"
-#include "Gltf/ObjectFile.h"
+#include "C/ObjectBytes.h"
 
-#include <filesystem>
 #include <span>
 
 using namespace idiophone;
@@ -16,26 +15,13 @@ const char* idiophone_error(void) {
     return lastError().c_str();
 }
 
-idiophone_object* idiophone_object_load(const char* path) {
-    return orNull([path]() -> Result<idiophone_object*> {
-        if (path == nullptr)
-            return failure("no path is given");
-        const std::u8string utf8(path, path + std::strlen(path));
-        return readObject(std::filesystem::path(utf8)).map([](ModalObject&& object) {
-            return new idiophone_object{std::make_shared<const ModalObject>(std::move(object))};
-        });
-    });
-}
-
 idiophone_object* idiophone_object_read(const void* bytes, size_t byte_count, const char* name) {
     return orNull([=]() -> Result<idiophone_object*> {
         if (bytes == nullptr)
             return failure("no bytes are given");
-        return readObject(std::span(static_cast<const std::byte*>(bytes), byte_count),
-                          name == nullptr ? "object" : name)
-            .map([](ModalObject&& object) {
-                return new idiophone_object{std::make_shared<const ModalObject>(std::move(object))};
-            });
+        return objectOfBytes(std::span(static_cast<const std::byte*>(bytes), byte_count),
+                             name == nullptr ? "object" : name)
+            .map(handleOf);
     });
 }
 

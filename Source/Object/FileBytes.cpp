@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "Object/FileBytes.h"
 
-#include "Object/OneLine.h"
-
 #include <algorithm>
 #include <fstream>
 #include <new>
@@ -53,11 +51,6 @@ std::string nameOf(const std::filesystem::path& file) {
 
 std::string shownNameOf(const std::filesystem::path& file) {
     return shownName(nameOf(file));
-}
-
-std::string shownName(std::string_view name) {
-    constexpr std::size_t maximumBytes = 500; // keeps paths long enough to recognise
-    return oneLine(name, maximumBytes);
 }
 
 std::string storedNameOf(const std::filesystem::path& file) {

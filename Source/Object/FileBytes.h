@@ -2,6 +2,7 @@
 // Reads whole files, and converts file names to and from text.
 #pragma once
 
+#include "Object/OneLine.h"
 #include "Object/Result.h"
 
 #include <cstdint>
@@ -19,11 +20,8 @@ Result<std::string> readBytes(const std::filesystem::path& file, std::uintmax_t 
 /// Returns the path in UTF-8 on every system.
 std::string nameOf(const std::filesystem::path& file);
 
-/// Returns the path as part of a sentence: printable characters only, and the beginning of a long
-/// path. The path may come from an untrusted file.
+/// Returns `shownName` of the path, which may come from an untrusted file.
 std::string shownNameOf(const std::filesystem::path& file);
-/// Returns a name in UTF-8 as part of a sentence, like `shownNameOf`.
-std::string shownName(std::string_view name);
 
 /// Returns the path in UTF-8 with forward slashes, to be stored in files: every system reads these.
 std::string storedNameOf(const std::filesystem::path& file);

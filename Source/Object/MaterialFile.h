@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reads and writes materials as JSON (docs/materials.md): single files, the library's list and the
-// user's folder. Material.h explains the figures.
+// Reads and writes materials on disk: single files and the user's folder.
 #pragma once
 
-#include "Object/Material.h"
+#include "Object/MaterialText.h"
 
 #include <filesystem>
 #include <string>
@@ -12,20 +11,12 @@
 
 namespace idiophone {
 
-/// Parses one material. `file` names the text in errors, which are one sentence. Its stem is the
-/// material's name if the text has none. The limit is 1 MiB.
+/// Parses one material. `file` names the text in errors. Its stem is the material's name if the
+/// text has none.
 Result<Material> parseMaterial(std::string_view text, const std::filesystem::path& file);
 
 /// Reads one material from disk.
 Result<Material> readMaterialFile(const std::filesystem::path& file);
-
-/// Parses {"format": "idiophone-materials", "version": 1, "materials": [...]}. Each entry has the
-/// members of a material file and a unique name. `file` names the text in errors.
-Result<std::vector<Material>> parseMaterialList(std::string_view text,
-                                                const std::filesystem::path& file);
-
-/// Returns JSON text from which `parseMaterial` restores an equal material.
-std::string encodeMaterial(const Material& material);
 
 struct UserMaterials {
     std::vector<Material> materials; ///< sorted by name

@@ -2,8 +2,8 @@
 #include "Object/ColourText.h"
 #include "Object/EmbeddedLists.h"
 #include "Object/Material.h"
-#include "Object/MaterialFile.h"
 #include "Object/MaterialKind.h"
+#include "Object/MaterialText.h"
 #include "Object/SameName.h"
 
 #include <algorithm>

@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "Object/FileBeside.h"
-#include "Object/FileBytes.h"
 #include "Object/HalfFloat.h"
 #include "Object/MaterialJson.h"
-#include "Object/ModalObjectFile.h"
+#include "Object/ModalObjectBytes.h"
 #include "Object/Safetensors.h"
 
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <ostream>
 
 namespace idiophone {
 namespace {
@@ -85,24 +82,6 @@ std::vector<std::byte> encodeModalObject(const ModalObject& object, ShapePrecisi
         writer.add("shapes", "F16", {shapeVertices, modes, 3}, halves);
     }
     return writer.finish();
-}
-
-Result<void> writeModalObject(const ModalObject& object,
-                              const std::filesystem::path& file,
-                              ShapePrecision precision) {
-    const auto refuse = [&](const char* sentence) {
-        return failure(shownNameOf(file) + ": " + sentence);
-    };
-    const auto bytes = encodeModalObject(object, precision);
-    if (!safetensors::hasReadableHeader(bytes))
-        return refuse("the object's texts are too long for a file");
-    const bool isWritten = replaceFile(file, [&](std::ostream& stream) {
-        stream.write(reinterpret_cast<const char*>(bytes.data()),
-                     static_cast<std::streamsize>(bytes.size()));
-    });
-    if (!isWritten)
-        return refuse("the file cannot be written");
-    return {};
 }
 
 } // namespace idiophone

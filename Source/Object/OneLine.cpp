@@ -67,6 +67,11 @@ std::string oneLine(std::string_view text, std::size_t maximumBytes) {
     return result;
 }
 
+std::string shownName(std::string_view name) {
+    constexpr std::size_t maximumBytes = 500; // keeps paths long enough to recognise
+    return oneLine(name, maximumBytes);
+}
+
 std::string inQuotes(std::string_view text) {
     return '\'' + oneLine(text) + '\'';
 }

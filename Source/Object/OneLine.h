@@ -13,6 +13,10 @@ namespace idiophone {
 /// count as control characters.
 std::string oneLine(std::string_view text, std::size_t maximumBytes = 100);
 
+/// Returns the name of a file as part of a sentence: printable characters only, and the beginning
+/// of a long name.
+std::string shownName(std::string_view name);
+
 /// Returns `oneLine(text)` in single quotes.
 std::string inQuotes(std::string_view text);
 

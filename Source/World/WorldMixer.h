@@ -80,7 +80,7 @@ private:
     /// frame.
     struct Gliding {
         Eigen::Vector3d now, goal;
-        void advance(double share) { now += share * (goal - now); }
+        void advance(double part) { now += part * (goal - now); }
     };
     struct Pressed {
         TouchState state, goal;

@@ -1,0 +1,12 @@
+# Highway 1.2 for the WebAssembly module: 1.0 has no doubles there. Its headers suffice, because the
+# instruction set is fixed.
+idiophone_debian_source(highway PACKAGE highway VERSION 1.2.0-2 SUITE trixie FOLDER hwy)
+FetchContent_Declare(highway
+    GIT_REPOSITORY https://github.com/google/highway.git
+    GIT_TAG 1.2.0
+    GIT_SHALLOW ON)
+# Populated, not added: its own build makes a library.
+FetchContent_GetProperties(highway)
+if(NOT highway_POPULATED)
+    FetchContent_Populate(highway)
+endif()
