@@ -125,7 +125,7 @@ std::int32_t handlerFor(Header& header, void* thrown, const std::uint8_t* table,
 
 extern "C" {
 
-/// What clang's code says of a landing pad, and learns of it.
+/// clang's code sets the landing pad and its table, and reads the handler.
 thread_local struct {
     std::uintptr_t pad;
     const std::uint8_t* table;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the C and C++ libraries ask of a system (WASI), so that the module imports nothing and every
-// host can load it. There are no files and no environment. An ended program is a trap.
+// Answers the calls of the C and C++ libraries to a system (WASI), so that the module imports
+// nothing and every host can load it. There are no files and no environment. An ended program is a
+// trap.
 #include <cstdint>
 
 namespace {
