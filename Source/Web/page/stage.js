@@ -1,0 +1,171 @@
+// Draws the picture: shadows, solids, floor and backdrop, then glass. Draws a frame only when
+// something has changed.
+import {
+  BufferAttribute,
+  BufferGeometry,
+  DataTexture,
+  Mesh,
+  Raycaster,
+  Scene,
+  Vector2,
+  Vector3,
+  WebGLRenderer,
+} from "three";
+
+import { OrbitCamera } from "./camera.js";
+import { SceneLight, casterLayer } from "./light.js";
+import { linear } from "./shaders.js";
+
+/** A floor without shadows. */
+const fullLight = new DataTexture(new Uint8Array([255, 255, 255, 255]), 1, 1);
+fullLight.needsUpdate = true;
+
+export class Stage {
+  #canvas;
+  #renderer;
+  #light;
+  #shaders;
+  #scene = new Scene();
+  #raycaster = new Raycaster();
+  #parts = [];
+  #movesCasters = false;
+  #areShadowsOld = true;
+  #isRequested = false;
+  #before = 0;
+
+  orbit = new OrbitCamera();
+  /** Advances what moves by seconds, before a frame. Returns whether it goes on. */
+  onframe = () => false;
+
+  /** Throws if there is no WebGL 2. */
+  constructor(canvas, shaders) {
+    this.#canvas = canvas;
+    this.#shaders = shaders;
+    this.#renderer = new WebGLRenderer({ canvas, antialias: true });
+    this.#renderer.autoClear = false;
+    this.#light = new SceneLight(this.#renderer);
+    const geometry = new BufferGeometry();
+    geometry.setAttribute("position", new BufferAttribute(new Float32Array(9), 3));
+    const backdrop = new Mesh(geometry, shaders.backdrop);
+    backdrop.frustumCulled = false;
+    backdrop.renderOrder = 1; // behind the solids, whose pixels it need not compute
+    this.#scene.add(backdrop);
+    new ResizeObserver(() => this.requestFrame()).observe(canvas);
+  }
+
+  /**
+   * Shows meshes instead of the former ones. `extent` has the corners `minimum` and `maximum`, and
+   * `movesCasters` says whether bodies move, so that shadows are drawn anew for each frame.
+   */
+  show(meshes, extent, floorHeight, movesCasters) {
+    for (const mesh of this.#parts) {
+      this.#scene.remove(mesh);
+      mesh.geometry.dispose();
+      mesh.material.dispose();
+    }
+    this.#parts = meshes;
+    for (const mesh of meshes) {
+      if (!mesh.material.transparent) mesh.layers.enable(casterLayer);
+      this.#scene.add(mesh);
+    }
+    this.#movesCasters = movesCasters;
+    this.setExtent(extent, floorHeight);
+  }
+
+  /** Lights another extent and height of the floor, in metres. */
+  setExtent(extent, floorHeight) {
+    this.#light.begin(extent, floorHeight);
+    this.#shaders.backdrop.uniforms.floorHeight.value = floorHeight;
+    this.#areShadowsOld = true;
+    this.requestFrame();
+  }
+
+  /** Exchanges the material of a shown mesh. */
+  setMaterial(mesh, material) {
+    mesh.material.dispose();
+    mesh.material = material;
+    mesh.layers.set(0);
+    if (!material.transparent) mesh.layers.enable(casterLayer);
+    this.#areShadowsOld = true;
+    this.requestFrame();
+  }
+
+  /** Colours are as on the screen, three channels from 0 to 1. */
+  setLook({ isDark, panel, accent }) {
+    const { shared } = this.#shaders;
+    shared.dark.value = isDark ? 1 : 0;
+    shared.backdrop.value.copy(linear(panel));
+    shared.accent.value.copy(linear(accent));
+    shared.ink.value.set(...panel);
+    this.requestFrame();
+  }
+
+  requestFrame() {
+    if (this.#isRequested) return;
+    this.#isRequested = true;
+    requestAnimationFrame((now) => this.#frame(now));
+  }
+
+  /** Returns the nearest hit of three.js under a point of the window, or undefined. */
+  pick(clientX, clientY, meshes) {
+    const area = this.#canvas.getBoundingClientRect();
+    const x = (2 * (clientX - area.left)) / area.width - 1;
+    const y = 1 - (2 * (clientY - area.top)) / area.height;
+    this.#raycaster.setFromCamera(new Vector2(x, y), this.orbit.camera);
+    return this.#raycaster.intersectObjects(meshes, false)[0];
+  }
+
+  #frame(now) {
+    this.#isRequested = false;
+    const { clientWidth: width, clientHeight: height } = this.#canvas;
+    if (width === 0 || height === 0) return;
+    const seconds = Math.min((now - this.#before) / 1000, 0.05);
+    this.#before = now;
+    const goesOn = this.onframe(seconds);
+    this.#resize(width, height);
+    this.orbit.update(width / height);
+    this.#drawLight();
+    this.#setUniforms();
+    this.#renderer.clear();
+    this.#renderer.render(this.#scene, this.orbit.camera);
+    const isLightOld = this.#parts.length > 0 && !this.#movesCasters && !this.#light.isComplete;
+    if (goesOn || isLightOld) this.requestFrame();
+  }
+
+  #resize(width, height) {
+    const ratio = Math.min(devicePixelRatio, 2);
+    const size = this.#renderer.getSize(new Vector2());
+    if (size.x === width && size.y === height && this.#renderer.getPixelRatio() === ratio) return;
+    this.#renderer.setPixelRatio(ratio);
+    this.#renderer.setSize(width, height, false);
+  }
+
+  #drawLight() {
+    if (this.#areShadowsOld || this.#movesCasters) this.#light.drawShadows(this.#scene);
+    this.#areShadowsOld = false;
+    const isEmpty = this.#parts.length === 0;
+    if (!this.#movesCasters && !isEmpty && !this.#light.isComplete) this.#light.addLight(this.#scene);
+  }
+
+  #setUniforms() {
+    const { shared, backdrop } = this.#shaders;
+    const { camera, viewProjection } = this.orbit;
+    shared.eye.value.copy(camera.position);
+    shared.viewProjection.value.copy(viewProjection);
+    shared.shadowMap.value = this.#light.shadowMap;
+    shared.shadowFrom.value.copy(this.#light.shadowFrom);
+    shared.shadowTexel.value = this.#light.shadowTexel;
+    const { uniforms } = backdrop;
+    const rayThrough = (x, y) => new Vector3(x, y, 1).unproject(camera).sub(camera.position);
+    const straight = rayThrough(0, 0);
+    uniforms.rayMiddle.value.copy(straight);
+    uniforms.rayRight.value.copy(rayThrough(1, 0).sub(straight));
+    uniforms.rayUp.value.copy(rayThrough(0, 1).sub(straight));
+    uniforms.middle.value.copy(this.#light.middle);
+    uniforms.reach.value = this.#light.reach;
+    const isLit = this.#light.floorLight && this.#light.isComplete && !this.#movesCasters;
+    uniforms.floorLight.value = isLit ? this.#light.floorLight : fullLight;
+    uniforms.floorArea.value.copy(this.#light.area);
+    uniforms.usesMap.value = isLit ? 0 : 1;
+  }
+}
