@@ -3,14 +3,13 @@
 import { computerKeyLetters } from "./computerKeys.js";
 import { isAccidental } from "./layout.js";
 
-const noteNames = ["C", "C♯", "D", "D♯", "E", "F", "F♯", "G", "G♯", "A", "A♯", "B"];
-const spokenNames = ["C", "C sharp", "D", "D sharp", "E", "F", "F sharp", "G", "G sharp", "A", "A sharp", "B"];
+const noteNames = ["C", "C sharp ", "D", "D sharp ", "E", "F", "F sharp ", "G", "G sharp ", "A", "A sharp ", "B"];
 const octaveOf = (note) => Math.floor(note / 12) - 1;
 const [softest, hardest] = [40, 120]; // velocities at a key's upper and lower end
 const keyVelocity = 90; // of Enter
 
-/** Returns "C4" for 60. */
-export const noteName = (note) => noteNames[note % 12] + octaveOf(note);
+/** Returns "C4" for 60, and "C sharp 4" for 61. */
+const spokenName = (note) => noteNames[note % 12] + octaveOf(note);
 
 export class Keyboard {
   #area;
@@ -88,13 +87,14 @@ export class Keyboard {
     key.className = `key ${isAccidental(note) ? "accidental" : "natural"} ${sound}`;
     key.tabIndex = -1;
     key.style.setProperty("--place", naturals);
-    key.setAttribute("aria-label", `${spokenNames[note % 12]} ${octaveOf(note)}`);
+    key.setAttribute("aria-label", spokenName(note));
     if (sound === "silent") key.setAttribute("aria-disabled", "true");
     const letter = document.createElement("span");
     letter.className = "letter";
+    letter.ariaHidden = "true";
     const name = document.createElement("span");
     name.className = "name";
-    name.textContent = isAccidental(note) ? "" : noteName(note);
+    name.textContent = isAccidental(note) ? "" : spokenName(note);
     key.append(letter, name);
     return key;
   }

@@ -141,6 +141,7 @@ export class SceneLight {
   constructor(renderer) {
     this.#renderer = renderer;
     this.#camera.layers.set(casterLayer);
+    this.#triangle.layers.set(casterLayer);
     this.#screen.add(this.#triangle);
   }
 
