@@ -1,7 +1,7 @@
 // The light of struck objects, which spreads from the struck place and fades, and the swing of
 // struck bars.
 const [spreadSeconds, flashSeconds, glowSeconds] = [0.3, 0.12, 0.7];
-const settledSeconds = 3;
+const settledSeconds = 2;
 const [swingHz, swingSeconds] = [7, 0.28];
 
 export class StrikeMotion {

@@ -16,6 +16,10 @@ import { OrbitCamera } from "./camera.js";
 import { SceneLight, casterLayer } from "./light.js";
 import { linear } from "./shaders.js";
 
+const slowSeconds = 0.07; // of a frame
+const minimumSharpness = 0.4;
+const longestStepSeconds = 0.1;
+
 /** A floor without shadows. */
 const fullLight = new DataTexture(new Uint8Array([255, 255, 255, 255]), 1, 1);
 fullLight.needsUpdate = true;
@@ -32,6 +36,8 @@ export class Stage {
   #areShadowsOld = true;
   #isRequested = false;
   #before = 0;
+  #isMoving = false; // the last frame asked for this one
+  #sharpness = 1; // share of the screen's resolution
 
   orbit = new OrbitCamera();
   /** Advances what moves by seconds, before a frame. Returns whether it goes on. */
@@ -119,9 +125,12 @@ export class Stage {
     this.#isRequested = false;
     const { clientWidth: width, clientHeight: height } = this.#canvas;
     if (width === 0 || height === 0) return;
-    const seconds = Math.min((now - this.#before) / 1000, 0.05);
+    const seconds = (now - this.#before) / 1000;
     this.#before = now;
-    const goesOn = this.onframe(seconds);
+    // A slow processor draws fewer points.
+    if (this.#isMoving && seconds > slowSeconds)
+      this.#sharpness = Math.max(0.8 * this.#sharpness, minimumSharpness);
+    const goesOn = this.onframe(Math.min(seconds, longestStepSeconds));
     this.#resize(width, height);
     this.orbit.update(width / height);
     this.#drawLight();
@@ -129,11 +138,12 @@ export class Stage {
     this.#renderer.clear();
     this.#renderer.render(this.#scene, this.orbit.camera);
     const isLightOld = this.#parts.length > 0 && !this.#movesCasters && !this.#light.isComplete;
-    if (goesOn || isLightOld) this.requestFrame();
+    this.#isMoving = goesOn || isLightOld;
+    if (this.#isMoving) this.requestFrame();
   }
 
   #resize(width, height) {
-    const ratio = Math.min(devicePixelRatio, 2);
+    const ratio = this.#sharpness * Math.min(devicePixelRatio, 2);
     const size = this.#renderer.getSize(new Vector2());
     if (size.x === width && size.y === height && this.#renderer.getPixelRatio() === ratio) return;
     this.#renderer.setPixelRatio(ratio);
