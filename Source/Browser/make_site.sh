@@ -17,3 +17,8 @@ cp -r "$source"/Source/Browser/page/. "$site"
 rm "$site"/package*.json
 cp -r "$build/package" "$site/idiophone"
 cp "$source"/Resources/Songs/*.mid "$site/songs"
+cp "$source"/Resources/{Materials/materials,Mallets/mallets}.json "$site"
+cp -r "$source/Resources/Shaders" "$site/shaders"
+cp "$source"/Resources/Desktop/*.svg "$site/icon.svg"
+mkdir "$site/three"
+cp "$build"/npm/node_modules/three/build/three.{core,module}.min.js "$site/three"

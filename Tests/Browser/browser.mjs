@@ -23,7 +23,7 @@ export async function serve(folders) {
     const server = createServer(async (request, response) => {
         const path = decodeURIComponent(new URL(request.url, "http://localhost").pathname);
         const [, first, rest] = /^\/([^/]*)\/?(.*)$/.exec(path);
-        const file = folders[first] ? join(folders[first], normalize("/" + rest))
+        const file = first && folders[first] ? join(folders[first], normalize("/" + rest))
             : join(folders[""], normalize(path.endsWith("/") ? path + "index.html" : path));
         try {
             const bytes = path === "/empty" ? "" : await readFile(file);
