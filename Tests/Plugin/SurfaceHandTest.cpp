@@ -1,7 +1,8 @@
+#include "Instrument/ObjectLibrary.h"
 #include "Plugin/SurfaceHand.h"
 
 #include "Instrument/FactoryContent.h"
-#include "Plugin/OwnSlots.h"
+#include "Instrument/OwnSlots.h"
 #include "Support/Level.h"
 #include "Support/RenderNotes.h"
 
