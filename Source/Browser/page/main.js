@@ -14,7 +14,7 @@ import { fetchShaders } from "./shaders.js";
 import { songEvents } from "./song.js";
 import { SongPlayer } from "./songPlayer.js";
 import { Stage } from "./stage.js";
-import { missingPart, startAtGesture } from "./startup.js";
+import { startAtGesture } from "./startup.js";
 import { say, warn } from "./status.js";
 import { followTheme } from "./theme.js";
 
@@ -29,14 +29,27 @@ async function fetchJson(name) {
   return answer.json();
 }
 
-/** The engine is imported here, so that a page without it can say so. */
+/** The package is imported here, so that a page without it can say so. */
 async function startInstrument(context) {
-  try {
-    const { Idiophone } = await import("./idiophone/index.js");
-    return await Idiophone.start(context, { base: new URL("idiophone/", page) });
-  } catch (error) {
-    throw new Error(`The instrument cannot be loaded: ${error.message}`);
-  }
+  const base = new URL("idiophone/", page);
+  const { Idiophone } = await import(new URL("index.js", base)).catch(() => {
+    throw new Error("The instrument's module cannot be fetched.");
+  });
+  return Idiophone.start(context, { base });
+}
+
+/** Returns an InstrumentInfo with the ranges of its own keys, which objects have too. */
+function withRanges(info) {
+  const rangeOf = (notes) => {
+    const own = notes.filter(({ isOwn }) => isOwn);
+    const keys = (own.length > 0 ? own : notes).map(({ note }) => note);
+    return { lowestNote: Math.min(...keys), highestNote: Math.max(...keys) };
+  };
+  const objects = info.objects.map((object, index) => ({
+    ...object,
+    ...rangeOf(info.notes.filter((note) => note.object === index)),
+  }));
+  return { ...info, ...rangeOf(info.notes), objects };
 }
 
 /** Returns null, with a sentence on the page, if the browser draws no pictures in 3D. */
@@ -72,8 +85,6 @@ function offerSong(context, performer) {
 }
 
 async function main() {
-  const missing = missingPart();
-  if (missing) throw new Error(missing);
   const context = new AudioContext({ latencyHint: "interactive" });
   startAtGesture(context, part("start"));
   const [shaders, { materials }, { mallets }, idiophone] = await Promise.all([
@@ -149,7 +160,7 @@ async function main() {
       if (own !== loads) return;
       say(`Loading ${name}.`);
       try {
-        await show(await loading());
+        await show(withRanges(await loading()));
         say("");
       } catch (error) {
         warn(error);

@@ -1,6 +1,6 @@
 // The notes and controllers of a Standard MIDI File, in seconds and in the order in which the
 // console plays them (Console/MidiSong.cpp and TempoMap.cpp).
-import { read } from "midifile-ts";
+import { read } from "./midifile-ts/index.js";
 
 /** Returns the bytes of a channel message, filled up to three, or null for other events. */
 function bytesOf(event) {
