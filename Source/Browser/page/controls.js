@@ -63,12 +63,14 @@ export class Controls {
   #sliders;
   #mallets;
   #material;
+  #rack;
+  #names; // of the mallets to choose from
 
   /**
-   * `rack`: mallets of mallets.json. `onmaterial` is called when the visitor has chosen another
-   * material.
+   * `rack`: mallets of mallets.json. `onmallet` and `onmaterial` are called when the visitor has
+   * chosen another one.
    */
-  constructor({ macros, mallets, material }, idiophone, rack, onmaterial) {
+  constructor({ macros, mallets, material }, idiophone, rack, { onmallet, onmaterial }) {
     this.#idiophone = idiophone;
     this.#mallets = mallets;
     this.#material = material;
@@ -77,16 +79,33 @@ export class Controls {
       .filter((info) => info.group === "Play")
       .map((info) => slider(info, idiophone));
     macros.replaceChildren(...this.#sliders.map(({ row }) => row));
+    this.#rack = rack;
+    this.#names = table.get("mallet").choices;
     const malletOf = (name) => rack.find((mallet) => mallet.name === name);
     mallets.replaceChildren(
-      ...table.get("mallet").choices.map((name, i) => malletButton(name, malletOf(name), i)),
+      ...this.#names.map((name, i) => malletButton(name, malletOf(name), i)),
     );
-    mallets.addEventListener("change", ({ target }) => idiophone.set("mallet", Number(target.value)));
+    mallets.addEventListener("change", ({ target }) => {
+      idiophone.set("mallet", Number(target.value));
+      onmallet();
+    });
     material.replaceChildren(...table.get("material").choices.map((name, i) => new Option(name, i)));
     material.addEventListener("change", () => {
       idiophone.set("material", Number(material.value));
       onmaterial();
     });
+  }
+
+  /** The mallet in effect: the chosen one, or the one that is nearest to the custom hardness. */
+  get mallet() {
+    const choice = this.#idiophone.get("mallet");
+    const name = this.#names[choice];
+    const named = this.#rack.find((mallet) => mallet.name === name);
+    if (named) return { mallet: named, headMetres: named.head_radius_m };
+    const modulus = this.#idiophone.get("mallet_hardness") * 1e6;
+    const away = ({ effective_modulus_pa: other }) => Math.abs(Math.log(other / modulus));
+    const mallet = this.#rack.reduce((a, b) => (away(b) < away(a) ? b : a));
+    return { mallet, headMetres: this.#idiophone.get("mallet_radius") * 1e-3 };
   }
 
   /** Shows the values in effect. */

@@ -100,6 +100,22 @@ export class FurnitureParts {
     this.addRod(below, above, radius, radius, sides);
   }
 
+  addBall(middle, radius, sides) {
+    const rings = sides / 2;
+    const axes = axesAcross(upwards);
+    const normal = (step, ring) => {
+      const angle = (Math.PI * ring) / rings;
+      const out = around(axes, step, sides).multiplyScalar(Math.sin(angle));
+      return out.addScaledVector(upwards, -Math.cos(angle));
+    };
+    for (let step = 0; step < sides; ++step)
+      for (let ring = 0; ring < rings; ++ring) {
+        const corners = [[0, 0], [1, 0], [1, 1], [0, 1]];
+        const normals = corners.map(([s, r]) => normal(step + s, ring + r));
+        this.#addQuad(normals.map((each) => moved(middle, each, radius)), normals);
+      }
+  }
+
   /** Ends the part of all that was added since the last one. */
   finish(look, form = "free") {
     this.parts.push({

@@ -89,9 +89,10 @@ export class Hand {
 
   #strike(pointer, pick, velocity) {
     pick.note = pick.isStage ? this.#picture.noteOf(pick.object) : undefined;
-    if (pick.note === undefined) this.#idiophone.strike(pick.object, pick.point, velocity);
-    else this.#performer.noteOn(pick.note, velocity);
-    this.#picture.showStrike(pick.object, velocity / 127, pick.isStage ? undefined : pick.place);
+    if (pick.note === undefined) {
+      this.#idiophone.strike(pick.object, pick.point, velocity);
+      this.#picture.showStrike(pick.object, velocity / 127, pick.place);
+    } else this.#performer.noteOn(pick.note, velocity);
     this.#struck.set(pointer, pick);
   }
 
@@ -123,7 +124,7 @@ export class Hand {
     if (!pick.isScraping) return;
     if (!former.isScraping) this.#idiophone.scrape(former.object, former.point, scrapePressure);
     this.#idiophone.scrape(pick.object, pick.point, scrapePressure);
-    this.#picture.showStrike(pick.object, 0.4, pick.place);
+    this.#picture.showContact(pick.object, 0.4, pick.place);
     this.#struck.set(event.pointerId, pick);
   }
 

@@ -38,13 +38,12 @@ export class Keyboard {
     performer.listen((note, velocity) => this.#keys.get(note)?.classList.toggle("down", velocity > 0));
   }
 
-  /** Shows the keys of an InstrumentInfo. */
+  /** Shows the own keys of an InstrumentInfo, at least two octaves. */
   show(info) {
     this.#held.clear();
     const sounds = new Map(info.notes.map(({ note, isOwn }) => [note, isOwn ? "own" : "resized"]));
-    const notes = [...sounds.keys(), info.lowestNote, info.highestNote];
-    const lowest = Math.min(...notes) - (Math.min(...notes) % 12);
-    let highest = Math.min(Math.max(...notes, lowest + 24), 127);
+    const lowest = info.lowestNote - (info.lowestNote % 12);
+    let highest = Math.min(Math.max(info.highestNote, lowest + 24), 127);
     if (isAccidental(highest)) ++highest;
     let naturals = 0;
     this.#keys.clear();

@@ -24,8 +24,8 @@ import {
   WebGLRenderTarget,
 } from "three";
 
-/** Meshes on this layer cast shadows. */
-export const casterLayer = 1;
+/** Meshes on these layers cast shadows: those at rest, and those that move. */
+export const [casterLayer, moverLayer] = [1, 2];
 
 const lamp = new Vector3(-0.449, 0.323, 0.833).normalize(); // as in lighting.glsl
 const lampRadius = 0.13; // tangent of half the lamp's angle
@@ -183,7 +183,9 @@ export class SceneLight {
 
   /** Draws the depths seen from the lamp. */
   drawShadows(scene) {
+    this.#camera.layers.enable(moverLayer);
     this.#drawDepths(scene, lamp, this.#shadows);
+    this.#camera.layers.disable(moverLayer);
     this.shadowFrom.copy(this.#camera.projectionMatrix);
   }
 

@@ -21,7 +21,7 @@ import { followTheme } from "./theme.js";
 const part = (id) => document.getElementById(id);
 const page = new URL("./", import.meta.url);
 const firstPreset = "Rosewood Xylophone";
-const swings = () => !matchMedia("(prefers-reduced-motion: reduce)").matches;
+const mayMove = () => !matchMedia("(prefers-reduced-motion: reduce)").matches;
 
 async function fetchJson(name) {
   const answer = await fetch(new URL(name, page));
@@ -97,7 +97,7 @@ async function main() {
 
   const performer = new Performer(idiophone);
   const stage = stageOf(shaders);
-  const picture = stage && new Picture(stage, shaders, materials, swings);
+  const picture = stage && new Picture(stage, shaders, materials, mayMove);
   followTheme(part("theme"), (look) => stage?.setLook(look));
   const scrape = part("scrape");
   const hand =
@@ -117,7 +117,8 @@ async function main() {
   const keyboard = new Keyboard(part("keyboard"), part("keys-down"), part("keys-up"), performer);
   const computerKeys = new ComputerKeys(performer, keyboard);
   performer.listen((note, velocity, object) => {
-    if (velocity > 0 && object !== undefined) picture?.showStrike(object, velocity / 127);
+    if (velocity > 0 && object !== undefined)
+      picture?.showKey(object, velocity / 127, note, idiophone.get("strike_along"));
   });
 
   const followMaterial = () => {
@@ -129,7 +130,7 @@ async function main() {
     { macros: part("macros"), mallets: part("mallets"), material: part("material") },
     idiophone,
     mallets,
-    followMaterial,
+    { onmaterial: followMaterial, onmallet: () => picture?.setMallet(controls.mallet) },
   );
   const pad = new MaterialPad(part("pad"), part("pad-text"), idiophone, materials, followMaterial);
   const facts = new ObjectFacts(new URL("idiophone/objects/", page));
@@ -148,7 +149,7 @@ async function main() {
     pad.show(material);
     presets.show(info.name);
     part("description").textContent = info.description;
-    picture?.show(info, meshes, ofObjects, pad.chosen);
+    picture?.show(info, meshes, ofObjects, pad.chosen, controls.mallet);
   };
 
   let loads = 0;

@@ -1,77 +1,50 @@
 // The instrument as meshes of the stage: its objects at their places, the furniture around them,
 // and the struck places. Points go between an object's own metres and the picture here.
-import { BufferAttribute, BufferGeometry, Matrix4, Mesh, Quaternion, Vector3 } from "three";
+import { BufferAttribute, Matrix4, Quaternion, Vector3 } from "three";
 
 import { appearanceOf } from "./appearance.js";
 import { furnish } from "./furnishing.js";
 import { boxOf, drawnCorners, formOf, isClosed, thickened } from "./geometry.js";
 import { layoutOf } from "./layout.js";
+import { Mallets } from "./mallets.js";
+import { bendOf, carried, meshOf, normalAt } from "./meshes.js";
 import { StrikeMotion } from "./motion.js";
 
 const maximumFineFaces = 24000; // of all objects together
 const plain = { finish: "plastic", colour: [0.62, 0.64, 0.67] };
 
-/** A mesh of corners in the picture's coordinates (or a body's). */
-function meshOf({ places, normals }, material) {
-  const geometry = new BufferGeometry();
-  const place = new BufferAttribute(places, 3);
-  geometry.setAttribute("position", place); // for rays
-  geometry.setAttribute("place", place);
-  geometry.setAttribute("normal", new BufferAttribute(normals, 3));
-  const sky = new Uint8Array(places.length / 3).fill(255);
-  geometry.setAttribute("sky", new BufferAttribute(sky, 1, true));
-  const mesh = new Mesh(geometry, material);
-  material.uniforms.pose.value = mesh.matrixWorld;
-  mesh.matrixAutoUpdate = false;
-  return mesh;
-}
-
-/** How the corners of a long object bend at its lowest mode; the largest offset is about 1. */
-function bendOf(places, { middle, half }, isHeld) {
-  const offsets = new Float32Array(places.length);
-  const isUpright = half.z > half.y;
-  const [axis, direction] = isUpright ? [2, 1] : [1, 2];
-  for (let i = 0; i < places.length; i += 3) {
-    const along = (places[i + axis] - middle.getComponent(axis)) / half.getComponent(axis);
-    const free = Math.cos(2.365 * along) / -1.427 + Math.cosh(2.365 * along) / 10.74;
-    offsets[i + direction] = isHeld ? ((1 - along) / 2) ** 2 : free;
-  }
-  return offsets;
-}
-
-/** Carries corners by a matrix that turns, scales evenly and shifts. */
-function carried({ places, normals }, matrix) {
-  const turn = new Matrix4().extractRotation(matrix);
-  const point = new Vector3();
-  for (let i = 0; i < places.length; i += 3) {
-    point.fromArray(places, i).applyMatrix4(matrix).toArray(places, i);
-    point.fromArray(normals, i).applyMatrix4(turn).toArray(normals, i);
-  }
-}
-
 export class Picture {
   #stage;
   #shaders;
   #library;
+  #mayMove;
   #motion = new StrikeMotion();
+  #mallets = new Mallets((part) => this.#partMesh(part, 0));
   #objects = [];
   #followers = []; // furniture that follows a body
   #framed = []; // corners of bodies
+  #reach = 1; // radius of the scene in metres
   #kind = "single";
 
-  /** `library`: the materials of materials.json. `swings`: returns whether bars may swing. */
-  constructor(stage, shaders, library, swings) {
+  /** `library`: the materials of materials.json. `mayMove`: returns whether strikes may move. */
+  constructor(stage, shaders, library, mayMove) {
     this.#stage = stage;
     this.#shaders = shaders;
     this.#library = library;
-    stage.onframe = (seconds) => this.#motion.advance(seconds, swings());
+    this.#mayMove = mayMove;
+    stage.onframe = (seconds) => {
+      const glows = this.#motion.advance(seconds);
+      const movesMallets = this.#mallets.advance(seconds);
+      return { goesOn: glows || movesMallets, movesMallets };
+    };
   }
 
   /**
    * Shows an instrument (InstrumentInfo). `meshes` and `facts` (objectFacts.js) are of its objects,
-   * in order. `chosen` is the material in effect, or null: each object has its own.
+   * in order. `chosen` is the material in effect, or null: each object has its own. `mallet` is the
+   * one in effect, `{ mallet, headMetres }`.
    */
-  show(info, meshes, facts, chosen) {
+  show(info, meshes, facts, chosen, mallet) {
     const boxes = meshes.map((mesh) => boxOf(mesh.vertices));
     const { kind, placements } = layoutOf(
       info.objects.map((object, i) => ({ ...object, box: boxes[i], isClamped: facts[i].clamp !== null })),
@@ -92,10 +65,13 @@ export class Picture {
     const corners = this.#objects.flatMap((object) => object.corners);
     this.#stage.orbit.lookAt(corners);
     this.#stage.orbit.reset();
-    this.#stage.show(shown, this.#extent(shown), floorHeight, isStage);
+    const extent = this.#extent(shown);
+    this.#reach = extent.maximum.distanceTo(extent.minimum) / 2;
+    this.#stage.show(shown, extent, floorHeight, isStage);
+    this.setMallet(mallet);
     this.#motion.reset(
       this.#objects.map((object) => ({
-        meshes: [object.mesh],
+        mesh: object.mesh,
         radius: object.shape.half.length(),
         isWhole: isStage,
         swingMetres: object.swings ? 0.05 * Math.max(...object.shape.half) : 0,
@@ -113,6 +89,11 @@ export class Picture {
       material.uniforms.pose.value = object.mesh.matrixWorld;
       this.#stage.setMaterial(object.mesh, material);
     });
+  }
+
+  /** Takes the mallet in effect, `{ mallet, headMetres }`. */
+  setMallet(mallet) {
+    this.#stage.showMovers(this.#mallets.reset(mallet, this.#reach));
   }
 
   /** Returns the object and the point in its own metres under a place of the window, or null. */
@@ -133,11 +114,31 @@ export class Picture {
     return Math.round((lowestNote + highestNote) / 2);
   }
 
-  /** Shows a strike at a place of the picture, or where a key strikes; `strength` is 0 to 1. */
+  /** Shows a strike at a place of the picture; `strength` is 0 to 1. */
   showStrike(index, strength, place) {
-    const object = this.#objects[index];
-    if (!object) return;
-    this.#motion.strike(index, place ?? object.struckPlace, strength);
+    this.showContact(index, strength, place);
+    if (this.#kind === "stage" || !this.#mayMove()) return;
+    const { mesh } = this.#objects[index];
+    const isBar = this.#kind === "keyboard";
+    this.#mallets.strike(place, isBar ? new Vector3(0, 0, 1) : normalAt(mesh, place), strength);
+  }
+
+  /** Shows the strike of a key. `along` is the parameter of the position, in percent. */
+  showKey(index, strength, note, along) {
+    const { info, placement, shape } = this.#objects[index];
+    const range = info.highestNote - info.lowestNote;
+    const key = range > 0 ? (note - info.lowestNote) / range : 0.5;
+    const share = Math.min(Math.max(key + along / 200, 0), 1);
+    const place = info.struckPlaces[Math.round(share * (info.struckPlaces.length - 1))];
+    const inPicture = place && new Vector3(...place).applyMatrix4(placement.matrix);
+    this.showStrike(index, strength, inPicture ?? shape.middle);
+  }
+
+  /** Shows that an object sounds from a place, without a mallet. */
+  showContact(index, strength, place) {
+    if (!this.#mayMove())
+      return this.#motion.light(index, strength, () => this.#stage.requestFrame());
+    this.#motion.strike(index, place, strength);
     this.#stage.requestFrame();
   }
 
@@ -193,10 +194,6 @@ export class Picture {
         [-1, 1].map((z) => new Vector3(x, y, z).multiply(box.half).add(box.middle)),
       ),
     );
-    const struck = info.struckPlaces ?? [];
-    object.struckPlace = struck.length
-      ? new Vector3(...struck[Math.floor(struck.length / 2)]).applyMatrix4(placement.matrix)
-      : box.middle.clone();
     return object;
   }
 
@@ -205,11 +202,14 @@ export class Picture {
   }
 
   #furniture(part, seed) {
-    const box = boxOf(part.places);
-    const material = this.#shaders.ofPart({ ...part, box, isClosed: true, seed });
-    const mesh = meshOf(part, material);
+    const mesh = this.#partMesh(part, seed);
     if (part.object !== undefined) this.#followers.push({ mesh, object: part.object });
     return mesh;
+  }
+
+  #partMesh(part, seed) {
+    const box = boxOf(part.places);
+    return meshOf(part, this.#shaders.ofPart({ ...part, box, isClosed: true, seed }));
   }
 
   /** Frames all bodies of a scene that have been there. */

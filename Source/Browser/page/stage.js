@@ -13,12 +13,13 @@ import {
 } from "three";
 
 import { OrbitCamera } from "./camera.js";
-import { SceneLight, casterLayer } from "./light.js";
+import { SceneLight, casterLayer, moverLayer } from "./light.js";
 import { linear } from "./shaders.js";
 
 const slowSeconds = 0.07; // of a frame
 const minimumSharpness = 0.4;
 const longestStepSeconds = 0.1;
+const restMilliseconds = 300; // without motion, until a sharp picture
 
 /** A floor without shadows. */
 const fullLight = new DataTexture(new Uint8Array([255, 255, 255, 255]), 1, 1);
@@ -32,16 +33,20 @@ export class Stage {
   #scene = new Scene();
   #raycaster = new Raycaster();
   #parts = [];
+  #movers = [];
   #movesCasters = false;
   #areShadowsOld = true;
   #isRequested = false;
   #before = 0;
   #isMoving = false; // the last frame asked for this one
-  #sharpness = 1; // share of the screen's resolution
+  #sharpness = 1; // share of the screen's resolution while something moves
+  #slowFrames = 0;
+  #isStill = false; // the next frame is sharp
+  #rest = 0; // timer
 
   orbit = new OrbitCamera();
-  /** Advances what moves by seconds, before a frame. Returns whether it goes on. */
-  onframe = () => false;
+  /** Advances what moves by seconds, before a frame. Returns whether it goes on, and what moves. */
+  onframe = () => ({ goesOn: false, movesMallets: false });
 
   /** Throws if there is no WebGL 2. */
   constructor(canvas, shaders) {
@@ -64,18 +69,15 @@ export class Stage {
    * `movesCasters` says whether bodies move, so that shadows are drawn anew for each frame.
    */
   show(meshes, extent, floorHeight, movesCasters) {
-    for (const mesh of this.#parts) {
-      this.#scene.remove(mesh);
-      mesh.geometry.dispose();
-      mesh.material.dispose();
-    }
-    this.#parts = meshes;
-    for (const mesh of meshes) {
-      if (!mesh.material.transparent) mesh.layers.enable(casterLayer);
-      this.#scene.add(mesh);
-    }
+    this.#parts = this.#exchange(this.#parts, meshes, casterLayer);
     this.#movesCasters = movesCasters;
     this.setExtent(extent, floorHeight);
+  }
+
+  /** Shows meshes that move, as mallets do, instead of the former ones. */
+  showMovers(meshes) {
+    this.#movers = this.#exchange(this.#movers, meshes, moverLayer);
+    this.requestFrame();
   }
 
   /** Lights another extent and height of the floor, in metres. */
@@ -127,32 +129,67 @@ export class Stage {
     if (width === 0 || height === 0) return;
     const seconds = (now - this.#before) / 1000;
     this.#before = now;
-    // A slow processor draws fewer points.
-    if (this.#isMoving && seconds > slowSeconds)
-      this.#sharpness = Math.max(0.8 * this.#sharpness, minimumSharpness);
-    const goesOn = this.onframe(Math.min(seconds, longestStepSeconds));
-    this.#resize(width, height);
+    this.#adaptSharpness(seconds);
+    const { goesOn, movesMallets } = this.onframe(Math.min(seconds, longestStepSeconds));
+    const ratio = this.#fullRatio() * (this.#isStill ? 1 : this.#sharpness);
+    this.#resize(width, height, ratio);
     this.orbit.update(width / height);
-    this.#drawLight();
+    this.#drawLight(movesMallets);
     this.#setUniforms();
     this.#renderer.clear();
     this.#renderer.render(this.#scene, this.orbit.camera);
     const isLightOld = this.#parts.length > 0 && !this.#movesCasters && !this.#light.isComplete;
     this.#isMoving = goesOn || isLightOld;
+    this.#isStill = false;
     if (this.#isMoving) this.requestFrame();
+    else if (ratio < this.#fullRatio()) this.#drawStillLater();
   }
 
-  #resize(width, height) {
-    const ratio = this.#sharpness * Math.min(devicePixelRatio, 2);
+  #exchange(former, meshes, layer) {
+    for (const mesh of former) {
+      this.#scene.remove(mesh);
+      mesh.geometry.dispose();
+      mesh.material.dispose();
+    }
+    for (const mesh of meshes) {
+      if (!mesh.material.transparent) mesh.layers.enable(layer);
+      this.#scene.add(mesh);
+    }
+    return meshes;
+  }
+
+  /** A slow processor draws fewer points, and no shadows of mallets, while something moves. */
+  #adaptSharpness(seconds) {
+    this.#slowFrames = this.#isMoving && seconds > slowSeconds ? this.#slowFrames + 1 : 0;
+    if (this.#slowFrames < 3) return;
+    this.#slowFrames = 0;
+    this.#sharpness = Math.max(0.7 * this.#sharpness, minimumSharpness);
+  }
+
+  #drawStillLater() {
+    clearTimeout(this.#rest);
+    this.#rest = setTimeout(() => {
+      this.#isStill = true;
+      this.requestFrame();
+    }, restMilliseconds);
+  }
+
+  #fullRatio() {
+    return Math.min(devicePixelRatio, 2);
+  }
+
+  #resize(width, height, ratio) {
     const size = this.#renderer.getSize(new Vector2());
     if (size.x === width && size.y === height && this.#renderer.getPixelRatio() === ratio) return;
     this.#renderer.setPixelRatio(ratio);
     this.#renderer.setSize(width, height, false);
   }
 
-  #drawLight() {
-    if (this.#areShadowsOld || this.#movesCasters) this.#light.drawShadows(this.#scene);
-    this.#areShadowsOld = false;
+  #drawLight(movesMallets) {
+    const showsMallets = movesMallets && this.#sharpness === 1;
+    if (this.#areShadowsOld || this.#movesCasters || showsMallets)
+      this.#light.drawShadows(this.#scene);
+    this.#areShadowsOld = showsMallets;
     const isEmpty = this.#parts.length === 0;
     if (!this.#movesCasters && !isEmpty && !this.#light.isComplete) this.#light.addLight(this.#scene);
   }
