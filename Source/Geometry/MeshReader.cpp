@@ -2,7 +2,7 @@
 
 #include "Geometry/MeshFile.h"
 #include "Geometry/PolygonTriangles.h"
-#include "Gltf/GltfDocument.h"
+#include "Gltf/GltfFile.h"
 #include "Object/FileBytes.h"
 #include "Object/NumberText.h"
 #include "Object/OneLine.h"
