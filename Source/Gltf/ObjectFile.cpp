@@ -5,6 +5,7 @@
 #include "Gltf/GltfFile.h"
 #include "Gltf/GltfObject.h"
 #include "Gltf/ObjectGlb.h"
+#include "Object/ByteOrderMark.h"
 #include "Object/FileBeside.h"
 #include "Object/FileBytes.h"
 #include "Object/ModalObjectFile.h"
