@@ -28,7 +28,7 @@ MODULES = {
     "Synth": ("Object", "hwy/"),
     "World": ("Synth Mesh Object", "Eigen/ boost/lockfree/"),
     "C": ("World Synth Gltf Mesh Object", "Eigen/"),
-    "Web": ("C World Synth Mesh Object", ""),
+    "Web": ("Scene Instrument C World Synth Mesh Object", ""),
     "Analysis": ("Geometry Mesh Object", "Eigen/ unsupported/Eigen/ igl/ tetgen.h"),
     "Instrument": ("World Synth Geometry Gltf Mesh Object Parameters", "Eigen/ nlohmann/ Tunings.h"),
     "Scene": ("Instrument World Synth Geometry Gltf Mesh Object Parameters",
