@@ -1,38 +1,40 @@
 # idiophone_embed_files(<variable> <function> <file>...): sets the variable to the source file that
 # defines `std::span<const EmbeddedFile> idiophone::<function>()`, which returns the files.
 if(IDIOPHONE_WEB)
-    # The build cannot run a program that it compiles. CMake writes the source, which takes longer.
+    # The compiler makes no programs for this machine, so CMake writes the source. For text files only.
     function(idiophone_embed_files variable function)
-        set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${ARGN})
-        set(table "")
+        list(SORT ARGN COMPARE STRING)
+        set(entries "")
         foreach(file ${ARGN})
+            file(READ "${file}" text)
             cmake_path(GET file FILENAME name)
-            file(READ "${file}" bytes HEX)
-            string(REGEX REPLACE "(..)" "\\\\x\\1" bytes "${bytes}")
-            string(APPEND table "        {R\"name(${name})name\", \"${bytes}\"sv},\n")
+            string(APPEND entries "        {\"${name}\", R\"text(${text})text\"},\n")
         endforeach()
+        set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${ARGN})
         set(source "${CMAKE_CURRENT_BINARY_DIR}/${function}.cpp")
         file(CONFIGURE OUTPUT "${source}" @ONLY CONTENT
 "#include \"Object/EmbeddedFiles.h\"
 
-using namespace std::literals;
+#include <array>
 
 namespace idiophone {
 
+std::span<const EmbeddedFile> @function@();
+
 std::span<const EmbeddedFile> @function@() {
-    static const EmbeddedFile files[] = {
-@table@    };
+    static constexpr auto files = std::to_array<EmbeddedFile>({
+@entries@    });
     return files;
 }
 
 } // namespace idiophone
 ")
-        set_source_files_properties("${source}" PROPERTIES
-            SKIP_PRECOMPILE_HEADERS ON COMPILE_OPTIONS -Wno-overlength-strings)
+        set_source_files_properties("${source}" PROPERTIES SKIP_PRECOMPILE_HEADERS ON)
         set(${variable} "${source}" PARENT_SCOPE)
     endfunction()
     return()
 endif()
+
 add_executable(idiophone_embed_files "${CMAKE_CURRENT_LIST_DIR}/embed_files.cpp")
 
 function(idiophone_embed_files variable function)

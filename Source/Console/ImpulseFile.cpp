@@ -1,5 +1,6 @@
 #include "Console/ImpulseFile.h"
 
+#include "Object/ByteOrderMark.h"
 #include "Object/OneLine.h"
 #include "Object/TextFile.h"
 #include "Object/UntrustedJson.h"

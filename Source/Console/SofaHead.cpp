@@ -2,9 +2,9 @@
 
 #include "Console/SofaTable.h"
 #include "Object/TextFile.h"
-#include "Output/JuceFile.h"
 
 #include <fstream>
+#include <juce_core/juce_core.h>
 #include <optional>
 #include <string>
 
@@ -19,7 +19,10 @@ constexpr int patienceMilliseconds = 1000 * (2 * sofaPatienceSeconds);
 std::optional<std::string> tableOf(const std::filesystem::path& file, int sampleRateHz) {
     const juce::TemporaryFile table(".table");
     const auto self = juce::File::getSpecialLocation(juce::File::currentExecutableFile);
-    const auto path = juceFile(file).getFullPathName(); // so that no name looks like an option
+    std::error_code ignored;
+    // Absolute, so that no name looks like an option.
+    const auto path = juce::String::fromUTF8(
+        std::filesystem::absolute(file, ignored).u8string().c_str());
     juce::ChildProcess reader;
     if (!reader.start({self.getFullPathName(), "sofa-table", path, juce::String(sampleRateHz),
                        table.getFile().getFullPathName()},

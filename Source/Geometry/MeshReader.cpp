@@ -3,10 +3,10 @@
 #include "Geometry/MeshFile.h"
 #include "Geometry/PolygonTriangles.h"
 #include "Gltf/GltfDocument.h"
+#include "Object/ByteOrderMark.h"
 #include "Object/FileBytes.h"
 #include "Object/NumberText.h"
 #include "Object/OneLine.h"
-#include "Object/TextFile.h"
 
 #include <algorithm>
 #include <array>

@@ -4,11 +4,11 @@
 #include "Gltf/GltfObject.h"
 #include "Gltf/ObjectGlb.h"
 #include "Gltf/RigidBodies.h"
+#include "Object/ByteOrderMark.h"
 #include "Object/FileBeside.h"
 #include "Object/FileBytes.h"
 #include "Object/ModalObjectFile.h"
 #include "Object/SameName.h"
-#include "Object/TextFile.h"
 
 #include <ostream>
 #include <string>

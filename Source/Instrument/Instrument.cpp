@@ -35,28 +35,28 @@ Result<void> boundedSlots(std::span<const SynthesiserSlot> slots,
 }
 
 Instrument::Instrument(KeyMap keyMap)
-    : serial(nextSerialNumber()), map(std::move(keyMap)), keys(firstKeys.size() - 1) {
+    : serial(nextSerialNumber()), map(std::move(keyMap)), keys(128) {
     std::iota(firstKeys.begin(), firstKeys.end(), std::size_t{0});
 }
 
 Result<std::shared_ptr<const Instrument>> Instrument::build(const KeyMap& keyMap,
-                                                            ObjectLibrary& library) {
+                                                            ObjectSource& objects) {
     if (keyMap.lowestNote < 0 || keyMap.highestNote > 127 ||
         keyMap.lowestNote > keyMap.highestNote || keyMap.strikePath.empty())
         return failure("the key map's notes are not between 0 and 127, or it has no strike path");
     if (keyMap.kind == KeyMapKind::scene)
         return failure("a scene is not built of keys");
     auto instrument = std::shared_ptr<Instrument>(new Instrument(keyMap));
-    const auto added = keyMap.kind == KeyMapKind::kit ? instrument->addParts(library)
-                                                      : instrument->addMap(library);
+    const auto added = keyMap.kind == KeyMapKind::kit ? instrument->addParts(objects)
+                                                      : instrument->addMap(objects);
     if (!added)
         return tl::unexpected(added.error());
     instrument->describeSlots();
     return std::shared_ptr<const Instrument>(instrument);
 }
 
-Result<void> Instrument::addMap(ObjectLibrary& library) {
-    auto built = buildKeys(map, library);
+Result<void> Instrument::addMap(ObjectSource& objects) {
+    auto built = buildKeys(map, objects);
     if (!built)
         return tl::unexpected(built.error());
     if (auto bounded = boundedSlots(built->slots, inQuotes(map.object)); !bounded)
@@ -68,7 +68,7 @@ Result<void> Instrument::addMap(ObjectLibrary& library) {
     return {};
 }
 
-Result<void> Instrument::addParts(ObjectLibrary& library) {
+Result<void> Instrument::addParts(ObjectSource& objects) {
     if (auto valid = validKit(map); !valid)
         return failure("the kit's parts " + valid.error().message);
     std::array<std::vector<Key>, 128> keysOfNotes;
@@ -79,7 +79,7 @@ Result<void> Instrument::addParts(ObjectLibrary& library) {
                    static_cast<int>(note) <= part.keyMap.highestNote;
         });
     for (const auto& part : map.parts) {
-        auto built = buildKeys(part.keyMap, library);
+        auto built = buildKeys(part.keyMap, objects);
         if (!built)
             return tl::unexpected(built.error());
         addResizedKeys(*built, part.keyMap, free, maximumModesOfSlots);

@@ -4,7 +4,7 @@
 
 #include "Instrument/Key.h"
 #include "Instrument/LowestModes.h"
-#include "Instrument/ObjectLibrary.h"
+#include "Instrument/ObjectSource.h"
 #include "Instrument/Preset.h"
 #include "Instrument/Stage.h"
 #include "Synth/Synthesiser.h"
@@ -38,7 +38,7 @@ public:
     /// Loads the objects that the key map names. The error names the object or the setting at
     /// fault. More modes than `maximumModesOfSlots` are an error.
     static Result<std::shared_ptr<const Instrument>> build(const KeyMap& keyMap,
-                                                           ObjectLibrary& library);
+                                                           ObjectSource& objects);
 
     /// Builds an instrument for a key map of kind `scene`: keys move bodies on a stage, which has a
     /// slot for each object. `slotOfKey` is the slot that shows and holds a note, −1 if the note
@@ -85,8 +85,8 @@ public:
 private:
     explicit Instrument(KeyMap keyMap);
 
-    Result<void> addMap(ObjectLibrary& library);
-    Result<void> addParts(ObjectLibrary& library);
+    Result<void> addMap(ObjectSource& objects);
+    Result<void> addParts(ObjectSource& objects);
     void describeSlots();
 
     std::uint64_t serial;

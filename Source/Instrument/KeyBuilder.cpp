@@ -78,16 +78,16 @@ int nearestOwn(const std::array<Key, 128>& keys, int note) {
                 return near;
 }
 
-Result<BuiltKeys> buildBars(const KeyMap& map, ObjectLibrary& library) {
+Result<BuiltKeys> buildBars(const KeyMap& map, ObjectSource& objects) {
     BuiltKeys built;
     StripsOfObjects strips(map);
     const double middleHz = midiNoteHz((map.lowestNote + map.highestNote) / 2.0);
     for (int note = map.lowestNote; note <= map.highestNote; ++note) {
         const double pitchRatio = midiNoteHz(note) / middleHz;
         const auto name = map.objectFor(note);
-        if (note > map.lowestNote && !library.has(name))
+        if (note > map.lowestNote && !objects.has(name))
             continue;
-        auto object = library.find(name);
+        auto object = objects.find(name);
         if (!object)
             return tl::unexpected(object.error());
         built.keys[static_cast<std::size_t>(note)] = {.slot = static_cast<int>(built.slots.size()),
@@ -101,10 +101,10 @@ Result<BuiltKeys> buildBars(const KeyMap& map, ObjectLibrary& library) {
     return built;
 }
 
-Result<BuiltKeys> buildSingleObject(const KeyMap& map, ObjectLibrary& library) {
+Result<BuiltKeys> buildSingleObject(const KeyMap& map, ObjectSource& objects) {
     BuiltKeys built;
     StripsOfObjects strips(map);
-    auto object = library.find(map.object);
+    auto object = objects.find(map.object);
     if (!object)
         return tl::unexpected(object.error());
     const double referenceHz =
@@ -150,9 +150,9 @@ std::shared_ptr<const StrikeStrip> StripsOfObjects::of(const ModalObject& object
     return strip;
 }
 
-Result<BuiltKeys> buildKeys(const KeyMap& map, ObjectLibrary& library) {
-    return (map.kind == KeyMapKind::bars ? buildBars(map, library)
-                                         : buildSingleObject(map, library))
+Result<BuiltKeys> buildKeys(const KeyMap& map, ObjectSource& objects) {
+    return (map.kind == KeyMapKind::bars ? buildBars(map, objects)
+                                         : buildSingleObject(map, objects))
         .transform([&](BuiltKeys built) {
             voice(built.keys, map);
             return built;

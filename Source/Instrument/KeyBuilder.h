@@ -2,7 +2,7 @@
 #pragma once
 
 #include "Instrument/Key.h"
-#include "Instrument/ObjectLibrary.h"
+#include "Instrument/ObjectSource.h"
 #include "Synth/Synthesiser.h"
 
 #include <array>
@@ -34,7 +34,7 @@ struct BuiltKeys {
 
 /// Loads the objects of a map of kind `bars`, `zones` or `scaled`, and voices the keys. The error
 /// names the object at fault. Not for the audio thread.
-Result<BuiltKeys> buildKeys(const KeyMap& map, ObjectLibrary& library);
+Result<BuiltKeys> buildKeys(const KeyMap& map, ObjectSource& objects);
 
 /// Lets keys without an object play the nearest of the map's own keys, resized to their pitch; keys
 /// outside the map's own only if they are `free`. Does nothing for `zones`, or if the slots would

@@ -2,10 +2,9 @@
 // the program itself, others from files.
 #pragma once
 
-#include "Object/ModalObject.h"
+#include "Instrument/ObjectSource.h"
 
 #include <map>
-#include <memory>
 #include <mutex>
 #include <string>
 
@@ -14,22 +13,21 @@ namespace idiophone {
 /// Thread-safe; it locks and reads files, so never on the audio thread. Reading a file does not
 /// block other threads. Threads that read the same file at the same time all get the first one's
 /// object.
-class ObjectLibrary {
+class ObjectLibrary final : public ObjectSource {
 public:
     ObjectLibrary() = default;
     /// Makes a library that asks `others`, which must outlive it, for names not added to this
     /// library. A build uses it for names that only that build knows.
-    explicit ObjectLibrary(ObjectLibrary& others) : behind(&others) {}
+    explicit ObjectLibrary(ObjectSource& others) : behind(&others) {}
 
     /// Returns the library that all plugin instances in this process share. Never add to it,
     /// because a name must mean the same object to all of them.
     static ObjectLibrary& shared();
 
-    /// Returns whether `find` has an object or a file to read under that name.
-    bool has(const std::string& name);
+    bool has(const std::string& name) override;
 
     /// Returns a factory object ("xylophone-72"), or the modal object file at that path in UTF-8.
-    Result<std::shared_ptr<const ModalObject>> find(const std::string& name);
+    Result<std::shared_ptr<const ModalObject>> find(const std::string& name) override;
 
     /// Adds an object under a name, for example one embedded in a saved state. It has precedence
     /// over the factory and files while the returned pointer is held.
@@ -42,7 +40,7 @@ private:
     std::shared_ptr<const ModalObject> knownUnderLock(const std::string& key) const;
     void keepUnderLock(const std::string& key, const std::shared_ptr<const ModalObject>& object);
 
-    ObjectLibrary* const behind = nullptr;
+    ObjectSource* const behind = nullptr;
     std::mutex mutex;
     std::map<std::string, std::weak_ptr<const ModalObject>>
         loaded; ///< objects that somebody still holds

@@ -2,7 +2,7 @@
 
 #include "Object/NumberText.h"
 #include "Object/OneLine.h"
-#include "Object/TextFile.h"
+#include "Object/ByteOrderMark.h"
 
 #include <Tunings.h>
 #include <algorithm>

@@ -1,10 +1,10 @@
 #include "Instrument/SingleObjectMap.h"
 
-#include "Geometry/SurfaceRoute.h"
 #include "Instrument/ObjectBox.h"
 #include "Instrument/StrikeStrip.h"
 #include "Mesh/ObjectMesh.h"
 #include "Mesh/SurfaceQuery.h"
+#include "Mesh/SurfaceRoute.h"
 #include "Synth/PlaceBetween.h"
 
 #include <Eigen/Core>

@@ -12,13 +12,6 @@ Result<std::string> readTextFile(const std::filesystem::path& file, std::uintmax
     });
 }
 
-std::string_view withoutByteOrderMark(std::string_view text) {
-    constexpr std::string_view mark = "\xef\xbb\xbf";
-    if (text.starts_with(mark))
-        text.remove_prefix(mark.size());
-    return text;
-}
-
 Result<void> writeTextFile(const std::filesystem::path& file, const std::string& text) {
     if (!replaceFile(file, [&](std::ostream& stream) { stream << text; }))
         return failure(shownNameOf(file) + ": the file cannot be written");

@@ -7,7 +7,6 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
-#include <string_view>
 
 namespace idiophone {
 
@@ -15,9 +14,6 @@ namespace idiophone {
 /// larger than the limit.
 Result<std::string> readTextFile(const std::filesystem::path& file,
                                  std::uintmax_t limitBytes = std::uintmax_t{1} << 28);
-
-/// Returns the text without the UTF-8 byte order mark that some editors add.
-std::string_view withoutByteOrderMark(std::string_view text);
 
 /// Writes the text as `replaceFile` does. The error names a file that cannot be written.
 Result<void> writeTextFile(const std::filesystem::path& file, const std::string& text);

@@ -1,12 +1,11 @@
 // Mixes the sound that went into an effect with the one that comes out of it.
 #pragma once
 
-#include "Output/ExactRamp.h"
+#include "Output/Ramp.h"
 #include "Parameters/ParameterTable.h"
 
 #include <algorithm>
 #include <cstddef>
-#include <juce_dsp/juce_dsp.h>
 #include <span>
 #include <utility>
 
@@ -17,7 +16,7 @@ namespace idiophone {
 class DryWet {
 public:
     void prepare(double sampleRateHz, double rampSeconds) {
-        wet.reset(sampleRateHz, rampSeconds);
+        wet.prepare(sampleRateHz, rampSeconds);
         reset();
     }
     /// The next block starts at its parameter values without a ramp.
@@ -31,11 +30,11 @@ public:
         if (dry.empty())
             return;
         const bool isBypassed = values[ParameterId::bypass] != 0;
-        rampTo(wet, isBypassed ? 0.0f : static_cast<float>(values[ParameterId::dryWet] / 100));
+        wet.moveTo(isBypassed ? 0.0f : static_cast<float>(values[ParameterId::dryWet] / 100));
         if (std::exchange(startsAtTarget, false))
-            wet.setCurrentAndTargetValue(wet.getTargetValue());
+            wet.jumpToTarget();
         for (std::size_t k = 0; k < dry.front().size(); ++k) {
-            const float share = wet.getNextValue();
+            const float share = wet.next();
             for (std::size_t c = 0; c < channels.size(); ++c)
                 channels[c][k] =
                     share * channels[c][k] + (1 - share) * dry[std::min(c, dry.size() - 1)][k];
@@ -43,7 +42,7 @@ public:
     }
 
 private:
-    juce::SmoothedValue<float> wet; ///< the share of the effect's sound
+    Ramp<> wet; ///< the share of the effect's sound
     bool startsAtTarget = true;
 };
 

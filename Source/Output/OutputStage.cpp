@@ -1,7 +1,5 @@
 #include "Output/OutputStage.h"
 
-#include "Output/ExactRamp.h"
-
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -18,7 +16,6 @@ constexpr float maximumOwnLevel = 1e5f;
 constexpr std::size_t cell = 64; ///< grid on which silence is detected
 
 float gainOf(const ParameterValues& values) {
-    // JUCE's function returns 0 below −100 dB, and levels are divided by each other.
     const double decibels = values[ParameterId::level] + values[ParameterId::volume];
     return static_cast<float>(std::pow(10, decibels / 20));
 }
@@ -37,7 +34,7 @@ bool allFinite(std::span<const float> samples) {
 void OutputStage::prepare(double sampleRateHz, int maximumBlockSize) {
     samplesPerSecond = sampleRateHz;
     for (auto* ramp : {&ownLevel, &level, &open, &width})
-        ramp->reset(sampleRateHz, rampSeconds);
+        ramp->prepare(sampleRateHz, rampSeconds);
     ownLeft.resize(static_cast<std::size_t>(maximumBlockSize));
     ownRight.resize(static_cast<std::size_t>(maximumBlockSize));
     tilt.prepare(sampleRateHz, maximumBlockSize, rampSeconds);
@@ -65,23 +62,23 @@ void OutputStage::forgetChanges() noexcept {
 /// Keeps the level that sounds now, and applies it behind the room from now on.
 void OutputStage::moveLevelBehindRoom() noexcept {
     forgetChanges();
-    level.setCurrentAndTargetValue(ownLevel.getTargetValue() * level.getTargetValue());
-    ownLevel.setCurrentAndTargetValue(1);
+    level.jumpTo(ownLevel.target() * level.target());
+    ownLevel.jumpTo(1);
 }
 
 float OutputStage::changeSound(const ParameterValues& values, double fadeSeconds) noexcept {
     if (startsAtTarget)
         return 1;
-    const float before = ownLevel.getCurrentValue() * level.getCurrentValue();
+    const float before = ownLevel.current() * level.current();
     const float now = gainOf(values);
-    ownLevelAtChange = now / level.getCurrentValue();
+    ownLevelAtChange = now / level.current();
     if (ownLevelAtChange > maximumOwnLevel)
         room.reset();
     if (room.silent())
         forgetChanges();
-    level.setCurrentAndTargetValue(now / ownLevelAtChange);
-    ownLevel.setCurrentAndTargetValue(ownLevelAtChange);
-    highestLevel = level.getCurrentValue(); // the fade may reverberate in a silent room
+    level.jumpTo(now / ownLevelAtChange);
+    ownLevel.jumpTo(ownLevelAtChange);
+    highestLevel = level.current(); // the fade may reverberate in a silent room
     heldSamples = static_cast<std::size_t>(fadeSeconds * samplesPerSecond) + 1;
     return before / now;
 }
@@ -121,20 +118,20 @@ bool OutputStage::processPiece(std::span<const float> left,
                                std::span<const float> right,
                                std::span<float* const> channels,
                                const ParameterValues& values) noexcept {
-    if (gridPosition == 0 && room.silent() && !ownLevel.isSmoothing() && !level.isSmoothing() &&
+    if (gridPosition == 0 && room.silent() && !ownLevel.isMoving() && !level.isMoving() &&
         heldSamples == 0)
         moveLevelBehindRoom();
     if (heldSamples == 0) {
         const float wanted = gainOf(values);
-        rampTo(level, std::min(wanted / ownLevelAtChange, highestLevel));
-        rampTo(ownLevel, wanted / level.getTargetValue());
+        level.moveTo(std::min(wanted / ownLevelAtChange, highestLevel));
+        ownLevel.moveTo(wanted / level.target());
     }
     heldSamples -= std::min(heldSamples, left.size());
-    rampTo(open, values[ParameterId::bypass] != 0 ? 0.0f : 1.0f);
-    rampTo(width, static_cast<float>(values[ParameterId::width] / 100));
+    open.moveTo(values[ParameterId::bypass] != 0 ? 0.0f : 1.0f);
+    width.moveTo(static_cast<float>(values[ParameterId::width] / 100));
     if (startsAtTarget)
         for (auto* ramp : {&ownLevel, &level, &open, &width})
-            ramp->setCurrentAndTargetValue(ramp->getTargetValue());
+            ramp->jumpToTarget();
     startsAtTarget = false;
 
     const auto tilted = tilt.process({left, right}, values[ParameterId::brightness]);
@@ -148,11 +145,11 @@ bool OutputStage::processPiece(std::span<const float> left,
 }
 
 Room::Sound OutputStage::atOwnLevel(const Room::Sound& sound) noexcept {
-    if (!ownLevel.isSmoothing() && ownLevel.getTargetValue() == 1)
+    if (!ownLevel.isMoving() && ownLevel.target() == 1)
         return sound;
     const auto count = sound.left.size();
     for (std::size_t i = 0; i < count; ++i) {
-        const float gain = ownLevel.getNextValue();
+        const float gain = ownLevel.next();
         ownLeft[i] = gain * sound.left[i];
         ownRight[i] = gain * sound.right[i];
     }
@@ -163,8 +160,8 @@ void OutputStage::spread(const Room::Sound& sound, std::span<float* const> chann
     const auto [left, right] = sound;
     for (std::size_t i = 0; i < left.size(); ++i) {
         const float mid = (left[i] + right[i]) / 2;
-        const float side = width.getNextValue() * ((left[i] - right[i]) / 2);
-        const float gain = level.getNextValue() * open.getNextValue();
+        const float side = width.next() * ((left[i] - right[i]) / 2);
+        const float gain = level.next() * open.next();
         channels[0][i] = gain * (channels.size() > 1 ? mid + side : mid);
         if (channels.size() > 1)
             channels[1][i] = gain * (mid - side);

@@ -3,12 +3,12 @@
 #pragma once
 
 #include "Output/Limiter.h"
+#include "Output/Ramp.h"
 #include "Output/Room.h"
 #include "Output/Tilt.h"
 #include "Parameters/ParameterTable.h"
 
 #include <cstddef>
-#include <juce_dsp/juce_dsp.h>
 #include <span>
 #include <vector>
 
@@ -70,12 +70,12 @@ private:
     Limiter limiter;
     /// The level is `ownLevel` times `level`. `ownLevel` applies to the current sound before the
     /// room, and not to older reverb. `level` does not rise until the room is silent.
-    juce::SmoothedValue<float> ownLevel, level;
+    Ramp<> ownLevel, level;
     float ownLevelAtChange = 1, highestLevel = 0;
     std::size_t heldSamples = 0;  ///< samples for which the level stays constant
     std::size_t gridPosition = 0; ///< of the next sample
     double samplesPerSecond = 44100;
-    juce::SmoothedValue<float> open, width; ///< `open`: 0 in bypass, else 1
+    Ramp<> open, width; ///< `open`: 0 in bypass, else 1
     std::vector<float> ownLeft, ownRight;
     bool startsAtTarget = true;
 };

@@ -1,8 +1,10 @@
 #include "Output/PendingPeaks.h"
 
+#include "Output/HighestMagnitude.h"
+
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
-#include <juce_dsp/juce_dsp.h>
 #include <numbers>
 #include <utility>
 
@@ -12,16 +14,24 @@ namespace {
 constexpr double halfTaps = PendingPeaks::taps / 2.0;
 constexpr double kaiserBeta = 5;
 
+/// The modified Bessel function of order 0, by its series. For magnitudes up to `kaiserBeta`.
+double besselI0(double x) {
+    double sum = 1, term = 1;
+    for (int k = 1; term > 1e-17 * sum; ++k) {
+        term *= x * x / (4.0 * k * k);
+        sum += term;
+    }
+    return sum;
+}
+
 /// The interpolation kernel at a distance in samples.
 double kernel(double distance) {
-    using juce::dsp::SpecialFunctions;
     const double place = distance / halfTaps;
     if (std::abs(place) >= 1)
         return 0;
     const double angle = std::numbers::pi * distance;
     return (distance == 0 ? 1 : std::sin(angle) / angle) *
-           SpecialFunctions::besselI0(kaiserBeta * std::sqrt(1 - place * place)) /
-           SpecialFunctions::besselI0(kaiserBeta);
+           besselI0(kaiserBeta * std::sqrt(1 - place * place)) / besselI0(kaiserBeta);
 }
 
 /// Returns the time of a pending value, in samples after the next sample.
@@ -77,17 +87,18 @@ struct PendingPeaks::Tables {
 
     /// Solves the normal equations of one predicted sample.
     static std::array<float, remembered> predictionWeights(std::size_t ahead) {
-        juce::dsp::Matrix<double> correlations(remembered, remembered), weights(remembered, 1);
+        Eigen::Matrix<double, remembered, remembered> correlations;
+        Eigen::Matrix<double, remembered, 1> right;
         for (std::size_t row = 0; row < remembered; ++row) {
             for (std::size_t column = 0; column < remembered; ++column)
                 correlations(row, column) =
                     autocorrelation(row > column ? row - column : column - row);
-            weights(row, 0) = autocorrelation(row + ahead);
+            right(row) = autocorrelation(row + ahead);
         }
-        correlations.solve(weights);
+        const auto weights = correlations.ldlt().solve(right).eval();
         std::array<float, remembered> result{};
         for (std::size_t past = 0; past < remembered; ++past)
-            result[past] = static_cast<float>(weights(past, 0));
+            result[past] = static_cast<float>(weights(past));
         return result;
     }
 };
@@ -116,21 +127,11 @@ void PendingPeaks::push(float sample) noexcept {
     samples[0] = sample;
 }
 
-namespace {
-
-float highest(const std::array<float, PendingPeaks::count>& values) noexcept {
-    const auto range =
-        juce::FloatVectorOperations::findMinAndMax(values.data(), static_cast<int>(values.size()));
-    return std::max(-range.getStart(), range.getEnd());
-}
-
-} // namespace
-
 float PendingPeaks::highestBeforeSilence(float next) const noexcept {
     std::array<float, count> after;
     for (std::size_t i = 0; i < count; ++i)
         after[i] = values[i] + tables.ofNext[i] * next;
-    return highest(after);
+    return highestMagnitude(after);
 }
 
 float PendingPeaks::highestBefore(float next, const Future& future) const noexcept {
@@ -140,7 +141,7 @@ float PendingPeaks::highestBefore(float next, const Future& future) const noexce
     for (std::size_t ahead = 0; ahead < future.size(); ++ahead)
         for (std::size_t i = 0; i < count; ++i)
             after[i] += tables.ofFuture[ahead][i] * future[ahead];
-    return highest(after);
+    return highestMagnitude(after);
 }
 
 float PendingPeaks::highestIfPredicted(float next) const noexcept {
@@ -181,7 +182,7 @@ bool PendingPeaks::isWithin(const Bounds& bounds, float next) const noexcept {
     for (std::size_t i = 0; i < count; ++i)
         reached[i] =
             std::abs(values[i] + tables.ofNext[i] * next) + bounds.reserve * tables.shareToCome[i];
-    return highest(reached) <= bounds.ceiling;
+    return highestMagnitude(reached) <= bounds.ceiling;
 }
 
 float PendingPeaks::maximumGainWithin(const Bounds& bounds,

@@ -1,6 +1,6 @@
 #include "Output/Room.h"
 
-#include "Output/ExactRamp.h"
+#include "Output/HighestMagnitude.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,18 +10,12 @@ namespace {
 
 constexpr int gridSamples = 64;
 
-float highest(std::span<const float> samples) {
-    const auto range = juce::FloatVectorOperations::findMinAndMax(samples.data(),
-                                                                  static_cast<int>(samples.size()));
-    return std::max(-range.getStart(), range.getEnd());
-}
-
 } // namespace
 
 void Room::prepare(double sampleRateHz, int maximumBlockSize, double rampSeconds) {
     // Delays are whole samples, so the rate has bounds.
     rateHz = std::clamp(sampleRateHz, 1000.0, 1e6);
-    amount.reset(sampleRateHz, rampSeconds);
+    amount.prepare(sampleRateHz, rampSeconds);
     fadeSamples = static_cast<int>(std::min(rampSeconds, earliestSeconds) * rateHz);
     for (auto* samples : {&wetLeft, &wetRight, &fadingLeft, &fadingRight})
         samples->resize(static_cast<std::size_t>(maximumBlockSize));
@@ -56,7 +50,7 @@ void Room::skip(std::size_t samples) noexcept {
 }
 
 bool Room::isShut() const noexcept {
-    return !amount.isSmoothing() && amount.getTargetValue() == 0;
+    return !amount.isMoving() && amount.target() == 0;
 }
 
 void Room::rest() noexcept {
@@ -66,9 +60,9 @@ void Room::rest() noexcept {
 }
 
 void Room::follow(const ParameterValues& values) noexcept {
-    rampTo(amount, static_cast<float>(values[ParameterId::room] / 100));
+    amount.moveTo(static_cast<float>(values[ParameterId::room] / 100));
     if (startsAtTarget)
-        amount.setCurrentAndTargetValue(amount.getTargetValue());
+        amount.jumpToTarget();
     startsAtTarget = false;
     for (auto& network : networks)
         network.setDecay(values[ParameterId::roomDecay]);
@@ -95,7 +89,7 @@ Room::Sound Room::process(const Sound& sound, const ParameterValues& values) noe
     }
     addFading(std::span(wetLeft).first(count), std::span(wetRight).first(count));
     for (std::size_t i = 0; i < count; ++i) {
-        const float gain = amount.getNextValue();
+        const float gain = amount.next();
         wetLeft[i] = sound.left[i] + gain * wetLeft[i];
         wetRight[i] = sound.right[i] + gain * wetRight[i];
     }
@@ -106,7 +100,7 @@ Room::Sound Room::process(const Sound& sound, const ParameterValues& values) noe
 
 /// Replaces a piece within one grid cell by the room's response to it.
 void Room::ring(std::span<float> left, std::span<float> right) noexcept {
-    const bool hasInput = highest(left) > 0 || highest(right) > 0;
+    const bool hasInput = highestMagnitude(left) > 0 || highestMagnitude(right) > 0;
     if (hasInput && isSilent) {
         networks[playing].clear();
         isSilent = false;
@@ -114,7 +108,7 @@ void Room::ring(std::span<float> left, std::span<float> right) noexcept {
     }
     if (!isSilent) {
         networks[playing].process(left, right);
-        if (hasInput || std::max(highest(left), highest(right)) > silence)
+        if (hasInput || std::max(highestMagnitude(left), highestMagnitude(right)) > silence)
             quietSamples = -gridSamples; // the count of quiet samples starts after this cell
     }
     gridPosition += static_cast<int>(left.size());

@@ -2,11 +2,11 @@
 #pragma once
 
 #include "Output/DelayNetwork.h"
+#include "Output/Ramp.h"
 #include "Parameters/ParameterTable.h"
 
 #include <array>
 #include <cstddef>
-#include <juce_dsp/juce_dsp.h>
 #include <span>
 #include <vector>
 
@@ -58,7 +58,7 @@ private:
     std::array<DelayNetwork, 2> networks;
     std::size_t playing = 0; ///< index of the active network; the other one fades or is idle
     double rateHz = 44100;
-    juce::SmoothedValue<float> amount;
+    Ramp<> amount;
     std::vector<float> wetLeft, wetRight, fadingLeft, fadingRight;
     int gridPosition = 0;       ///< of the next sample, in a cell of the silence grid
     int quietSamples = 0;       ///< silent samples before that cell

@@ -1,14 +1,18 @@
 #include "Output/Tilt.h"
 
-#include "Output/ExactRamp.h"
-
 #include <cmath>
 #include <numbers>
 
 namespace idiophone {
+namespace {
+
+/// The filter's state decays towards numbers that processors compute slowly. −160 dB of full scale.
+constexpr float inaudible = 1e-8f;
+
+} // namespace
 
 void Tilt::prepare(double sampleRateHz, int maximumBlockSize, double rampSeconds) {
-    gain.reset(sampleRateHz, rampSeconds);
+    gain.prepare(sampleRateHz, rampSeconds);
     const double warped = std::tan(std::numbers::pi * middleHz / sampleRateHz);
     coefficient = static_cast<float>(warped / (1 + warped));
     for (auto& channel : channels)
@@ -24,13 +28,13 @@ void Tilt::reset() noexcept {
 
 Room::Sound Tilt::process(const Room::Sound& sound, double brightness) noexcept {
     const double decibels = maximumDecibels * brightness / 100;
-    rampTo(gain, static_cast<float>(std::pow(10, decibels / 20)));
+    gain.moveTo(static_cast<float>(std::pow(10, decibels / 20)));
     if (startsAtTarget)
-        gain.setCurrentAndTargetValue(gain.getTargetValue());
+        gain.jumpToTarget();
     startsAtTarget = false;
     auto& [left, right] = channels;
     for (std::size_t i = 0; i < sound.left.size(); ++i) {
-        const float high = gain.getNextValue();
+        const float high = gain.next();
         const auto tilt = [&](Channel& channel, float sample) {
             const float step = coefficient * (sample - channel.state);
             const float low = channel.state + step;
@@ -42,7 +46,8 @@ Room::Sound Tilt::process(const Room::Sound& sound, double brightness) noexcept 
         tilt(right, sound.right[i]);
     }
     for (auto& channel : channels)
-        juce::dsp::util::snapToZero(channel.state);
+        if (std::abs(channel.state) < inaudible)
+            channel.state = 0;
     return {std::span(left.tilted).first(sound.left.size()),
             std::span(right.tilted).first(sound.left.size())};
 }

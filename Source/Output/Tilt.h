@@ -1,10 +1,10 @@
 // The brightness control: tilts the spectrum about a middle frequency.
 #pragma once
 
+#include "Output/Ramp.h"
 #include "Output/Room.h"
 
 #include <array>
-#include <juce_dsp/juce_dsp.h>
 #include <vector>
 
 namespace idiophone {
@@ -34,7 +34,7 @@ private:
     };
 
     std::array<Channel, 2> channels;
-    juce::SmoothedValue<float, juce::ValueSmoothingTypes::Multiplicative> gain; ///< high part's
+    Ramp<RampSteps::ratios> gain; ///< high part's
     float coefficient = 0; ///< of the low-pass filter
     bool startsAtTarget = true;
 };

@@ -1,13 +1,13 @@
 #include "Plugin/ImportSession.h"
 
 #include "Editor/ModeText.h"
+#include "Instrument/OwnSlots.h"
 #include "Instrument/SingleObjectMap.h"
 #include "Mesh/ObjectMesh.h"
 #include "Object/Material.h"
 #include "Object/OneLine.h"
 #include "Plugin/ImportSummary.h"
 #include "Plugin/KitSound.h"
-#include "Plugin/OwnSlots.h"
 #include "Plugin/PlayInstead.h"
 #include "Plugin/WithinMemory.h"
 

@@ -1,7 +1,7 @@
 #include "Plugin/InstrumentSession.h"
 
-#include "Instrument/StrikePointMetres.h"
-#include "Plugin/OwnSlots.h"
+#include "Instrument/OwnSlots.h"
+#include "Instrument/StruckPlaces.h"
 
 #include <algorithm>
 #include <juce_core/juce_core.h>
@@ -55,27 +55,12 @@ std::vector<InstrumentView::PlayedObject> InstrumentSession::playedObjects() con
 }
 
 std::vector<std::array<double, 3>> InstrumentSession::struckPlaces(std::size_t index) const {
-    std::vector<std::array<double, 3>> places;
     const auto playing = session.instrument();
     if (playing == nullptr)
-        return places;
+        return {};
     const auto slots = ownSlots(*playing);
-    if (index >= slots.size())
-        return places;
-    const auto& object = *playing->slots()[slots[index]].object;
-    for (int note = 0; note < 128; ++note) {
-        const auto keys = playing->keysOf(note);
-        const auto found = std::ranges::find(keys, static_cast<int>(slots[index]), &Key::slot);
-        if (found == keys.end())
-            continue;
-        const auto& strip = *found->strip;
-        for (int along = 0; along < strip.alongCount; ++along)
-            places.push_back(strikePointMetres(
-                object,
-                strip.at(static_cast<double>(along) / std::max(strip.alongCount - 1, 1), 0)));
-        break; // the keys of one object share its path
-    }
-    return places;
+    return index < slots.size() ? idiophone::struckPlaces(*playing, slots[index])
+                                : std::vector<std::array<double, 3>>();
 }
 
 void InstrumentSession::playNote(int midiNote, int velocity) {

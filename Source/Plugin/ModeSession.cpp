@@ -1,7 +1,7 @@
 #include "Plugin/ModeSession.h"
 
+#include "Instrument/OwnSlots.h"
 #include "Instrument/SilencedModes.h"
-#include "Plugin/OwnSlots.h"
 
 #include <utility>
 

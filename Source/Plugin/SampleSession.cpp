@@ -1,8 +1,8 @@
 #include "Plugin/SampleSession.h"
 
 #include "Editor/Utf8.h"
+#include "Instrument/OwnSlots.h"
 #include "Object/FileName.h"
-#include "Plugin/OwnSlots.h"
 #include "Sampling/SampleFolder.h"
 
 #include <utility>

@@ -1,7 +1,7 @@
 #include "Plugin/SoundPicture.h"
 
+#include "Instrument/OwnSlots.h"
 #include "Instrument/SettingsOfParameters.h"
-#include "Plugin/OwnSlots.h"
 #include "Synth/LiveConditions.h"
 #include "Synth/ModeCompression.h"
 #include "Synth/QualityScaling.h"

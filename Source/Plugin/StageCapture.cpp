@@ -2,7 +2,7 @@
 
 #include "Editor/Utf8.h"
 #include "Instrument/ImpulseLine.h"
-#include "Plugin/OwnSlots.h"
+#include "Instrument/OwnSlots.h"
 #include "Plugin/WholeFile.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "Plugin/StageSession.h"
 
-#include "Plugin/OwnSlots.h"
+#include "Instrument/OwnSlots.h"
 #include "Plugin/SoundPicture.h"
 
 namespace idiophone {

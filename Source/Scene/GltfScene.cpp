@@ -2,9 +2,9 @@
 
 #include "Gltf/GltfObject.h"
 #include "Gltf/RigidBodies.h"
+#include "Object/ByteOrderMark.h"
 #include "Object/FileBytes.h"
 #include "Object/OneLine.h"
-#include "Object/TextFile.h"
 #include "Scene/GltfColliders.h"
 #include "Scene/SilentBody.h"
 

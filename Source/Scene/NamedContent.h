@@ -12,8 +12,8 @@ namespace idiophone {
 /// factory scenes only. The error names the scene. Not for the audio thread.
 Result<Scene> sceneNamed(const std::string& nameOrFile);
 
-/// Returns the factory preset of that name, or reads the preset file. WebAssembly has those of the
-/// factory scenes. The error names the preset. Not for the audio thread.
+/// Returns the factory preset of that name, or reads the preset file. In WebAssembly there are
+/// factory presets only. The error names the preset. Not for the audio thread.
 Result<Preset> presetNamed(const std::string& nameOrFile);
 
 } // namespace idiophone

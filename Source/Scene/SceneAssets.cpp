@@ -44,10 +44,10 @@ double topMetres(const ModalObject& object) {
 
 } // namespace
 
-Result<std::shared_ptr<const SceneAssets>> SceneAssets::make(Scene scene, ObjectLibrary& library) {
+Result<std::shared_ptr<const SceneAssets>> SceneAssets::make(Scene scene, ObjectSource& objects) {
     const std::shared_ptr<SceneAssets> assets(new SceneAssets(std::move(scene)));
-    return assets->loadKinds(library)
-        .and_then([&] { return assets->loadKeyboard(library); })
+    return assets->loadKinds(objects)
+        .and_then([&] { return assets->loadKeyboard(objects); })
         .map([&] { return std::shared_ptr<const SceneAssets>(assets); });
 }
 
@@ -78,11 +78,11 @@ std::size_t SceneAssets::indexOf(const Surface& surface) {
     return static_cast<std::size_t>(known - allSurfaces.begin());
 }
 
-Result<void> SceneAssets::loadKinds(ObjectLibrary& library) {
+Result<void> SceneAssets::loadKinds(ObjectSource& objects) {
     BoxSearch touching;
     for (std::size_t k = 0; k < played.kinds.size(); ++k) {
         const auto& kind = played.kinds[k];
-        const auto object = kind.given != nullptr ? kind.given : library.find(kind.object);
+        const auto object = kind.given != nullptr ? kind.given : objects.find(kind.object);
         if (!object)
             return tl::unexpected(object.error());
         if (auto done = addRole(kind, *object, groupOf(k), collidingGroups(played.kinds, k)); !done)
@@ -99,7 +99,7 @@ Result<void> SceneAssets::loadKinds(ObjectLibrary& library) {
     return {};
 }
 
-Result<void> SceneAssets::loadKeyboard(ObjectLibrary& library) {
+Result<void> SceneAssets::loadKeyboard(ObjectSource& objects) {
     if (!played.keyboard) {
         if (played.noteDrop)
             targets.fill(played.noteDrop->positionMetres);
@@ -111,7 +111,7 @@ Result<void> SceneAssets::loadKeyboard(ObjectLibrary& library) {
         return tl::unexpected(preset.error());
     if (preset->keyMap.kind != KeyMapKind::bars)
         return failure("the keyboard's preset " + inQuotes(preset->name) + " has no bars");
-    const auto built = Instrument::build(preset->keyMap, library);
+    const auto built = Instrument::build(preset->keyMap, objects);
     if (!built)
         return tl::unexpected(built.error());
     const auto& instrument = **built;

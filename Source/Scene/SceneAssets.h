@@ -1,7 +1,7 @@
 // The scene assets: a scene with every object and preset that it names loaded.
 #pragma once
 
-#include "Instrument/ObjectLibrary.h"
+#include "Instrument/ObjectSource.h"
 #include "Scene/RigidBodyModel.h"
 #include "Scene/RigidWorld.h"
 #include "Scene/Scene.h"
@@ -37,7 +37,7 @@ public:
 
     /// Loads the objects and presets of a scene. The error names the kind, object or preset at
     /// fault.
-    static Result<std::shared_ptr<const SceneAssets>> make(Scene scene, ObjectLibrary& library);
+    static Result<std::shared_ptr<const SceneAssets>> make(Scene scene, ObjectSource& objects);
 
     const Scene& scene() const { return played; }
     /// Returns the scene's kinds in their order, then the keyboard's bars.
@@ -55,13 +55,13 @@ private:
     explicit SceneAssets(Scene scene) : played(std::move(scene)) {}
 
     std::size_t indexOf(const Surface& surface);
-    /// Adds a role whose object is `object`; `kind.object` is its name in the library.
+    /// Adds a role whose object is `object`; `kind.object` is its name in the objects.
     Result<void> addRole(const BodyTemplate& kind,
                          const std::shared_ptr<const ModalObject>& object,
                          int group,
                          int collidesWith);
-    Result<void> loadKinds(ObjectLibrary& library);
-    Result<void> loadKeyboard(ObjectLibrary& library);
+    Result<void> loadKinds(ObjectSource& objects);
+    Result<void> loadKeyboard(ObjectSource& objects);
 
     Scene played;
     std::vector<Role> allRoles;

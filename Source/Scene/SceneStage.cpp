@@ -23,12 +23,12 @@ double between(const std::array<double, 2>& ends, int velocity) {
 } // namespace
 
 Result<std::shared_ptr<const Instrument>> buildInstrument(const KeyMap& keyMap,
-                                                          ObjectLibrary& library) {
+                                                          ObjectSource& objects) {
     if (keyMap.kind != KeyMapKind::scene)
-        return Instrument::build(keyMap, library);
+        return Instrument::build(keyMap, objects);
     const auto made =
         sceneNamed(keyMap.object)
-            .and_then([&](const Scene& scene) { return SceneAssets::make(scene, library); })
+            .and_then([&](const Scene& scene) { return SceneAssets::make(scene, objects); })
             .and_then(&SceneStage::make);
     if (!made)
         return tl::unexpected(made.error());

@@ -16,7 +16,7 @@ namespace idiophone {
 /// Builds as `Instrument::build` does, and also key maps of kind `scene` (a factory scene's name or
 /// a scene file). Not for the audio thread. The error names the part at fault.
 Result<std::shared_ptr<const Instrument>> buildInstrument(const KeyMap& keyMap,
-                                                          ObjectLibrary& library);
+                                                          ObjectSource& objects);
 
 /// Returns the pose of a slot's body for the window.
 BodyPose bodyPose(const SceneSimulation& run, std::size_t slot);

@@ -2,7 +2,7 @@
 // C++ exceptions in WebAssembly. clang compiles `throw` and `catch` to instructions, but Debian's
 // C++ library for wasm32-wasi lacks the functions that they call. These are the parts of the
 // Itanium C++ ABI that Idiophone needs: there is one thread, no pointer is thrown, and no exception
-// is rethrown or kept for later (std::exception_ptr).
+// is kept for later (std::exception_ptr).
 // https://itanium-cxx-abi.github.io/cxx-abi/abi-eh.html
 // https://github.com/WebAssembly/tool-conventions/blob/main/EHScheme.md
 #include <cstddef>
@@ -37,6 +37,7 @@ struct alignas(std::max_align_t) Header {
     void* (*destroy)(void*); ///< a destructor returns its argument in WebAssembly
     void* caught;            ///< the object as its handler sees it
     Header* outer;           ///< the exception whose handler runs around this one
+    bool isThrownAgain;      ///< its handler has rethrown it, and must not destroy it
 };
 
 Header* innermost = nullptr; ///< whose handler runs
@@ -158,9 +159,15 @@ void __cxa_free_exception(void* thrown) noexcept {
     __builtin_wasm_throw(0, thrown);
 }
 
+[[noreturn]] void __cxa_rethrow() {
+    innermost->isThrownAgain = true;
+    __builtin_wasm_throw(0, innermost + 1);
+}
+
 void* __cxa_begin_catch(void* thrown) noexcept {
     auto& header = headerOf(thrown);
     header.outer = innermost;
+    header.isThrownAgain = false;
     innermost = &header;
     return header.caught;
 }
@@ -168,6 +175,8 @@ void* __cxa_begin_catch(void* thrown) noexcept {
 void __cxa_end_catch() {
     auto* const header = innermost;
     innermost = header->outer;
+    if (header->isThrownAgain)
+        return;
     if (header->destroy != nullptr)
         header->destroy(header + 1);
     std::free(header);

@@ -1,7 +1,7 @@
 #include "Plugin/SurfaceHand.h"
 
 #include "Instrument/FactoryContent.h"
-#include "Plugin/OwnSlots.h"
+#include "Instrument/OwnSlots.h"
 #include "Support/Level.h"
 #include "Support/RenderNotes.h"
 

@@ -1,4 +1,4 @@
-#include "Plugin/OwnSlots.h"
+#include "Instrument/OwnSlots.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Finds a path over a surface from one place to another.
 #pragma once
 

@@ -1,4 +1,4 @@
-#include "Geometry/SurfaceRoute.h"
+#include "Mesh/SurfaceRoute.h"
 
 #include "Geometry/ParametricMesh.h"
 

@@ -1,4 +1,5 @@
-#include "Geometry/SurfaceRoute.h"
+// SPDX-License-Identifier: Apache-2.0
+#include "Mesh/SurfaceRoute.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

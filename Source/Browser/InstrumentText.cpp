@@ -1,0 +1,136 @@
+#include "Browser/InstrumentText.h"
+
+#include "Instrument/FactoryContent.h"
+#include "Instrument/OwnSlots.h"
+#include "Instrument/StruckPlaces.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+namespace idiophone {
+namespace {
+
+using nlohmann::ordered_json;
+
+std::string textOf(const ordered_json& json) {
+    return json.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
+}
+
+const char* nameOf(KeyMapKind kind) {
+    switch (kind) {
+    case KeyMapKind::bars:
+        return "bars";
+    case KeyMapKind::zones:
+        return "zones";
+    case KeyMapKind::scaled:
+        return "scaled";
+    case KeyMapKind::scene:
+        return "scene";
+    case KeyMapKind::kit:
+        return "kit";
+    }
+    return "";
+}
+
+const char* nameOf(ParameterScale scale) {
+    switch (scale) {
+    case ParameterScale::linear:
+        return "linear";
+    case ParameterScale::logarithmic:
+        return "logarithmic";
+    case ParameterScale::steps:
+        return "steps";
+    case ParameterScale::onOff:
+        return "onOff";
+    case ParameterScale::choice:
+        return "choice";
+    case ParameterScale::cubic:
+        return "cubic";
+    }
+    return "";
+}
+
+/// Returns each note that plays, with the index of its first object.
+ordered_json notesOf(const Instrument& instrument) {
+    const auto objects = objectsOfSlots(instrument);
+    auto notes = ordered_json::array();
+    for (int note = 0; note < 128; ++note)
+        if (const int slot = instrument.key(note).slot; slot >= 0)
+            notes.push_back({{"note", note},
+                             {"object", objects[static_cast<std::size_t>(slot)]},
+                             {"isOwn", instrument.hasOwn(note)}});
+    return notes;
+}
+
+ordered_json objectsOf(const Instrument& instrument, std::span<const std::size_t> slots) {
+    auto objects = ordered_json::array();
+    for (const auto slot : slots) {
+        const auto& [object, sizeRatio] = std::pair<const ModalObject&, double>(
+            *instrument.slots()[slot].object, instrument.slots()[slot].sizeRatio);
+        objects.push_back({{"name", instrument.objectName(slot)},
+                           {"title", object.name},
+                           {"sizeRatio", sizeRatio},
+                           {"modes", object.modeCount()},
+                           {"vertexCount", object.vertexCount()},
+                           {"faceCount", object.faceCount()},
+                           {"struckPlaces", struckPlaces(instrument, slot)}});
+    }
+    return objects;
+}
+
+} // namespace
+
+std::string presetsText() {
+    auto list = ordered_json::array();
+    for (const auto& preset : factoryPresets())
+        list.push_back({{"name", preset.name},
+                        {"description", preset.description},
+                        {"tags", preset.tags},
+                        {"kind", nameOf(preset.keyMap.kind)}});
+    return textOf(list);
+}
+
+std::string parametersText() {
+    auto list = ordered_json::array();
+    for (const auto& info : parameterTable()) {
+        ordered_json row{{"id", info.id},
+                         {"name", info.name},
+                         {"shortName", info.shortName != nullptr ? info.shortName : info.name},
+                         {"group", info.group},
+                         {"unit", info.unit},
+                         {"scale", nameOf(info.scale)},
+                         {"minimum", info.minimum},
+                         {"maximum", info.maximum},
+                         {"default", info.defaultValue},
+                         {"decimals", info.decimals},
+                         {"isSetup", info.isSetup},
+                         {"description", info.description}};
+        if (const auto choices = choiceNames(info.parameter); !choices.empty())
+            row["choices"] = choices;
+        list.push_back(std::move(row));
+    }
+    return textOf(list);
+}
+
+std::string instrumentText(const BrowserInstrument& played) {
+    if (played.instrument() == nullptr)
+        return "null";
+    const auto& preset = *played.preset();
+    auto values = ordered_json::array();
+    for (const auto& info : parameterTable())
+        values.push_back(played.values()[info.parameter]);
+    return textOf({{"name", preset.name},
+                   {"description", preset.description},
+                   {"kind", nameOf(preset.keyMap.kind)},
+                   {"lowestNote", preset.keyMap.lowestNote},
+                   {"highestNote", preset.keyMap.highestNote},
+                   {"notes", notesOf(*played.instrument())},
+                   {"objects", objectsOf(*played.instrument(), played.slots())},
+                   {"values", values}});
+}
+
+std::string objectNamesText(const Preset& preset) {
+    return textOf(objectNames(preset.keyMap));
+}
+
+} // namespace idiophone
