@@ -5,10 +5,18 @@
 #include "Instrument/SingleObjectMap.h"
 #include "Instrument/StartingLevel.h"
 #include "Object/OneLine.h"
+#include "Scene/SceneStage.h"
 
 #include <algorithm>
 
 namespace idiophone {
+namespace {
+
+/// A callback that comes meanwhile waits for a few pieces only. Each is about 10 ms of a
+/// simulation, so that it gets ahead.
+constexpr int maximumPieces = 2;
+
+} // namespace
 
 BrowserInstrument::BrowserInstrument(double sampleRateHz, bool isOffline)
     : rateHz(sampleRateHz), isOffline(isOffline) {
@@ -50,7 +58,7 @@ Result<void> BrowserInstrument::loadObject(const std::string& name) {
 }
 
 Result<void> BrowserInstrument::load(Preset preset) {
-    auto instrument = Instrument::build(preset.keyMap, fetched);
+    auto instrument = buildInstrument(preset.keyMap, fetched);
     if (!instrument)
         return failure(preset.name + ": " + instrument.error().message);
     play(std::move(preset), std::move(*instrument));
@@ -112,6 +120,21 @@ void BrowserInstrument::silence() {
 void BrowserInstrument::work() {
     if (player && player->matchedGain())
         player->matchedGain()->answer();
+    if (player)
+        for (int piece = 0; piece < maximumPieces && player->stage().simulateAhead(); ++piece)
+            continue;
+}
+
+std::span<const float> BrowserInstrument::poses() {
+    if (!player)
+        return {};
+    poseNumbers.clear();
+    for (const auto& pose : player->stage().bodyPoses()) {
+        const auto& [x, y, z] = pose.originMetres;
+        const auto& [i, j, k, w] = pose.turn;
+        poseNumbers.insert(poseNumbers.end(), {pose.isThere ? 1.0f : 0.0f, x, y, z, i, j, k, w});
+    }
+    return poseNumbers;
 }
 
 StereoSpan BrowserInstrument::render(std::size_t frames) {

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -55,9 +56,14 @@ public:
     /// Silences everything and lifts all hands and keys.
     void silence();
 
-    /// Does what other threads do elsewhere: predicts the gain that matches loudness. Call it every
-    /// 10 ms or so, outside of callbacks.
+    /// Does what other threads do elsewhere: predicts the gain that matches loudness, and simulates
+    /// a scene some ms ahead. Call it every 10 ms or so, outside of callbacks.
     void work();
+
+    /// Returns eight numbers for each slot of a scene, otherwise nothing: 1 if its body is there,
+    /// the origin in metres, and the turn as a quaternion x, y, z, w (BodyPose). Valid until the
+    /// next call.
+    std::span<const float> poses();
 
     /// Renders the next frames, at most `maximumFrames`. Valid until the next call.
     StereoSpan render(std::size_t frames);
@@ -77,6 +83,7 @@ private:
     std::vector<std::size_t> slotsOfObjects;
     std::vector<std::unique_ptr<ObjectSurface>> surfaces; ///< [objects] null until touched
     std::vector<MidiEvent> events;
+    std::vector<float> poseNumbers;
     std::array<float, maximumFrames> left{}, right{};
 };
 

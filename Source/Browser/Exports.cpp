@@ -79,7 +79,7 @@ int EXPORT(needs)(const char* preset, std::size_t size) {
     return attempt([&]() -> Result<std::string> {
         if (const auto* factory = findFactoryPreset(text(preset, size)))
             return objectNamesText(*factory);
-        return parsePreset(text(preset, size), "preset").transform(objectNamesText);
+        return parsePreset(text(preset, size), "preset").and_then(objectNamesText);
     });
 }
 
@@ -148,6 +148,15 @@ void EXPORT(silence)() {
 
 void EXPORT(work)() {
     played->work();
+}
+
+/// Returns eight numbers for each body of a scene (BrowserInstrument::poses).
+const float* EXPORT(poses)() {
+    return played->poses().data();
+}
+
+std::size_t EXPORT(pose_count)() {
+    return played->poses().size() / 8;
 }
 
 /// Returns the left channel; the right one begins `maximumFrames` floats later.

@@ -3,6 +3,7 @@
 #include "Instrument/FactoryContent.h"
 #include "Instrument/OwnSlots.h"
 #include "Instrument/StruckPlaces.h"
+#include "Scene/NamedContent.h"
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -78,6 +79,21 @@ ordered_json objectsOf(const Instrument& instrument, std::span<const std::size_t
     return objects;
 }
 
+/// Returns the objects of a scene's bodies and of its keyboard.
+Result<std::vector<std::string>> objectNamesOf(const Scene& scene) {
+    std::vector<std::string> names;
+    for (const auto& kind : scene.kinds)
+        if (kind.given == nullptr && std::ranges::find(names, kind.object) == names.end())
+            names.push_back(kind.object);
+    if (!scene.keyboard)
+        return names;
+    return presetNamed(scene.keyboard->preset).transform([&](const Preset& preset) {
+        for (auto& name : objectNames(preset.keyMap))
+            names.push_back(std::move(name));
+        return names;
+    });
+}
+
 } // namespace
 
 std::string presetsText() {
@@ -126,11 +142,16 @@ std::string instrumentText(const BrowserInstrument& played) {
                    {"highestNote", preset.keyMap.highestNote},
                    {"notes", notesOf(*played.instrument())},
                    {"objects", objectsOf(*played.instrument(), played.slots())},
+                   {"bodies", objectsOfSlots(*played.instrument())},
                    {"values", values}});
 }
 
-std::string objectNamesText(const Preset& preset) {
-    return textOf(objectNames(preset.keyMap));
+Result<std::string> objectNamesText(const Preset& preset) {
+    if (preset.keyMap.kind != KeyMapKind::scene)
+        return textOf(objectNames(preset.keyMap));
+    return sceneNamed(preset.keyMap.object)
+        .and_then(objectNamesOf)
+        .transform([](const auto& names) { return textOf(names); });
 }
 
 } // namespace idiophone

@@ -15,7 +15,8 @@ std::string presetsText();
 std::string parametersText();
 /// Returns what plays: its keys, objects and values. `null` before the first load.
 std::string instrumentText(const BrowserInstrument& played);
-/// Returns the names of the objects that a preset needs, as a list.
-std::string objectNamesText(const Preset& preset);
+/// Returns the names of the objects that a preset needs, as a list. The error names a scene that
+/// does not exist.
+Result<std::string> objectNamesText(const Preset& preset);
 
 } // namespace idiophone

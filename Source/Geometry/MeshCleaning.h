@@ -1,4 +1,4 @@
-// The first steps of repair: merge or drop superfluous vertices and faces. MeshRepair puts the
+// The first steps of repair: drop superfluous vertices and faces. MeshRepair puts the
 // steps in order and reports them. Indices must be valid, coordinates finite.
 #pragma once
 
@@ -8,9 +8,9 @@
 
 namespace idiophone {
 
-/// Merges vertices within the tolerance of an earlier vertex, which stays in place. The remaining
-/// ones are farther apart than the tolerance. Returns the new index of each old vertex.
-std::vector<int> weldVertices(Mesh& mesh, double toleranceMetres);
+/// Keeps the first `count` vertices and gives the faces' corners their new numbers: `newNumber` of
+/// each old number.
+void renumberVertices(Mesh& mesh, int count, const std::vector<int>& newNumber);
 
 /// Drops faces with two corners in one vertex or without area (height at most 1e-10 of the longest
 /// side). Returns their number.

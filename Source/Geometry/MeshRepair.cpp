@@ -5,6 +5,7 @@
 #include "Geometry/ManifoldCut.h"
 #include "Geometry/MeshCleaning.h"
 #include "Geometry/TJunctions.h"
+#include "Geometry/VertexWelding.h"
 #include "Object/WorkControl.h"
 
 #include <algorithm>

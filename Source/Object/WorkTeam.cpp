@@ -2,7 +2,14 @@
 #include "Object/WorkTeam.h"
 
 #include <algorithm>
+#include <atomic>
+#include <cfenv>
+#include <cstdint>
+#include <exception>
+#include <mutex>
+#include <thread>
 #include <utility>
+#include <vector>
 
 namespace idiophone {
 namespace {
@@ -28,26 +35,88 @@ void waitUntil(const std::atomic<Value>& value, const Condition& condition) {
 
 } // namespace
 
-WorkTeam::WorkTeam(unsigned threads, unsigned maximumOfCores) {
-    const unsigned count =
-        threads > 0 ? threads : std::min(std::thread::hardware_concurrency(), maximumOfCores);
+struct WorkTeam::Threads {
+    /// Lasts from a call of `runAll` to the next.
+    struct Loop {
+        const Item* handle = nullptr;
+        std::size_t count = 0;
+        std::size_t batch = 1; ///< items that a thread takes at a time
+        std::fenv_t mode{};
+        std::atomic<std::size_t> next{0};
+        std::atomic<bool> isOpen{false};
+        std::atomic<int> visitors{0}; ///< other threads that may read the loop
+        std::mutex faultTurn;
+        std::exception_ptr fault;
+    };
+
+    explicit Threads(unsigned count);
+    ~Threads();
+
+    void runBoth(const std::function<void()>& other, const std::function<void()>& own);
+    void runAll(std::size_t count, const Item& handle);
+    void work(std::size_t thread);
+    void wake();
+    bool takeTask();
+    bool visitLoop(std::size_t thread);
+    void runItems(std::size_t thread);
+
+    std::atomic<const std::function<void()>*> task{nullptr}; ///< pending
+    std::fenv_t taskMode{};
+    std::atomic<bool> isTaskDone{false};
+    Loop loop;
+    std::mutex turn;
+    std::atomic<std::uint32_t> wakes{0};
+    std::atomic<bool> isStopping{false};
+    std::vector<std::thread> others; ///< started last
+};
+
+WorkTeam::WorkTeam(unsigned count, unsigned maximumOfCores)
+    : threads(std::make_unique<Threads>(
+          count > 0 ? count : std::min(std::thread::hardware_concurrency(), maximumOfCores))) {}
+
+WorkTeam::~WorkTeam() = default;
+
+void WorkTeam::runBoth(const std::function<void()>& other, const std::function<void()>& own) {
+    threads->runBoth(other, own);
+}
+
+void WorkTeam::runAll(std::size_t count, const Item& handle) {
+    threads->runAll(count, handle);
+}
+
+std::size_t WorkTeam::threadCount() const {
+    return threads->others.size() + 1;
+}
+
+WorkTeam::Turn::Turn(WorkTeam* sharingTeam) : team(sharingTeam) {
+    if (team != nullptr)
+        team->threads->turn.lock();
+}
+
+WorkTeam::Turn::~Turn() {
+    if (team != nullptr)
+        team->threads->turn.unlock();
+}
+
+WorkTeam::Threads::Threads(unsigned count) {
     for (unsigned other = 1; other < count; ++other)
         others.emplace_back([this, other] { work(other); });
 }
 
-WorkTeam::~WorkTeam() {
+WorkTeam::Threads::~Threads() {
     isStopping = true;
     wake();
     for (auto& other : others)
         other.join();
 }
 
-void WorkTeam::wake() {
+void WorkTeam::Threads::wake() {
     ++wakes;
     wakes.notify_all();
 }
 
-void WorkTeam::runBoth(const std::function<void()>& other, const std::function<void()>& own) {
+void WorkTeam::Threads::runBoth(const std::function<void()>& other,
+                                const std::function<void()>& own) {
     if (others.empty()) {
         other();
         own();
@@ -72,10 +141,10 @@ void WorkTeam::runBoth(const std::function<void()>& other, const std::function<v
     finish();
 }
 
-void WorkTeam::runAll(std::size_t count, const Item& handle) {
+void WorkTeam::Threads::runAll(std::size_t count, const Item& handle) {
     loop.handle = &handle;
     loop.count = count;
-    loop.batch = std::max<std::size_t>(count / (batchesOfThread * threadCount()), 1);
+    loop.batch = std::max<std::size_t>(count / (batchesOfThread * (others.size() + 1)), 1);
     loop.next = 0;
     if (others.empty() || count < 2) {
         runItems(0);
@@ -94,7 +163,7 @@ void WorkTeam::runAll(std::size_t count, const Item& handle) {
 }
 
 /// If an item throws, keeps the exception and starts no further items.
-void WorkTeam::runItems(std::size_t thread) {
+void WorkTeam::Threads::runItems(std::size_t thread) {
     try {
         for (std::size_t first = loop.next.fetch_add(loop.batch); first < loop.count;
              first = loop.next.fetch_add(loop.batch))
@@ -107,7 +176,7 @@ void WorkTeam::runItems(std::size_t thread) {
     }
 }
 
-void WorkTeam::work(std::size_t thread) {
+void WorkTeam::Threads::work(std::size_t thread) {
     while (!isStopping) {
         const auto before = wakes.load(); // a later wake ends the wait at once
         if (!takeTask() && !visitLoop(thread))
@@ -115,7 +184,7 @@ void WorkTeam::work(std::size_t thread) {
     }
 }
 
-bool WorkTeam::takeTask() {
+bool WorkTeam::Threads::takeTask() {
     const auto* taken = task.exchange(nullptr);
     if (taken == nullptr)
         return false;
@@ -127,7 +196,7 @@ bool WorkTeam::takeTask() {
 }
 
 /// Returns whether this thread has run items.
-bool WorkTeam::visitLoop(std::size_t thread) {
+bool WorkTeam::Threads::visitLoop(std::size_t thread) {
     ++loop.visitors;
     const bool isOpen = loop.isOpen && loop.next < loop.count;
     if (isOpen) {

@@ -1,17 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Threads that share the work of the calling one, for analyses and for rendering to files.
+// Threads that share the work of the calling one, for analyses and for rendering to files. In
+// WebAssembly a team has no threads (Web/WorkTeam.cpp).
 #pragma once
 
 #include <algorithm>
-#include <atomic>
-#include <cfenv>
 #include <cstddef>
-#include <cstdint>
-#include <exception>
 #include <functional>
-#include <mutex>
-#include <thread>
-#include <vector>
+#include <memory>
 
 namespace idiophone {
 
@@ -20,9 +15,9 @@ namespace idiophone {
 /// the audio thread.
 class WorkTeam {
 public:
-    /// `threads` includes the owner, so that 1 starts no other. 0: one for each core, up to a
+    /// `threadCount` includes the owner, so that 1 starts no other. 0: one for each core, up to a
     /// maximum.
-    explicit WorkTeam(unsigned threads, unsigned maximumOfCores = 4);
+    explicit WorkTeam(unsigned threadCount, unsigned maximumOfCores = 4);
     ~WorkTeam();
     WorkTeam(const WorkTeam&) = delete;
     WorkTeam& operator=(const WorkTeam&) = delete;
@@ -40,35 +35,24 @@ public:
     /// exception.
     void runAll(std::size_t count, const Item& handle);
 
-    std::size_t threadCount() const { return others.size() + 1; }
+    std::size_t threadCount() const;
 
-private:
-    /// Lasts from a call of `runAll` to the next.
-    struct Loop {
-        const Item* handle = nullptr;
-        std::size_t count = 0;
-        std::size_t batch = 1; ///< items that a thread takes at a time
-        std::fenv_t mode{};
-        std::atomic<std::size_t> next{0};
-        std::atomic<bool> isOpen{false};
-        std::atomic<int> visitors{0}; ///< other threads that may read the loop
-        std::mutex faultTurn;
-        std::exception_ptr fault;
+    /// Lasts while one thread of a team, or the only thread without one, uses what they share.
+    /// Other threads of the team wait for their turns.
+    class Turn {
+    public:
+        explicit Turn(WorkTeam* team); ///< `team` may be null
+        ~Turn();
+        Turn(const Turn&) = delete;
+        Turn& operator=(const Turn&) = delete;
+
+    private:
+        WorkTeam* team;
     };
 
-    void work(std::size_t thread);
-    void wake();
-    bool takeTask();
-    bool visitLoop(std::size_t thread);
-    void runItems(std::size_t thread);
-
-    std::atomic<const std::function<void()>*> task{nullptr}; ///< pending
-    std::fenv_t taskMode{};
-    std::atomic<bool> isTaskDone{false};
-    Loop loop;
-    std::atomic<std::uint32_t> wakes{0};
-    std::atomic<bool> isStopping{false};
-    std::vector<std::thread> others; ///< started last
+private:
+    struct Threads;
+    std::unique_ptr<Threads> threads;
 };
 
 /// Returns 1 without a team.

@@ -80,7 +80,7 @@ void PairLimit::enterChanges() {
 
 btPersistentManifold* PairLimit::getNewManifold(const btCollisionObject* first,
                                                 const btCollisionObject* second) {
-    const std::lock_guard lock(memory);
+    const WorkTeam::Turn turn(team); // Bullet has one pool
     auto* contacts = btCollisionDispatcher::getNewManifold(first, second);
     if (collided.changes != nullptr) {
         m_manifoldsPtr.pop_back();
@@ -97,12 +97,12 @@ void PairLimit::releaseManifold(btPersistentManifold* contacts) {
 }
 
 void* PairLimit::allocateCollisionAlgorithm(int bytes) {
-    const std::lock_guard lock(memory);
+    const WorkTeam::Turn turn(team);
     return btCollisionDispatcher::allocateCollisionAlgorithm(bytes);
 }
 
 void PairLimit::freeCollisionAlgorithm(void* algorithm) {
-    const std::lock_guard lock(memory);
+    const WorkTeam::Turn turn(team);
     btCollisionDispatcher::freeCollisionAlgorithm(algorithm);
 }
 

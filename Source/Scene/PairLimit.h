@@ -2,7 +2,6 @@
 #pragma once
 
 #include <btBulletDynamicsCommon.h>
-#include <mutex>
 #include <vector>
 
 namespace idiophone {
@@ -53,7 +52,6 @@ private:
     void enterChanges();
 
     WorkTeam* team;
-    std::mutex memory; ///< of Bullet's pools
     std::vector<int> shared;
     std::vector<std::vector<Change>> changesOfThreads;
     std::vector<Change> changes; ///< scratch

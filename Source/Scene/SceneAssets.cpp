@@ -1,11 +1,9 @@
 #include "Scene/SceneAssets.h"
 
-#include "Instrument/FactoryContent.h"
 #include "Instrument/Instrument.h"
-#include "Instrument/PresetFile.h"
 #include "Instrument/StrikePointMetres.h"
-#include "Object/FileBytes.h"
 #include "Object/OneLine.h"
+#include "Scene/NamedContent.h"
 
 #include <algorithm>
 #include <numbers>
@@ -35,20 +33,6 @@ int collidingGroups(const std::vector<BodyTemplate>& kinds, std::size_t kind) {
         if (!passes(kind, other) && !passes(other, kind))
             groups |= groupOf(other);
     return groups;
-}
-
-Result<Preset> presetNamed(const std::string& nameOrFile) {
-    if (const auto* factory = findFactoryPreset(nameOrFile))
-        return *factory;
-    const auto file = pathNamed(nameOrFile);
-    std::error_code ignored;
-    if (!std::filesystem::exists(file, ignored))
-        return failure("the keyboard's preset " + oneLine(nameOrFile, nameOrFile.size()) +
-                       " is neither of the factory's nor a file");
-    return readPresetFile(file).map([&](Preset preset) {
-        preset.keyMap = withObjectsBeside(preset.keyMap, file);
-        return preset;
-    });
 }
 
 double topMetres(const ModalObject& object) {

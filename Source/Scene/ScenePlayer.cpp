@@ -126,10 +126,9 @@ void ScenePlayer::waitFor(std::int64_t cell) noexcept {
     }
 }
 
-void ScenePlayer::waitForSimulation() noexcept {
+bool ScenePlayer::simulateAhead() noexcept {
     takeBlocks(); // gives back blocks of former notes, so that the worker may go on
-    while (worker.help())
-        takeBlocks();
+    return worker.help();
 }
 
 void ScenePlayer::play(Simulation& simulation, const BegunCell& cell) noexcept {

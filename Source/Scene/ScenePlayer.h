@@ -21,7 +21,7 @@ public:
     void
     startNote(int midiNote, int velocity, std::int64_t cell, double sampleInCell) noexcept override;
     void countNotesFrom(std::uint32_t number) noexcept override { noteCount = number; }
-    void waitForSimulation() noexcept override;
+    bool simulateAhead() noexcept override;
     void sound(std::int64_t cell,
                Synthesiser& synthesiser,
                std::span<const CellOutput> cellsOfSlots) noexcept override;

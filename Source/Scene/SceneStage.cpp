@@ -1,9 +1,7 @@
 #include "Scene/SceneStage.h"
 
-#include "Object/FileBytes.h"
 #include "Object/OneLine.h"
-#include "Scene/FactoryScenes.h"
-#include "Scene/SceneFile.h"
+#include "Scene/NamedContent.h"
 #include "Scene/ScenePlayer.h"
 
 #include <algorithm>
@@ -20,12 +18,6 @@ constexpr double maximumWorkBefore = 2e6; // a few seconds, in the units of Rigi
 /// Interpolates from the softest to the hardest note.
 double between(const std::array<double, 2>& ends, int velocity) {
     return std::lerp(ends[0], ends[1], (velocity - 1) / 126.0);
-}
-
-Result<Scene> sceneNamed(const std::string& nameOrFile) {
-    if (const auto* factory = findFactoryScene(nameOrFile))
-        return *factory;
-    return readSceneFile(sceneFileNamed(nameOrFile));
 }
 
 } // namespace

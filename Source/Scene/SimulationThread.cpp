@@ -15,6 +15,13 @@ std::uint32_t pairOf(std::uint32_t number, std::uint32_t pair) {
     return std::max(number * 0x9e3779b1u + pair, 1u);
 }
 
+std::vector<SimulationBlock*> pointersTo(std::vector<SimulationBlock>& blocks) {
+    std::vector<SimulationBlock*> pointers;
+    for (auto& block : blocks)
+        pointers.push_back(&block);
+    return pointers;
+}
+
 /// Sets the default floating-point mode: a thread started by the audio thread inherits its flushing
 /// of denormals.
 class DefaultFloatingPoint {
@@ -35,34 +42,23 @@ private:
 
 SimulationThread::SimulationThread(const SceneStage& playedStage, double sampleRateHz)
     : stage(playedStage), cellSeconds(cellSamples / sampleRateHz),
-      simulations(stage.simulationCount()), blocks(stage.simulationCount() * blocksAhead) {
-    for (auto& block : blocks)
-        freeBlocks.push_back(&block);
-    thread = std::thread([this] { runThread(); });
-}
+      simulations(stage.simulationCount()), blocks(stage.simulationCount() * blocksAhead),
+      freeBlocks(pointersTo(blocks)), worker([this] { return workOnce(); }) {}
 
 SimulationThread::~SimulationThread() {
     isStopping = true;
-    wake();
-    thread.join();
 }
 
 bool SimulationThread::start(const SimulationNote& note) noexcept {
     const bool isSent = notes.push(note);
-    wake();
+    worker.wake();
     return isSent;
 }
 
 void SimulationThread::giveBack(SimulationBlock* block) noexcept {
     used.push(block);
     if (++blocksReturned % blocksPerWake == 0)
-        wake();
-}
-
-/// Takes no lock. Makes a system call only if the worker sleeps.
-void SimulationThread::wake() noexcept {
-    ++wakes;
-    wakes.notify_one();
+        worker.wake();
 }
 
 SimulationBlock* SimulationThread::take() noexcept {
@@ -72,20 +68,7 @@ SimulationBlock* SimulationThread::take() noexcept {
 }
 
 bool SimulationThread::help() noexcept {
-    const std::lock_guard lock(working);
-    return workOnce();
-}
-
-void SimulationThread::runThread() noexcept {
-    while (!isStopping) {
-        const auto before = wakes.load(); // a later wake ends the wait at once
-        const auto isBusy = [this] {
-            const std::lock_guard lock(working);
-            return workOnce();
-        }();
-        if (!isBusy)
-            wakes.wait(before);
-    }
+    return worker.doPiece();
 }
 
 /// Fills the most urgent block. Returns false if there is nothing to do.

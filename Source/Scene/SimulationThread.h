@@ -1,23 +1,23 @@
-// Simulates the bodies of a scene instrument ahead of their sound, on a thread of its own.
+// Simulates the bodies of a scene instrument ahead of their sound, on a thread of its own if there
+// are threads.
 #pragma once
 
 #include "Scene/SceneStage.h"
 #include "Scene/SimulationBlock.h"
+#include "Scene/SimulationWorker.h"
 
 #include <atomic>
 #include <boost/lockfree/spsc_queue.hpp>
 #include <cstdint>
 #include <memory>
-#include <mutex>
-#include <thread>
 #include <vector>
 
 namespace idiophone {
 
-/// Three lock-free queues connect the audio thread and the owner of `working`. They carry notes,
-/// filled blocks and used blocks. The filled blocks of a simulation are in order of time. If memory
-/// runs out, a simulation ends early: no exception leaves the thread. The worker sleeps while it
-/// has nothing to do. The audio thread wakes it for a note, and for every few used blocks.
+/// Three lock-free queues connect the audio thread and the worker. They carry notes, filled blocks
+/// and used blocks. The filled blocks of a simulation are in order of time. If memory runs out, a
+/// simulation ends early: no exception leaves the thread. The audio thread wakes the worker for a
+/// note, and for every few used blocks.
 class SimulationThread {
 public:
     SimulationThread(const SceneStage& stage,
@@ -31,8 +31,8 @@ public:
     /// [audio thread] Returns the next block or nullptr. The caller gives it back.
     SimulationBlock* take() noexcept;
     void giveBack(SimulationBlock* block) noexcept;
-    /// [audio thread, offline] Fills one block on the calling thread, after the worker's current
-    /// one. Allocates. Returns false if there is nothing to do.
+    /// [audio thread, offline; or between two blocks of it] Fills one block on the calling thread,
+    /// after the worker's current one. Allocates. Returns false if there is nothing to do.
     bool help() noexcept;
 
 private:
@@ -52,8 +52,6 @@ private:
     /// its lead by then.
     static constexpr std::uint32_t blocksPerWake = 16;
 
-    void runThread() noexcept;
-    void wake() noexcept;
     bool workOnce() noexcept;
     void takeUsed();
     void takeNotes();
@@ -69,14 +67,12 @@ private:
     Queue<SimulationNote, 256> notes;
     Queue<SimulationBlock*, blockCapacity> ready, used;
 
-    std::mutex working; ///< the thread that owns it does the worker's job
     std::atomic<bool> isStopping{false};
-    std::atomic<std::uint32_t> wakes{0};
     std::uint32_t blocksReturned = 0; ///< [audio thread]
     std::vector<Simulation> simulations;
     std::vector<SimulationBlock> blocks; ///< `blocksAhead` for each simulation
     std::vector<SimulationBlock*> freeBlocks;
-    std::thread thread; ///< started last, because it uses the others
+    SimulationWorker worker; ///< started last, because it uses the others
 };
 
 } // namespace idiophone

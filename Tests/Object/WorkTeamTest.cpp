@@ -1,10 +1,12 @@
 // Tests the threads that share work.
 #include "Object/WorkTeam.h"
 
+#include <atomic>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
 #include <cfenv>
 #include <stdexcept>
+#include <vector>
 
 using namespace idiophone;
 

@@ -8,6 +8,7 @@
 #include "Support/TestFolder.h"
 
 #include <algorithm>
+#include <atomic>
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
 

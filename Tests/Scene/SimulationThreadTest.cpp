@@ -5,6 +5,7 @@
 #include "Scene/FactoryScenes.h"
 
 #include <catch2/catch_test_macros.hpp>
+#include <thread>
 
 using namespace idiophone;
 

@@ -27,12 +27,12 @@ const fetchedBytes = async url => new Uint8Array(await (await fetched(url)).arra
 
 /** Returns the module's bytes: with SIMD, or without where the browser lacks it. */
 async function fetchCode(base) {
-    for (const name of ["instrument.wasm", "instrument-scalar.wasm"]) {
-        const code = await fetchedBytes(new URL(name, base));
-        if (WebAssembly.validate(code))
-            return code;
-    }
-    throw new Error("This browser is too old for Idiophone: its WebAssembly has no exceptions.");
+    let code = await fetchedBytes(new URL("instrument.wasm", base));
+    if (!WebAssembly.validate(code))
+        code = await fetchedBytes(new URL("instrument-scalar.wasm", base)).catch(() => null);
+    if (code === null || !WebAssembly.validate(code))
+        throw new Error("This browser is too old for Idiophone: its WebAssembly lacks what it needs.");
+    return code;
 }
 
 export class Idiophone {

@@ -1,0 +1,27 @@
+# Bullet for the WebAssembly module, from its sources: packages have it compiled for other machines. One
+# file for each of its libraries includes all of that library's files.
+idiophone_debian_source(bullet PACKAGE bullet VERSION 3.24+dfsg-2 SUITE bookworm FOLDER src)
+FetchContent_Declare(bullet
+    GIT_REPOSITORY https://github.com/bulletphysics/bullet3.git
+    GIT_TAG 3.24
+    GIT_SHALLOW ON)
+# Populated, not added: its own build also makes what is left out here.
+FetchContent_GetProperties(bullet)
+if(NOT bullet_POPULATED)
+    FetchContent_Populate(bullet)
+endif()
+set(bullet_files "")
+foreach(library LinearMath BulletCollision BulletDynamics)
+    file(STRINGS "${bullet_SOURCE_DIR}/src/bt${library}All.cpp" includes REGEX "^#include")
+    # Threads, joints of robots, vehicles and terrains. They take a third of the time.
+    list(FILTER includes EXCLUDE REGEX
+        "Mt[.]cpp|Batched|Featherstone|MLCP|NNCG|Vehicle|Character|Gimpact|Heightfield|SoftBody")
+    list(JOIN includes "\n" includes)
+    set(file "${CMAKE_CURRENT_BINARY_DIR}/${library}.cpp")
+    file(CONFIGURE OUTPUT "${file}" CONTENT "${includes}\n" @ONLY)
+    list(APPEND bullet_files "${file}")
+endforeach()
+add_library(idiophone_bullet STATIC ${bullet_files})
+target_include_directories(idiophone_bullet SYSTEM PUBLIC "${bullet_SOURCE_DIR}/src")
+target_compile_definitions(idiophone_bullet PUBLIC BT_USE_DOUBLE_PRECISION)
+target_compile_options(idiophone_bullet PRIVATE -w)
