@@ -67,3 +67,10 @@ export function furnish(kind, objects) {
   else if (kind === "single") floorHeight = furnishSingle(parts, objects[0]);
   return { parts: parts.parts, floorHeight };
 }
+
+/** Returns the frame under bars of a scene (keyboardFurniture.js), as above. */
+export function frameOfBars(bars) {
+  const parts = new FurnitureParts();
+  const floorHeight = addKeyboardFrame(parts, bars);
+  return { parts: parts.parts, floorHeight };
+}

@@ -10,7 +10,7 @@ export class StrikeMotion {
   #objects = [];
 
   /**
-   * Starts with objects at rest: each has `mesh`, `radius` in metres, `isWhole` (its light is even)
+   * Starts with objects at rest: each has `meshes`, `radius` in metres, `isWhole` (its light is even)
    * and `swingMetres` (0: it does not swing).
    */
   reset(objects) {
@@ -28,9 +28,10 @@ export class StrikeMotion {
     const object = this.#objects[index];
     clearTimeout(object.timer);
     const show = (glow) => {
-      const { uniforms } = object.mesh.material;
-      uniforms.glow.value = glow;
-      uniforms.glowRadius.value = 1e6;
+      for (const { material } of object.meshes) {
+        material.uniforms.glow.value = glow;
+        material.uniforms.glowRadius.value = 1e6;
+      }
       onchange();
     };
     show(0.3 + 0.5 * strength);
@@ -41,18 +42,20 @@ export class StrikeMotion {
   advance(seconds) {
     for (const [index, strike] of this.#strikes) {
       strike.age += seconds;
-      const { mesh, radius, isWhole, swingMetres } = this.#objects[index];
+      const { meshes, radius, isWhole, swingMetres } = this.#objects[index];
       const { age, strength, place } = strike;
       const spread = 1 - Math.exp(-age / spreadSeconds);
       const flash = Math.exp(-age / flashSeconds);
       const lasting = strength * (1 - 0.5 * spread) * Math.exp(-age / glowSeconds);
       const isOver = age > settledSeconds;
       const swing = Math.sin(2 * Math.PI * swingHz * age) * Math.exp(-age / swingSeconds);
-      const { uniforms } = mesh.material;
-      uniforms.glow.value = isOver ? 0 : Math.max(lasting, flash * (0.4 + 0.6 * strength));
-      uniforms.glowPlace.value.copy(place);
-      uniforms.glowRadius.value = isWhole ? 1e6 : radius * (0.14 + 2.06 * spread);
-      uniforms.offsetScale.value = isOver ? 0 : -swingMetres * strength * swing;
+      for (const { material } of meshes) {
+        const { uniforms } = material;
+        uniforms.glow.value = isOver ? 0 : Math.max(lasting, flash * (0.4 + 0.6 * strength));
+        uniforms.glowPlace.value.copy(place);
+        uniforms.glowRadius.value = isWhole ? 1e6 : radius * (0.14 + 2.06 * spread);
+        uniforms.offsetScale.value = isOver ? 0 : -swingMetres * strength * swing;
+      }
       if (isOver) this.#strikes.delete(index);
     }
     return this.#strikes.size > 0;

@@ -1,16 +1,19 @@
 // The instrument as meshes of the stage: its objects at their places, the furniture around them,
-// and the struck places. Points go between an object's own metres and the picture here.
-import { BufferAttribute, Matrix4, Quaternion, Vector3 } from "three";
+// and their strikes. Points go between an object's own metres and the picture here.
+import { Vector3 } from "three";
 
 import { appearanceOf } from "./appearance.js";
-import { furnish } from "./furnishing.js";
-import { boxOf, drawnCorners, formOf, isClosed, thickened } from "./geometry.js";
+import { Bodies, extentOf } from "./bodies.js";
+import { frameOfBars, furnish } from "./furnishing.js";
+import { boxOf } from "./geometry.js";
 import { layoutOf } from "./layout.js";
 import { Mallets } from "./mallets.js";
-import { bendOf, carried, meshOf, normalAt } from "./meshes.js";
+import { meshOf, normalAt } from "./meshes.js";
 import { StrikeMotion } from "./motion.js";
+import { cornersOf, shownObject } from "./shownObject.js";
 
 const maximumFineFaces = 24000; // of all objects together
+const fewestBars = 5; // of an instrument on a stage
 const plain = { finish: "plastic", colour: [0.62, 0.64, 0.67] };
 
 export class Picture {
@@ -19,12 +22,12 @@ export class Picture {
   #library;
   #mayMove;
   #motion = new StrikeMotion();
-  #mallets = new Mallets((part) => this.#partMesh(part, 0));
+  #mallets = new Mallets((part) => this.#furniture(part, 0));
   #objects = [];
-  #followers = []; // furniture that follows a body
-  #framed = []; // corners of bodies
-  #reach = 1; // radius of the scene in metres
+  #bodies = null; // of a scene
+  #hasFrame = false; // the bars of a scene have one
   #kind = "single";
+  #reach = 1; // radius of the scene in metres
 
   /** `library`: the materials of materials.json. `mayMove`: returns whether strikes may move. */
   constructor(stage, shaders, library, mayMove) {
@@ -45,36 +48,50 @@ export class Picture {
    * one in effect, `{ mallet, headMetres }`.
    */
   show(info, meshes, facts, chosen, mallet) {
-    const boxes = meshes.map((mesh) => boxOf(mesh.vertices));
-    const { kind, placements } = layoutOf(
-      info.objects.map((object, i) => ({ ...object, box: boxes[i], isClamped: facts[i].clamp !== null })),
-      info.kind === "scene",
-    );
+    const sized = info.objects.map((object, i) => ({
+      ...object,
+      box: boxOf(meshes[i].vertices),
+      isClamped: facts[i].clamp !== null,
+    }));
+    const isScene = info.kind === "scene";
+    const { kind, placements } = layoutOf(sized, isScene);
     this.#kind = kind;
-    this.#objects = info.objects.map((object, i) => {
-      const look = this.#lookOf(facts[i], chosen);
-      return this.#object(object, meshes[i], facts[i], placements[i], look, info.objects.length, i);
-    });
+    this.#objects = info.objects.map((object, i) =>
+      shownObject({
+        info: object,
+        own: meshes[i],
+        facts: facts[i],
+        placement: placements[i],
+        look: this.#lookOf(facts[i], chosen),
+        maximumFaces: maximumFineFaces / meshes.length,
+        swings: kind === "keyboard",
+        material: (shown) => this.#material(shown, i),
+      }),
+    );
     const { parts, floorHeight } = furnish(kind, this.#objects);
-    this.#followers = [];
-    this.#framed = [];
-    const furniture = parts.map((part, i) => this.#furniture(part, this.#objects.length + i));
-    const shown = [...this.#objects.map(({ mesh }) => mesh), ...furniture];
-    const isStage = kind === "stage";
-    for (const mesh of shown) mesh.visible = !isStage;
-    const corners = this.#objects.flatMap((object) => object.corners);
-    this.#stage.orbit.lookAt(corners);
+    const build = (part, i = 0) => this.#furniture(part, this.#objects.length + i);
+    const materialOf = (index) => this.#material(this.#objects[index], index);
+    this.#bodies = isScene
+      ? new Bodies(info.bodies, this.#objects, parts, { build, materialOf })
+      : null;
+    this.#hasFrame = false;
+    const shown = isScene
+      ? this.#bodies.meshes
+      : [...this.#objects.flatMap((object) => object.meshes), ...parts.map(build)];
+    if (isScene) for (const mesh of shown) mesh.visible = false; // until it has a pose
     this.#stage.orbit.reset();
-    const extent = this.#extent(shown);
+    this.#stage.orbit.lookAt(this.#objects.flatMap((object) => object.corners));
+    const boxes = shown.map(({ geometry }) => boxOf(geometry.attributes.position.array));
+    const extent = extentOf(boxes.flatMap(cornersOf));
     this.#reach = extent.maximum.distanceTo(extent.minimum) / 2;
-    this.#stage.show(shown, extent, floorHeight, isStage);
+    this.#stage.show(shown, extent, floorHeight, isScene);
     this.setMallet(mallet);
     this.#motion.reset(
-      this.#objects.map((object) => ({
-        mesh: object.mesh,
-        radius: object.shape.half.length(),
-        isWhole: isStage,
-        swingMetres: object.swings ? 0.05 * Math.max(...object.shape.half) : 0,
+      this.#objects.map(({ meshes: ofObject, shape, swingMetres }) => ({
+        meshes: ofObject,
+        radius: shape.half.length(),
+        isWhole: isScene,
+        swingMetres,
       })),
     );
   }
@@ -85,9 +102,11 @@ export class Picture {
       const look = this.#lookOf(object.facts, chosen);
       if (JSON.stringify(look) === JSON.stringify(object.look)) return;
       object.look = look;
-      const material = this.#material(object, i);
-      material.uniforms.pose.value = object.mesh.matrixWorld;
-      this.#stage.setMaterial(object.mesh, material);
+      for (const mesh of object.meshes) {
+        const material = this.#material(object, i);
+        material.uniforms.pose.value = mesh.matrixWorld;
+        this.#stage.setMaterial(mesh, material);
+      }
     });
   }
 
@@ -98,14 +117,13 @@ export class Picture {
 
   /** Returns the object and the point in its own metres under a place of the window, or null. */
   pick(clientX, clientY) {
-    const meshes = this.#objects.map(({ mesh }) => mesh).filter((mesh) => mesh.visible);
+    const meshes = this.#objects.flatMap((object) => object.meshes.filter((mesh) => mesh.visible));
     const hit = this.#stage.pick(clientX, clientY, meshes);
     if (!hit) return null;
-    const index = this.#objects.findIndex(({ mesh }) => mesh === hit.object);
-    const object = this.#objects[index];
-    const inBody = hit.point.clone().applyMatrix4(object.mesh.matrixWorld.clone().invert());
-    const own = inBody.applyMatrix4(object.placement.matrix.clone().invert());
-    return { object: index, point: own.toArray(), place: hit.point, isStage: this.#kind === "stage" };
+    const index = this.#objects.findIndex((object) => object.meshes.includes(hit.object));
+    const toOwn = hit.object.matrixWorld.clone().multiply(this.#objects[index].placement.matrix);
+    const point = hit.point.clone().applyMatrix4(toOwn.invert()).toArray();
+    return { object: index, point, place: hit.point, isStage: this.#kind === "stage" };
   }
 
   /** The note that sets a body in motion: its own key, or else one in the middle. */
@@ -118,7 +136,7 @@ export class Picture {
   showStrike(index, strength, place) {
     this.showContact(index, strength, place);
     if (this.#kind === "stage" || !this.#mayMove()) return;
-    const { mesh } = this.#objects[index];
+    const [mesh] = this.#objects[index].meshes;
     const isBar = this.#kind === "keyboard";
     this.#mallets.strike(place, isBar ? new Vector3(0, 0, 1) : normalAt(mesh, place), strength);
   }
@@ -142,25 +160,25 @@ export class Picture {
     this.#stage.requestFrame();
   }
 
-  /** Places the bodies of a scene: eight numbers each, isThere, origin, quaternion xyzw. */
+  /** Takes the poses of a scene's bodies (Idiophone.onposes). */
   setPoses(poses) {
-    if (this.#kind !== "stage") return;
-    const pose = new Matrix4();
-    this.#objects.forEach(({ mesh }, i) => {
-      const [isThere, x, y, z, ...turn] = poses.subarray(8 * i, 8 * i + 8);
-      mesh.visible = Boolean(isThere);
-      if (!isThere) return;
-      pose.makeRotationFromQuaternion(new Quaternion(...turn)).setPosition(x, y, z);
-      mesh.matrix.copy(pose);
-      mesh.matrixWorldNeedsUpdate = true;
-    });
-    for (const { mesh, object } of this.#followers) {
-      mesh.visible = this.#objects[object].mesh.visible;
-      mesh.matrix.copy(this.#objects[object].mesh.matrix);
-      mesh.matrixWorldNeedsUpdate = true;
-    }
-    this.#frameBodies();
+    if (this.#bodies?.setPoses(poses)) this.#frameBodies();
     this.#stage.requestFrame();
+  }
+
+  /** Frames all bodies that have been there. */
+  #frameBodies() {
+    const { corners, bars } = this.#bodies;
+    const extent = extentOf(corners);
+    let floorHeight = extent.minimum.z;
+    if (bars.length >= fewestBars && !this.#hasFrame) {
+      this.#hasFrame = true;
+      const frame = frameOfBars(bars);
+      floorHeight = Math.min(floorHeight, frame.floorHeight);
+      for (const part of frame.parts) this.#stage.add(this.#furniture(part, 0));
+    }
+    this.#stage.orbit.lookAt(corners);
+    this.#stage.setExtent(extent, floorHeight);
   }
 
   #lookOf(facts, chosen) {
@@ -168,77 +186,12 @@ export class Picture {
     return material ? appearanceOf(material, this.#library) : plain;
   }
 
-  #object(info, mesh, facts, placement, look, count, seed) {
-    const isOpen = !isClosed(mesh);
-    const drawn = isOpen && facts.thicknessMetres > 0 ? thickened(mesh, facts.thicknessMetres) : mesh;
-    const form = formOf(drawn.vertices);
-    const corners = drawnCorners(drawn, form, maximumFineFaces / count);
-    carried(corners, placement.matrix);
-    const box = boxOf(corners.places);
-    const object = {
-      info,
-      facts,
-      placement,
-      look,
-      shape: { form, ...box, places: corners.places },
-      isClosed: drawn !== mesh || !isOpen,
-      swings: count > 1 && this.#kind === "keyboard",
-    };
-    object.mesh = meshOf(corners, this.#material(object, seed));
-    if (object.swings) {
-      const bend = bendOf(corners.places, box, facts.clamp !== null);
-      object.mesh.geometry.setAttribute("offset", new BufferAttribute(bend, 3));
-    }
-    object.corners = [-1, 1].flatMap((x) =>
-      [-1, 1].flatMap((y) =>
-        [-1, 1].map((z) => new Vector3(x, y, z).multiply(box.half).add(box.middle)),
-      ),
-    );
-    return object;
-  }
-
   #material({ look, shape, isClosed }, seed) {
     return this.#shaders.ofPart({ look, form: shape.form, box: shape, isClosed, seed });
   }
 
   #furniture(part, seed) {
-    const mesh = this.#partMesh(part, seed);
-    if (part.object !== undefined) this.#followers.push({ mesh, object: part.object });
-    return mesh;
-  }
-
-  #partMesh(part, seed) {
     const box = boxOf(part.places);
     return meshOf(part, this.#shaders.ofPart({ ...part, box, isClosed: true, seed }));
-  }
-
-  /** Frames all bodies of a scene that have been there. */
-  #frameBodies() {
-    const fresh = this.#objects.filter(({ mesh, isFramed }) => mesh.visible && !isFramed);
-    if (fresh.length === 0) return;
-    for (const object of fresh) {
-      object.isFramed = true;
-      const { mesh, corners } = object;
-      this.#framed.push(...corners.map((corner) => corner.clone().applyMatrix4(mesh.matrix)));
-    }
-    const [first, ...rest] = this.#framed;
-    const extent = { minimum: first.clone(), maximum: first.clone() };
-    for (const point of rest) {
-      extent.minimum.min(point);
-      extent.maximum.max(point);
-    }
-    this.#stage.orbit.lookAt(this.#framed);
-    this.#stage.setExtent(extent, extent.minimum.z);
-  }
-
-  #extent(meshes) {
-    const minimum = new Vector3().setScalar(Infinity);
-    const maximum = new Vector3().setScalar(-Infinity);
-    for (const { geometry } of meshes) {
-      geometry.computeBoundingBox();
-      minimum.min(geometry.boundingBox.min);
-      maximum.max(geometry.boundingBox.max);
-    }
-    return { minimum, maximum };
   }
 }

@@ -74,6 +74,12 @@ export class Stage {
     this.setExtent(extent, floorHeight);
   }
 
+  /** Shows a further mesh. */
+  add(mesh) {
+    this.#parts = [...this.#parts, ...this.#exchange([], [mesh], casterLayer)];
+    this.requestFrame();
+  }
+
   /** Shows meshes that move, as mallets do, instead of the former ones. */
   showMovers(meshes) {
     this.#movers = this.#exchange(this.#movers, meshes, moverLayer);

@@ -1,14 +1,17 @@
 // The gesture that lets sound begin.
 
-/** Starts the sound at the first press or key; until then the button `start` is shown. */
+/**
+ * Starts the sound at a press or key, and again if the system has interrupted it. Shows the button
+ * `start` while it waits for that.
+ */
 export function startAtGesture(context, start) {
-  const gestures = ["pointerdown", "pointerup", "keydown", "click"]; // a touch counts when it ends
-  const resume = () => context.resume().catch(() => {}); // not yet a gesture
-  const follow = () => {
-    start.hidden = context.state === "running";
-    if (start.hidden) for (const gesture of gestures) removeEventListener(gesture, resume, true);
+  const resume = () => {
+    if (context.state !== "running") context.resume().catch(() => {}); // not yet a gesture
   };
-  for (const gesture of gestures) addEventListener(gesture, resume, true);
-  context.addEventListener("statechange", follow);
-  follow();
+  // A touch counts as a gesture when it ends.
+  for (const gesture of ["pointerdown", "pointerup", "keydown", "click"])
+    addEventListener(gesture, resume, true);
+  const show = () => (start.hidden = context.state === "running");
+  context.addEventListener("statechange", show);
+  show();
 }
