@@ -38,7 +38,7 @@ async function fetchCode(base) {
 export class Idiophone {
     /** The last instrument's description, or null before the first load. */
     instrument = null;
-    /** Called with the poses of a scene's bodies, some 30 times a second. */
+    /** Called with the poses of a scene's bodies, some 50 times a second. */
     onposes = null;
 
     #base;
