@@ -64,7 +64,7 @@ export class Keyboard {
   /** Shows which keys the computer's keys play, from the note `base` on. */
   showLetters(base) {
     for (const [note, key] of this.#keys)
-      key.querySelector(".letter").textContent = computerKeyLetters[note - base]?.toUpperCase() ?? "";
+      key.querySelector(".letter").dataset.letter = computerKeyLetters[note - base]?.toUpperCase() ?? "";
   }
 
   /** Scrolls to a note. */
