@@ -16,9 +16,9 @@ set(CMAKE_RANLIB ${llvm}/bin/llvm-ranlib)
 
 # /usr/include comes last, for libraries without compiled parts: its C library is not that of WASI.
 set(CMAKE_C_FLAGS_INIT
-    "-nostdlibinc -isystem /usr/include/wasm32-wasi -idirafter /usr/include -msimd128 -Wno-unused-command-line-argument")
+    "-nostdlibinc -isystem /usr/include/wasm32-wasi -idirafter /usr/include -Wno-unused-command-line-argument")
 set(CMAKE_CXX_FLAGS_INIT
-    "-nostdlibinc -nostdinc++ -isystem ${llvm}/include/wasm32-wasi/c++/v1 -isystem /usr/include/wasm32-wasi -idirafter /usr/include -msimd128 -fwasm-exceptions -Wno-unused-command-line-argument")
+    "-nostdlibinc -nostdinc++ -isystem ${llvm}/include/wasm32-wasi/c++/v1 -isystem /usr/include/wasm32-wasi -idirafter /usr/include -fwasm-exceptions -Wno-unused-command-line-argument")
 set(CMAKE_EXE_LINKER_FLAGS_INIT
     "-nodefaultlibs -nostartfiles -fuse-ld=${llvm}/bin/wasm-ld -mexec-model=reactor /usr/lib/wasm32-wasi/crt1-reactor.o -L${llvm}/lib/wasm32-wasi -L/usr/lib/wasm32-wasi")
 set(CMAKE_CXX_STANDARD_LIBRARIES

@@ -1,13 +1,13 @@
 #include "Browser/FetchedObjects.h"
 
-#include "Object/ModalObjectBytes.h"
+#include "Gltf/ObjectBytes.h"
 #include "Object/OneLine.h"
 
 namespace idiophone {
 
 Result<std::shared_ptr<const ModalObject>> FetchedObjects::add(const std::string& name,
                                                                std::span<const std::byte> bytes) {
-    auto object = readModalObject(bytes, name);
+    auto object = readObject(bytes, name);
     if (!object)
         return tl::unexpected(object.error());
     auto kept = std::make_shared<const ModalObject>(std::move(*object));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "C/Handles.h"
-#include "C/ObjectBytes.h"
+#include "Gltf/ObjectBytes.h"
 
 #include <span>
 
@@ -19,8 +19,8 @@ idiophone_object* idiophone_object_read(const void* bytes, size_t byte_count, co
     return orNull([=]() -> Result<idiophone_object*> {
         if (bytes == nullptr)
             return failure("no bytes are given");
-        return objectOfBytes(std::span(static_cast<const std::byte*>(bytes), byte_count),
-                             name == nullptr ? "object" : name)
+        return readObject(std::span(static_cast<const std::byte*>(bytes), byte_count),
+                          name == nullptr ? "object" : name)
             .map(handleOf);
     });
 }

@@ -61,7 +61,8 @@ typedef struct idiophone_object idiophone_object;
 /* Loads a .modal file, or the first modal model (KHR_audio_rigid_bodies) of a .gltf or .glb file.
  * The path is UTF-8. Returns null on failure. */
 IDIOPHONE_API idiophone_object* idiophone_object_load(const char* path);
-/* Reads the bytes of such a file. `name` stands for the file in errors. */
+/* Reads the bytes of a .modal file, or of a .glb file with all its buffers. `name` stands for the
+ * file in errors. */
 IDIOPHONE_API idiophone_object*
 idiophone_object_read(const void* bytes, size_t byte_count, const char* name);
 /* Worlds keep the objects that they use. Ignores null. */

@@ -4,6 +4,7 @@
 #include "Console/TextColumns.h"
 #include "Instrument/FactoryContent.h"
 #include "Instrument/LoudnessPhrase.h"
+#include "Instrument/ObjectLibrary.h"
 #include "Instrument/Player.h"
 #include "Output/OutputStage.h"
 #include "Sampling/LoudnessMeter.h"

@@ -5,6 +5,7 @@
 #include "Console/ParameterAssignments.h"
 #include "Console/PresetChoice.h"
 #include "Console/SongRender.h"
+#include "Instrument/ObjectLibrary.h"
 #include "Instrument/ScalaTuning.h"
 #include "Object/OneLine.h"
 #include "Object/TextFile.h"

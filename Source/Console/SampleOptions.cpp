@@ -3,6 +3,7 @@
 #include "Console/AssignedEffect.h"
 #include "Console/ParameterAssignments.h"
 #include "Console/PresetChoice.h"
+#include "Instrument/ObjectLibrary.h"
 #include "Object/FileBytes.h"
 #include "Object/OneLine.h"
 #include "Scene/SceneStage.h"

@@ -5,6 +5,7 @@
 #include "Console/SceneRender.h"
 #include "Console/SofaHead.h"
 #include "Instrument/ImpulseLine.h"
+#include "Instrument/ObjectLibrary.h"
 #include "Object/EmbeddedFiles.h"
 #include "Object/OneLine.h"
 #include "Object/TextFile.h"

@@ -10,6 +10,7 @@
 #include "Gltf/ObjectFile.h"
 #include "Instrument/MalletStrike.h"
 #include "Instrument/ObjectBox.h"
+#include "Instrument/ObjectLibrary.h"
 #include "Instrument/SettingsOfParameters.h"
 #include "Instrument/StrikePointMetres.h"
 #include "Object/OneLine.h"

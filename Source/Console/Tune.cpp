@@ -5,6 +5,7 @@
 #include "Console/ProgressLine.h"
 #include "Geometry/MeshWriter.h"
 #include "Instrument/Instrument.h"
+#include "Instrument/ObjectLibrary.h"
 #include "Instrument/PresetFile.h"
 #include "Instrument/StartingLevel.h"
 #include "Object/FileBytes.h"

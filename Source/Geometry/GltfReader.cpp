@@ -1,5 +1,6 @@
 #include "Geometry/GroupNames.h"
 #include "Geometry/MeshFile.h"
+#include "Gltf/GltfFile.h"
 #include "Gltf/GltfMeshes.h"
 
 #include <array>
@@ -8,7 +9,7 @@
 namespace idiophone {
 
 Result<RawMesh> readGltf(std::string_view bytes, const std::filesystem::path& folder) {
-    const auto document = GltfDocument::parse(bytes, folder);
+    const auto document = GltfDocument::parse(bytes, buffersIn(folder));
     if (!document)
         return failure(document.error().message);
     auto meshes = meshesOf(*document);

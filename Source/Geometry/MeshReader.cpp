@@ -2,7 +2,7 @@
 
 #include "Geometry/MeshFile.h"
 #include "Geometry/PolygonTriangles.h"
-#include "Gltf/GltfDocument.h"
+#include "Gltf/GltfFile.h"
 #include "Object/ByteOrderMark.h"
 #include "Object/FileBytes.h"
 #include "Object/NumberText.h"

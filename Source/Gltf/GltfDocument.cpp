@@ -3,9 +3,7 @@
 
 #include "Gltf/GltfChunks.h"
 #include "Gltf/TinyGltf.h"
-#include "Object/FileBytes.h"
 #include "Object/OneLine.h"
-#include "Object/SameName.h"
 #include "Object/UntrustedJson.h"
 
 #include <algorithm>
@@ -75,10 +73,9 @@ std::string_view nameBinaryChunk(std::string_view binary, nlohmann::json& parsed
     return length.is_number_unsigned() ? binary.substr(0, length.get<std::size_t>()) : binary;
 }
 
-/// Reads buffers in files of their own, beside or below the document, and the binary chunk, for
-/// tinygltf.
+/// Reads buffers in files of their own and the binary chunk, for tinygltf.
 struct BufferFiles {
-    std::filesystem::path folder;
+    const GltfBufferReader& readBuffer;
     std::string_view binaryChunk;
     std::uintmax_t bytesLeft = largestBufferBytes;
     std::string fault = {}; ///< of the last file that could not be read
@@ -86,11 +83,9 @@ struct BufferFiles {
     Result<std::string> bytesOf(const std::string& name) const {
         if (name == binaryChunkName && binaryChunk.size() <= bytesLeft)
             return std::string(binaryChunk);
-        const auto path = pathNamed(name);
-        if (path.empty() || path.is_absolute() || path.has_root_name() || isNetworkName(name) ||
-            std::ranges::find(path, std::filesystem::path("..")) != path.end())
-            return failure("it is not in the folder of the file");
-        return readBytes(folder / path, bytesLeft);
+        if (!readBuffer)
+            return failure("it is in another file, and only the bytes of this one are given");
+        return readBuffer(name, bytesLeft);
     }
 
     bool read(std::vector<unsigned char>& buffer, const std::string& name) {
@@ -129,7 +124,7 @@ parseWithTinyGltf(tinygltf::Model& model, const std::string& json, BufferFiles f
                                        static_cast<unsigned int>(json.size()), {}))
             return {};
     } catch (const std::bad_alloc&) {
-        throw;
+        return "it is too large for this machine's memory";
     } catch (const std::exception&) {
         error = "a part of it is malformed";
     }
@@ -212,7 +207,7 @@ GltfDocument& GltfDocument::operator=(GltfDocument&&) noexcept = default;
 GltfDocument::~GltfDocument() = default;
 
 Result<GltfDocument> GltfDocument::parse(std::string_view bytes,
-                                         const std::filesystem::path& folder) {
+                                         const GltfBufferReader& readBuffer) {
     const auto chunks = gltfChunksOf(bytes);
     if (!chunks)
         return failure("it is truncated");
@@ -226,19 +221,14 @@ Result<GltfDocument> GltfDocument::parse(std::string_view bytes,
     const auto text = parsed.dump();
     parsed.erase("buffers"); // may hold all bytes as text
     *document.json_ = std::move(parsed);
-    if (const auto fault =
-            parseWithTinyGltf(*document.model_, text, {.folder = folder, .binaryChunk = binary}))
+    if (const auto fault = parseWithTinyGltf(*document.model_, text,
+                                             {.readBuffer = readBuffer, .binaryChunk = binary}))
         return failure(*fault);
     auto nodes = placedNodes(*document.model_);
     if (!nodes)
         return failure(nodes.error().message);
     document.nodes_ = *std::move(nodes);
     return document;
-}
-
-bool isGltfFile(const std::filesystem::path& file) {
-    const auto extension = nameOf(file.extension());
-    return sameName(extension, ".gltf") || sameName(extension, ".glb");
 }
 
 } // namespace idiophone

@@ -6,9 +6,11 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
-#include <filesystem>
+#include <cstdint>
+#include <functional>
 #include <memory>
 #include <nlohmann/json_fwd.hpp>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -26,14 +28,20 @@ struct GltfNode {
     Eigen::Affine3d transform; ///< from its own space to the scene's
 };
 
+/// Returns the bytes of a buffer in a file of its own, at most `limitBytes`. `name` comes from the
+/// untrusted document. The error is the end of a sentence about that buffer.
+using GltfBufferReader =
+    std::function<Result<std::string>(const std::string& name, std::uintmax_t limitBytes)>;
+
 class GltfDocument {
 public:
-    /// Parses a .gltf or .glb file. Buffers in files of their own are read from the folder and its
-    /// subfolders. Images are not decoded. The error is the end of a sentence that begins with the
-    /// file's name: no glTF 2.0, malformed, nested too deeply, a buffer missing, an extension
+    /// Parses a .gltf or .glb file. Without `readBuffer`, a document with buffers in files of their
+    /// own is refused. Images are not decoded. The error is the end of a sentence that begins with
+    /// the file's name: no glTF 2.0, malformed, nested too deeply, a buffer missing, an extension
     /// required that changes what is read here and is unknown, a node that is its own ancestor.
     /// Any thread except the audio thread.
-    static Result<GltfDocument> parse(std::string_view bytes, const std::filesystem::path& folder);
+    static Result<GltfDocument> parse(std::string_view bytes,
+                                      const GltfBufferReader& readBuffer = {});
 
     GltfDocument(GltfDocument&&) noexcept;
     GltfDocument& operator=(GltfDocument&&) noexcept;
@@ -54,8 +62,5 @@ private:
     std::unique_ptr<tinygltf::Model> model_;
     std::vector<GltfNode> nodes_;
 };
-
-/// Returns whether the extension of the file's name is .gltf or .glb, in upper or lower case.
-bool isGltfFile(const std::filesystem::path& file);
 
 } // namespace idiophone

@@ -2,6 +2,7 @@
 #include "Gltf/GltfObject.h"
 
 #include "Gltf/OwnObject.h"
+#include "Gltf/RigidBodies.h"
 
 #include <algorithm>
 #include <array>
@@ -157,6 +158,18 @@ void addRadiation(ModalObject& object, double gain) {
             }
 }
 
+/// Returns sentences about what else is in the file; may be empty.
+std::string notesOn(const GltfDocument& document, const AudioRigidBodies& audio) {
+    std::string notes;
+    if (audio.models.size() > 1)
+        notes =
+            "The first of " + std::to_string(audio.models.size()) + " modal models in its file.";
+    if (hasRigidBodies(document))
+        notes += (notes.empty() ? "" : " ") +
+                 std::string("The file has rigid bodies: it is a scene, too (docs/gltf.md).");
+    return notes;
+}
+
 } // namespace
 
 Material materialOf(const GltfAcousticMaterial& given) {
@@ -201,6 +214,25 @@ Result<ModalObject> objectOf(const GltfDocument& document,
     addMass(object, model, instance);
     addRadiation(object, instance.gain);
     return validated(std::move(object));
+}
+
+Result<ModalObject> firstObjectOf(const GltfDocument& document) {
+    const auto audio = audioRigidBodies(document);
+    if (!audio)
+        return failure(audio.error().message);
+    if (audio->models.empty())
+        return failure("it has no modal model (KHR_audio_rigid_bodies)");
+    GltfInstance instance;
+    for (const auto& node : audio->nodes)
+        if (node.model == 0) {
+            instance.surface = node.surface;
+            break;
+        }
+    return objectOf(document, *audio, 0, instance).map([&](ModalObject&& object) {
+        if (const auto notes = notesOn(document, *audio); !notes.empty())
+            object.provenance.notes = notes;
+        return std::move(object);
+    });
 }
 
 double roughnessOf(const GltfAcousticSurface& surface) {

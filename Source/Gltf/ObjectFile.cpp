@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "Gltf/ObjectFile.h"
 
+#include "Gltf/AudioRigidBodies.h"
+#include "Gltf/GltfFile.h"
 #include "Gltf/GltfObject.h"
 #include "Gltf/ObjectGlb.h"
-#include "Gltf/RigidBodies.h"
 #include "Object/ByteOrderMark.h"
 #include "Object/FileBeside.h"
 #include "Object/FileBytes.h"
@@ -18,44 +19,9 @@ namespace {
 
 constexpr std::uintmax_t largestFileBytes = std::uintmax_t{2} << 30;
 
-/// Returns sentences about what else is in the file; may be empty.
-std::string notesOn(const GltfDocument& document, const AudioRigidBodies& audio) {
-    std::string notes;
-    if (audio.models.size() > 1)
-        notes =
-            "The first of " + std::to_string(audio.models.size()) + " modal models in its file.";
-    if (hasRigidBodies(document))
-        notes += (notes.empty() ? "" : " ") +
-                 std::string("The file has rigid bodies: it is a scene, too (docs/gltf.md).");
-    return notes;
-}
-
-/// The error is the end of a sentence.
-Result<ModalObject> objectIn(std::string_view bytes, const std::filesystem::path& folder) {
-    const auto document = GltfDocument::parse(withoutByteOrderMark(bytes), folder);
-    if (!document)
-        return failure(document.error().message);
-    const auto audio = audioRigidBodies(*document);
-    if (!audio)
-        return failure(audio.error().message);
-    if (audio->models.empty())
-        return failure("it has no modal model (KHR_audio_rigid_bodies)");
-    GltfInstance instance;
-    for (const auto& node : audio->nodes)
-        if (node.model == 0) {
-            instance.surface = node.surface;
-            break;
-        }
-    return objectOf(*document, *audio, 0, instance).map([&](ModalObject&& object) {
-        if (const auto notes = notesOn(*document, *audio); !notes.empty())
-            object.provenance.notes = notes;
-        return std::move(object);
-    });
-}
-
-Result<ModalObject> named(Result<ModalObject> object, const std::string& name) {
-    return std::move(object).map_error(
-        [&](const Error& error) { return Error{name + ": " + error.message}; });
+/// Returns the document of the bytes of such a file.
+Result<GltfDocument> documentOf(std::string_view bytes, const std::filesystem::path& file) {
+    return GltfDocument::parse(withoutByteOrderMark(bytes), buffersIn(file.parent_path()));
 }
 
 } // namespace
@@ -63,24 +29,19 @@ Result<ModalObject> named(Result<ModalObject> object, const std::string& name) {
 Result<ModalObject> readObject(const std::filesystem::path& file) {
     if (!isGltfFile(file))
         return readModalObject(file);
+    const auto fail = [&](const std::string& fault) {
+        return failure(shownNameOf(file) + ": " + fault);
+    };
     try {
-        return named(readBytes(file, largestFileBytes).and_then([&](const std::string& bytes) {
-            return objectIn(bytes, file.parent_path());
-        }),
-                     shownNameOf(file));
+        auto object =
+            readBytes(file, largestFileBytes)
+                .and_then([&](const std::string& bytes) { return documentOf(bytes, file); })
+                .and_then(firstObjectOf);
+        if (!object)
+            return fail(object.error().message);
+        return object;
     } catch (const std::bad_alloc&) {
-        return failure(shownNameOf(file) + ": it is too large for this machine's memory");
-    }
-}
-
-Result<ModalObject> readObject(std::span<const std::byte> bytes, std::string_view name) {
-    const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-    if (!text.starts_with("glTF"))
-        return readModalObject(bytes, name);
-    try {
-        return named(objectIn(text, {}), shownName(name));
-    } catch (const std::bad_alloc&) {
-        return failure(shownName(name) + ": it is too large for this machine's memory");
+        return fail("it is too large for this machine's memory");
     }
 }
 
@@ -107,7 +68,7 @@ bool hasModalModel(const std::filesystem::path& file) {
     const auto bytes = readBytes(file, largestFileBytes);
     if (!bytes)
         return false;
-    const auto document = GltfDocument::parse(withoutByteOrderMark(*bytes), file.parent_path());
+    const auto document = documentOf(*bytes, file);
     return document && hasModalModels(*document);
 }
 

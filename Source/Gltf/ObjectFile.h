@@ -1,23 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reads and writes modal objects in every format: .modal, and glTF with KHR_audio_rigid_bodies.
+// Reads and writes files of modal objects in every format: .modal, and glTF with
+// KHR_audio_rigid_bodies.
 #pragma once
 
-#include "Object/ModalObject.h"
+#include "Gltf/ObjectBytes.h"
 
-#include <cstddef>
 #include <filesystem>
-#include <span>
-#include <string_view>
 
 namespace idiophone {
 
 /// Reads a .gltf or .glb file's first modal model, or a .modal file. The error is one sentence with
 /// the file and its fault. Not for the audio thread.
 Result<ModalObject> readObject(const std::filesystem::path& file);
-
-/// Reads an object from memory, a .glb file with all its buffers or a .modal file. `name` stands
-/// for the file in errors.
-Result<ModalObject> readObject(std::span<const std::byte> bytes, std::string_view name);
 
 /// Writes a .glb file if the extension is that, else a .modal file. Replaces an existing file only
 /// by a complete one. The error is one sentence with the file and its fault: it cannot be written,

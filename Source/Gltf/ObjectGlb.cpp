@@ -4,7 +4,7 @@
 #include "Gltf/GltfObject.h"
 #include "Gltf/PrincipalInertia.h"
 #include "Mesh/ShapeMesh.h"
-#include "Object/ModalObjectFile.h"
+#include "Object/ModalObjectBytes.h"
 
 #include <algorithm>
 #include <bit>

@@ -3,7 +3,7 @@
 
 #include "Gltf/GltfAccessor.h"
 #include "Gltf/TinyGltf.h"
-#include "Object/ModalObjectFile.h"
+#include "Object/ModalObjectBytes.h"
 
 #include <algorithm>
 #include <span>

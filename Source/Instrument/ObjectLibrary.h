@@ -18,7 +18,7 @@ public:
     ObjectLibrary() = default;
     /// Makes a library that asks `others`, which must outlive it, for names not added to this
     /// library. A build uses it for names that only that build knows.
-    explicit ObjectLibrary(ObjectSource& others) : behind(&others) {}
+    explicit ObjectLibrary(ObjectLibrary& others) : behind(&others) {}
 
     /// Returns the library that all plugin instances in this process share. Never add to it,
     /// because a name must mean the same object to all of them.
@@ -40,7 +40,7 @@ private:
     std::shared_ptr<const ModalObject> knownUnderLock(const std::string& key) const;
     void keepUnderLock(const std::string& key, const std::shared_ptr<const ModalObject>& object);
 
-    ObjectSource* const behind = nullptr;
+    ObjectLibrary* const behind = nullptr;
     std::mutex mutex;
     std::map<std::string, std::weak_ptr<const ModalObject>>
         loaded; ///< objects that somebody still holds

@@ -47,7 +47,7 @@ public:
         Turn& operator=(const Turn&) = delete;
 
     private:
-        WorkTeam* team;
+        [[maybe_unused]] WorkTeam* team; ///< not in WebAssembly
     };
 
 private:

@@ -3,6 +3,7 @@
 #include "Editor/KitView.h"
 #include "Editor/ModeText.h"
 #include "Instrument/FactoryContent.h"
+#include "Instrument/ObjectLibrary.h"
 #include "Instrument/SettingsOfParameters.h"
 #include "Instrument/SilencedModes.h"
 #include "Instrument/StartingLevel.h"

@@ -1,6 +1,7 @@
 #include "Plugin/ObjectEmbedding.h"
 
 #include "Instrument/FactoryContent.h"
+#include "Instrument/ObjectLibrary.h"
 #include "Instrument/PresetFile.h"
 #include "Object/FileBytes.h"
 #include "Object/HalfFloat.h"

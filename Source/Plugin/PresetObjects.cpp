@@ -2,6 +2,7 @@
 
 #include "Editor/Utf8.h"
 #include "Instrument/FactoryContent.h"
+#include "Instrument/ObjectLibrary.h"
 #include "Instrument/PresetFile.h"
 #include "Object/FileBytes.h"
 #include "Plugin/ContentHash.h"

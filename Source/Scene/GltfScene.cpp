@@ -1,5 +1,6 @@
 #include "Scene/GltfScene.h"
 
+#include "Gltf/GltfFile.h"
 #include "Gltf/GltfObject.h"
 #include "Gltf/RigidBodies.h"
 #include "Object/ByteOrderMark.h"
@@ -265,7 +266,7 @@ Result<Scene> sceneOf(const GltfDocument& document, const std::string& name) {
 } // namespace
 
 Result<Scene> gltfScene(std::string_view bytes, const std::filesystem::path& file) {
-    return GltfDocument::parse(withoutByteOrderMark(bytes), file.parent_path())
+    return GltfDocument::parse(withoutByteOrderMark(bytes), buffersIn(file.parent_path()))
         .and_then([&](const GltfDocument& document) {
             return sceneOf(document, shownName(nameOf(file.stem())));
         })

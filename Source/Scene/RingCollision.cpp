@@ -25,12 +25,12 @@ RoundRing ringIn(const btCollisionObjectWrapper& body, const btTransform& from) 
     return ring;
 }
 
-constexpr std::size_t samples = 24; // of a circle, to find contacts between them
+constexpr std::size_t circleSamples = 24; // of a circle, to find contacts between them
 
 const auto directions = [] {
-    std::array<Direction, samples> all;
-    for (std::size_t k = 0; k < samples; ++k) {
-        const double angle = 2 * std::numbers::pi * static_cast<double>(k) / samples;
+    std::array<Direction, circleSamples> all;
+    for (std::size_t k = 0; k < circleSamples; ++k) {
+        const double angle = 2 * std::numbers::pi * static_cast<double>(k) / circleSamples;
         all[k] = {std::cos(angle), std::sin(angle)};
     }
     return all;
@@ -92,12 +92,14 @@ public:
         if (areApart(one, other, reach))
             return;
         const RelativeCircle circle(one, other);
-        std::array<double, samples> squares{};
-        for (std::size_t k = 0; k < samples; ++k)
+        std::array<double, circleSamples> squares{};
+        for (std::size_t k = 0; k < circleSamples; ++k)
             squares[k] = circle.squaredDistance(directions[k]);
-        const double farthest = reach + std::numbers::pi / samples * one.radius; // of a sample
-        for (std::size_t k = 0; k < samples; ++k) {
-            const auto next = (k + 1) % samples, last = (k + samples - 1) % samples;
+        const double farthest =
+            reach + std::numbers::pi / circleSamples * one.radius; // of a sample
+        for (std::size_t k = 0; k < circleSamples; ++k) {
+            const auto next = (k + 1) % circleSamples,
+                       last = (k + circleSamples - 1) % circleSamples;
             if (squares[k] < farthest * farthest && squares[k] <= squares[next] &&
                 squares[k] <= squares[last])
                 touch(one, other, circle.minimumBetween(directions[last], directions[next]),

@@ -1,6 +1,6 @@
 #include "Scene/SceneFile.h"
 
-#include "Gltf/GltfDocument.h"
+#include "Gltf/GltfFile.h"
 #include "Instrument/FactoryContent.h"
 #include "Object/FileBytes.h"
 #include "Object/MaterialFile.h"

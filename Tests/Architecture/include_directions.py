@@ -29,7 +29,7 @@ MODULES = {
     "World": ("Synth Mesh Object", "Eigen/ boost/lockfree/"),
     "C": ("World Synth Gltf Mesh Object", "Eigen/"),
     "Web": ("C World Synth Mesh Object", ""),
-    "Browser": ("Web Output Scene Instrument World Synth Mesh Parameters Object", "nlohmann/"),
+    "Browser": ("Output Scene Instrument World Synth Gltf Mesh Parameters Object", "nlohmann/"),
     "Analysis": ("Geometry Mesh Object", "Eigen/ unsupported/Eigen/ igl/ tetgen.h"),
     "Instrument": ("World Synth Gltf Mesh Object Parameters", "Eigen/ nlohmann/ Tunings.h"),
     "Scene": ("Instrument World Synth Geometry Gltf Mesh Object Parameters",

@@ -6,6 +6,7 @@
 #include "Instrument/FactoryContent.h"
 #include "Instrument/Instrument.h"
 #include "Instrument/MalletStrike.h"
+#include "Instrument/ObjectLibrary.h"
 #include "Instrument/SettingsOfParameters.h"
 
 #include <algorithm>

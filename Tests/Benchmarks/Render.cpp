@@ -1,5 +1,6 @@
 #include "Benchmarks/Benchmarks.h"
 #include "Benchmarks/Timer.h"
+#include "Instrument/ObjectLibrary.h"
 #include "Object/WorkTeam.h"
 #include "Scene/FactoryScenes.h"
 #include "Scene/SceneRenderer.h"

@@ -1,5 +1,6 @@
 // Fuzzes scene files: JSON, and glTF in one piece.
 #include "Fuzz/FuzzTarget.h"
+#include "Instrument/ObjectLibrary.h"
 #include "Scene/GltfScene.h"
 #include "Scene/SceneSimulation.h"
 #include "Scene/SceneText.h"

@@ -1,5 +1,6 @@
 // Meshes from glTF files: what is refused, and in which words.
 #include "Geometry/MeshReader.h"
+#include "Gltf/GltfDocument.h"
 
 #include "Support/GltfFile.h"
 #include "Support/TestFolder.h"
@@ -138,6 +139,9 @@ TEST_CASE("Buffers of glTF are read from the folder of the file only") {
     CHECK_THAT(errorOf(file.text("missing.bin")), ContainsSubstring("its buffer 'missing.bin'"));
     std::ofstream(testFolder() / "short.bin") << "short";
     CHECK_THAT(errorOf(file.text("short.bin")), ContainsSubstring("File size mismatch"));
+    const auto alone = GltfDocument::parse(file.text("short.bin"));
+    REQUIRE_FALSE(alone);
+    CHECK_THAT(alone.error().message, ContainsSubstring("only the bytes of this one are given"));
 }
 
 TEST_CASE("A small glTF file cannot ask for endless triangles or work") {

@@ -62,7 +62,7 @@ AudioRigidBodies oneModel(std::vector<double> decaysPerSecond) {
 }
 
 ModalObject objectOfModel(const AudioRigidBodies& audio, const GltfInstance& instance = {}) {
-    const auto document = GltfDocument::parse(R"({"asset": {"version": "2.0"}})", {});
+    const auto document = GltfDocument::parse(R"({"asset": {"version": "2.0"}})");
     REQUIRE(document);
     const auto object = objectOf(*document, audio, 0, instance);
     REQUIRE(object);

@@ -1,6 +1,7 @@
 #include "Instrument/DecayBounds.h"
 
 #include "Instrument/FactoryContent.h"
+#include "Instrument/ObjectLibrary.h"
 #include "Instrument/SettingsOfParameters.h"
 #include "Support/SyntheticObject.h"
 #include "Synth/LiveConditions.h"

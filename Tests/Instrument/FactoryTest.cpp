@@ -1,5 +1,6 @@
 #include "Instrument/FactoryContent.h"
 #include "Instrument/LoudnessPhrase.h"
+#include "Instrument/ObjectLibrary.h"
 #include "Instrument/Player.h"
 #include "IntegratedLufs.h"
 #include "Support/KeyedPresets.h"

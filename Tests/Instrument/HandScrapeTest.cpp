@@ -1,6 +1,7 @@
 // Tests a hand that drags over a surface.
 #include "Instrument/HandScrape.h"
 #include "Instrument/FactoryContent.h"
+#include "Instrument/ObjectLibrary.h"
 #include "Instrument/Player.h"
 #include "Support/AllocationCounter.h"
 #include "Support/Highs.h"

@@ -1,5 +1,6 @@
 // Tests keys that bow: when they speak, at which pitch, how loud, and how they end.
 #include "HeldKeys.h"
+#include "Instrument/ObjectLibrary.h"
 #include "Support/Highs.h"
 #include "Support/KeyedPresets.h"
 #include "Support/Level.h"

@@ -2,6 +2,7 @@
 #include "Instrument/InputForce.h"
 #include "Instrument/InputStrengths.h"
 #include "Instrument/MalletStrike.h"
+#include "Instrument/ObjectLibrary.h"
 #include "Instrument/Player.h"
 #include "Instrument/SettingsOfParameters.h"
 #include "IntegratedLufs.h"

@@ -1,4 +1,5 @@
 #include "Instrument/Instrument.h"
+#include "Instrument/ObjectLibrary.h"
 #include "Support/SyntheticObject.h"
 
 #include <array>

@@ -1,5 +1,6 @@
 // Tests that keys keep their pitch in any material, size and thickness.
 #include "Instrument/Instrument.h"
+#include "Instrument/ObjectLibrary.h"
 #include "Instrument/Player.h"
 #include "Instrument/SettingsOfParameters.h"
 #include "Support/KeyedPresets.h"

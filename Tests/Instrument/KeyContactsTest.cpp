@@ -4,6 +4,7 @@
 #include "Instrument/HeldContacts.h"
 #include "Instrument/Instrument.h"
 #include "Instrument/MalletStrike.h"
+#include "Instrument/ObjectLibrary.h"
 #include "Instrument/SettingsOfParameters.h"
 #include "Instrument/StrikeSpectrum.h"
 #include "Object/Mallet.h"

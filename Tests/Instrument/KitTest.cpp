@@ -1,5 +1,6 @@
 // Tests kits: parts by key and velocity, layers, choke groups, and the parts' own materials and
 // mallets.
+#include "Instrument/ObjectLibrary.h"
 #include "Instrument/Player.h"
 #include "SameInAllBlocks.h"
 #include "Support/AllocationCounter.h"

@@ -2,6 +2,7 @@
 
 #include "Instrument/FactoryContent.h"
 #include "Instrument/LoudnessPhrase.h"
+#include "Instrument/ObjectLibrary.h"
 #include "Instrument/PhrasePrediction.h"
 #include "Instrument/Player.h"
 #include "Instrument/Scatter.h"

@@ -2,6 +2,7 @@
 #include "Instrument/FactoryContent.h"
 #include "Instrument/LowestModes.h"
 #include "Instrument/MalletStrike.h"
+#include "Instrument/ObjectLibrary.h"
 #include "Instrument/Player.h"
 #include "Instrument/SettingsOfParameters.h"
 #include "SameInAllBlocks.h"

@@ -1,6 +1,7 @@
 #include "Instrument/Mutation.h"
 
 #include "Instrument/FactoryContent.h"
+#include "Instrument/ObjectLibrary.h"
 #include "Instrument/PhrasePrediction.h"
 #include "Instrument/Player.h"
 #include "Instrument/TestInstruments.h"

@@ -1,4 +1,5 @@
 // Tests the sound of a player's strikes: channels, pitch, place and seed.
+#include "Instrument/ObjectLibrary.h"
 #include "Instrument/Player.h"
 #include "BusyKeys.h"
 #include "Instrument/ContactTrain.h"

@@ -1,4 +1,5 @@
 // Tests the pitches of keys: tunings, bends of single notes, and pressure on struck keys.
+#include "Instrument/ObjectLibrary.h"
 #include "Instrument/Player.h"
 #include "Instrument/ScalaTuning.h"
 #include "Support/Level.h"

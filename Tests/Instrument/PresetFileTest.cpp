@@ -1,3 +1,4 @@
+#include "Instrument/ObjectLibrary.h"
 #include "Instrument/PresetFile.h"
 
 #include "Instrument/FactoryContent.h"

@@ -1,6 +1,7 @@
 // Tests keys without an object in the preset: they play the nearest object, resized.
 #include "Instrument/HeldContacts.h"
 #include "Instrument/Instrument.h"
+#include "Instrument/ObjectLibrary.h"
 #include "Instrument/Player.h"
 #include "Instrument/SilencedModes.h"
 #include "Support/KeyedPresets.h"

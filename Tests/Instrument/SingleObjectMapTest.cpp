@@ -1,4 +1,5 @@
 // Tests default strike places on an object, and paths between metres and the object's box.
+#include "Instrument/ObjectLibrary.h"
 #include "Instrument/SingleObjectMap.h"
 
 #include "Geometry/ParametricMesh.h"

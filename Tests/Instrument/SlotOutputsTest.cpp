@@ -1,4 +1,5 @@
 // Tests players with several outputs: which slot sounds where, and that nothing is lost or added.
+#include "Instrument/ObjectLibrary.h"
 #include "Instrument/SlotOutputs.h"
 #include "Instrument/Player.h"
 #include "Support/AllocationCounter.h"

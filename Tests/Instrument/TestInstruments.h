@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Instrument/Instrument.h"
+#include "Instrument/ObjectLibrary.h"
 #include "Support/SyntheticObject.h"
 
 #include <array>

@@ -1,5 +1,6 @@
 // Tests that the keys of factory keyboards are about equally loud.
 #include "Instrument/FactoryContent.h"
+#include "Instrument/ObjectLibrary.h"
 #include "Instrument/Player.h"
 #include "IntegratedLufs.h"
 #include "Support/KeyedPresets.h"

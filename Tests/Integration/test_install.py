@@ -73,6 +73,8 @@ def test_every_package_has_the_licences_of_its_contents(prefix):
             name = re.sub(r"\[(.*)\]\(.*\)", r"\1", cell).split(", in JUCE")[0]
             for each in re.split(", | headers| client", name):
                 assert f"\n{each}" in notices or f", {each}" in notices or not each, each
+        for each in ("LLVM 16", "wasi-libc"):  # in the WebAssembly module
+            assert f"\n{each}" in notices, each
         for licence in ("GPL-3.0", "LGPL-3.0", "MPL-2.0", "Apache-2.0", "BSL-1.0"):
             assert f"\n{'=' * 80}\n{licence}\n{'=' * 80}\n" in notices
 

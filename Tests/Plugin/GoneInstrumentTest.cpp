@@ -1,5 +1,6 @@
 // Tests messages pending between threads when their instrument is destroyed. They must not act on
 // another instrument that is later placed at the same address.
+#include "Instrument/ObjectLibrary.h"
 #include "Instrument/SilencedModes.h"
 #include "Plugin/ModeSilencer.h"
 #include "Plugin/SoundMonitor.h"

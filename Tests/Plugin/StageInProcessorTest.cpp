@@ -1,6 +1,7 @@
 // Scene presets in the plugin: their delay, equal sound in a bounce and in real time, and their
 // states.
 #include "Instrument/FactoryContent.h"
+#include "Instrument/ObjectLibrary.h"
 #include "Plugin/PresetObjects.h"
 #include "Support/FullDisk.h"
 #include "Support/TestFolder.h"

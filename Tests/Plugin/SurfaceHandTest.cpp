@@ -1,3 +1,4 @@
+#include "Instrument/ObjectLibrary.h"
 #include "Plugin/SurfaceHand.h"
 
 #include "Instrument/FactoryContent.h"

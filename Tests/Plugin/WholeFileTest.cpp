@@ -1,4 +1,5 @@
 // The user's files when the disk is full.
+#include "Instrument/ObjectLibrary.h"
 #include "Plugin/WholeFile.h"
 
 #include "Editor/Utf8.h"

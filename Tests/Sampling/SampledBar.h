@@ -1,6 +1,7 @@
 // A small instrument to sample.
 #pragma once
 
+#include "Instrument/ObjectLibrary.h"
 #include "Sampling/StrikeSampler.h"
 #include "Support/SyntheticObject.h"
 

@@ -1,4 +1,5 @@
 // Tests the collision shapes of bodies by the bodies that hit them.
+#include "Instrument/ObjectLibrary.h"
 #include "Scene/SceneAssets.h"
 #include "Scene/TestBodies.h"
 

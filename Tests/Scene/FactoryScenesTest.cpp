@@ -1,4 +1,5 @@
 // Tests the factory scenes.
+#include "Instrument/ObjectLibrary.h"
 #include "Scene/FactoryScenes.h"
 
 #include "Scene/SceneFile.h"

@@ -1,4 +1,5 @@
 // Tests the path and the taps of a recorded hand between its moments.
+#include "Instrument/ObjectLibrary.h"
 #include "Scene/RecordedHand.h"
 
 #include "Scene/FactoryScenes.h"

@@ -1,4 +1,5 @@
 // Tests rendering a scene on several threads.
+#include "Instrument/ObjectLibrary.h"
 #include "Scene/SceneRenderer.h"
 #include "Object/WorkTeam.h"
 #include "Scene/FactoryScenes.h"

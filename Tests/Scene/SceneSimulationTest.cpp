@@ -1,4 +1,5 @@
 // Tests simulations of scenes: songs as falling dice, slots and random numbers.
+#include "Instrument/ObjectLibrary.h"
 #include "Scene/SceneSimulation.h"
 #include "Scene/FactoryScenes.h"
 #include "Scene/SceneText.h"

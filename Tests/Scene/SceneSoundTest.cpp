@@ -1,4 +1,5 @@
 // Tests the sound of scenes.
+#include "Instrument/ObjectLibrary.h"
 #include "Scene/FactoryScenes.h"
 #include "Scene/SceneSimulation.h"
 #include "Scene/SilentBody.h"

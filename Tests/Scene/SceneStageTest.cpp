@@ -1,4 +1,5 @@
 // Tests scenes as instruments, whose notes set bodies in motion.
+#include "Instrument/ObjectLibrary.h"
 #include "Scene/SceneStage.h"
 
 #include "Instrument/Player.h"

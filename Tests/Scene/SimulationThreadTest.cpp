@@ -1,4 +1,5 @@
 // Tests the thread that simulates a stage ahead of its sound.
+#include "Instrument/ObjectLibrary.h"
 #include "Scene/SimulationThread.h"
 
 #include "Scene/FactoryScenes.h"

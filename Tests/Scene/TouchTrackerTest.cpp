@@ -1,4 +1,5 @@
 // Tests how contact voices follow pairs of bodies.
+#include "Instrument/ObjectLibrary.h"
 #include "Scene/TouchTracker.h"
 #include "Scene/SilentBody.h"
 

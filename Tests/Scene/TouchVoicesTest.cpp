@@ -1,4 +1,5 @@
 // Tests sliding and rolling as forces on the slots of both bodies.
+#include "Instrument/ObjectLibrary.h"
 #include "World/TouchVoices.h"
 
 #include "Scene/FactoryScenes.h"

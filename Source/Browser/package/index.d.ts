@@ -56,6 +56,8 @@ export interface InstrumentInfo {
     /** All notes that play. */
     readonly notes: readonly NoteInfo[];
     readonly objects: readonly ObjectInfo[];
+    /** The object of each body, in the order of the poses of a scene. */
+    readonly bodies: readonly number[];
     /** The preset's values, in the order of `Idiophone.parameters`. */
     readonly values: readonly number[];
 }
@@ -120,7 +122,7 @@ export class Idiophone {
     stop(): void;
 
     /**
-     * Called some 30 times a second while a scene plays. Each of `objects` has eight numbers: 1 if it
+     * Called some 50 times a second while a scene plays. Each of its bodies has eight numbers: 1 if it
      * is there, else 0; its origin in metres; its turn as a quaternion x, y, z, w.
      */
     onposes: ((poses: Float32Array) => void) | null;

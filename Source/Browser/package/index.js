@@ -27,18 +27,18 @@ const fetchedBytes = async url => new Uint8Array(await (await fetched(url)).arra
 
 /** Returns the module's bytes: with SIMD, or without where the browser lacks it. */
 async function fetchCode(base) {
-    for (const name of ["instrument.wasm", "instrument-scalar.wasm"]) {
-        const code = await fetchedBytes(new URL(name, base));
-        if (WebAssembly.validate(code))
-            return code;
-    }
-    throw new Error("This browser is too old for Idiophone: its WebAssembly has no exceptions.");
+    let code = await fetchedBytes(new URL("instrument.wasm", base));
+    if (!WebAssembly.validate(code))
+        code = await fetchedBytes(new URL("instrument-scalar.wasm", base)).catch(() => null);
+    if (code === null || !WebAssembly.validate(code))
+        throw new Error("This browser is too old for Idiophone: its WebAssembly lacks what it needs.");
+    return code;
 }
 
 export class Idiophone {
     /** The last instrument's description, or null before the first load. */
     instrument = null;
-    /** Called with the poses of a scene's bodies, some 30 times a second. */
+    /** Called with the poses of a scene's bodies, some 50 times a second. */
     onposes = null;
 
     #base;

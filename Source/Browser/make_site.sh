@@ -1,0 +1,25 @@
+#!/usr/bin/env bash
+# Makes the page as static files: make_site.sh BUILD, the folder with instrument.wasm (build/web). Writes
+# BUILD/site, and fetches what the page uses from npm into BUILD/npm.
+set -euo pipefail
+source=$(cd "$(dirname "$0")/../.." && pwd)
+build=$(cd "$1" && pwd)
+site=$build/site
+
+"$source/Source/Browser/make_package.sh" "$build"
+mkdir -p "$build/npm"
+cp "$source"/Source/Browser/page/package*.json "$build/npm"
+(cd "$build/npm" && npm ci --silent --no-audit --no-fund)
+
+rm -rf "$site"
+mkdir -p "$site/songs"
+cp -r "$source"/Source/Browser/page/. "$site"
+rm "$site"/package*.json
+cp -r "$build/package" "$site/idiophone"
+cp "$source"/Resources/Songs/*.mid "$site/songs"
+cp "$source"/Resources/{Materials/materials,Mallets/mallets}.json "$site"
+cp -r "$source/Resources/Shaders" "$site/shaders"
+cp "$source"/Resources/Desktop/*.svg "$site/icon.svg"
+mkdir "$site/three" "$site/midifile-ts"
+cp "$build"/npm/node_modules/three/build/three.{core,module}.min.js "$site/three"
+cp "$build/npm/node_modules/midifile-ts/dist/index.js" "$site/midifile-ts"
