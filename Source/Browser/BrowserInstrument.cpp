@@ -12,8 +12,8 @@
 namespace idiophone {
 namespace {
 
-/// A callback that comes meanwhile waits for a few pieces only. Each is about 10 ms of a
-/// simulation, so that it gets ahead.
+/// A callback that comes meanwhile waits for a few pieces only. Each is about 10 ms of a scene, so
+/// that two of them get ahead.
 constexpr int maximumPieces = 2;
 
 } // namespace

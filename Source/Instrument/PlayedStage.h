@@ -26,9 +26,9 @@ public:
     /// Sets whether it may wait for the simulation. If not, impacts that become known too late act
     /// as soon as possible, and contacts act from then on. Both count as late events.
     virtual void setOffline(bool) noexcept {}
-    /// Simulates a piece of some ten milliseconds. Returns false if the simulation is as far ahead
-    /// of the sound as its worker would be, about a second. Not for the audio thread, but for its
-    /// caller between two blocks.
+    /// Simulates some ten milliseconds of each note whose bodies move. Returns false if the
+    /// simulation is as far ahead of the sound as its worker would be, about a second. Not for the
+    /// audio thread, but for its caller between two blocks.
     virtual bool simulateAhead() noexcept { return false; }
     /// Returns when the simulation is that far ahead.
     void waitForSimulation() noexcept {

@@ -128,7 +128,11 @@ void ScenePlayer::waitFor(std::int64_t cell) noexcept {
 
 bool ScenePlayer::simulateAhead() noexcept {
     takeBlocks(); // gives back blocks of former notes, so that the worker may go on
-    return worker.help();
+    bool isBusy = false;
+    for (const auto& simulation : simulations)
+        if (simulation.number != 0 && !simulation.isAllKnown)
+            isBusy = worker.help() || isBusy;
+    return isBusy;
 }
 
 void ScenePlayer::play(Simulation& simulation, const BegunCell& cell) noexcept {

@@ -79,7 +79,7 @@ export class Keyboard {
     /** Shows which keys the computer's keys play, from the note `base` on. */
     showLetters(base) {
         for (const [note, key] of this.#keys)
-            key.querySelector(".letter").textContent =
+            key.querySelector(".letter").dataset.letter =
                 computerKeyLetters[note - base]?.toUpperCase() ?? "";
     }
 
@@ -106,7 +106,6 @@ export class Keyboard {
         if (sound === "silent") key.setAttribute("aria-disabled", "true");
         const letter = document.createElement("span");
         letter.className = "letter";
-        letter.ariaHidden = "true";
         const name = document.createElement("span");
         name.className = "name";
         name.textContent = isAccidental(note) ? "" : spokenName(note);
