@@ -16,7 +16,7 @@ function baseOf({ lowestNote, highestNote }) {
 }
 
 const isTyping = target =>
-    target.closest?.("input:not([type=range]):not([type=radio]), textarea, select, [role=listbox]");
+    target.closest?.("input:not([type=range]):not([type=radio]), select");
 
 export class ComputerKeys {
     #performer;
