@@ -37,6 +37,7 @@ export class Stage {
     #movesCasters = false;
     #areShadowsOld = true;
     #isRequested = false;
+    #isPictureOld = true;
     #before = 0;
     #isMoving = false; // the last frame asked for this one
     #sharpness = 1; // share of the screen's resolution while something moves
@@ -115,6 +116,11 @@ export class Stage {
     }
 
     requestFrame() {
+        this.#isPictureOld = true;
+        this.#request();
+    }
+
+    #request() {
         if (this.#isRequested) return;
         this.#isRequested = true;
         requestAnimationFrame(now => this.#frame(now));
@@ -137,18 +143,27 @@ export class Stage {
         this.#before = now;
         this.#adaptSharpness(seconds);
         const { goesOn, movesMallets } = this.onframe(Math.min(seconds, longestStepSeconds));
+        if (this.#isPictureOld) this.#draw(width, height, movesMallets);
+        this.#isPictureOld = this.#isMoving = goesOn;
+        const isLightOld = this.#parts.length > 0 && !this.#movesCasters && !this.#light.isComplete;
+        if (isLightOld && !goesOn) {
+            this.#light.addLight(this.#scene);
+            this.#isPictureOld = this.#light.isComplete;
+        }
+        if (goesOn || isLightOld) this.#request();
+    }
+
+    #draw(width, height, movesMallets) {
         const ratio = this.#fullRatio() * (this.#isStill ? 1 : this.#sharpness);
+        this.#isStill = false;
         this.#resize(width, height, ratio);
         this.orbit.update(width / height);
-        this.#drawLight(movesMallets);
+        this.#drawShadows(movesMallets);
         this.#setUniforms();
         this.#renderer.clear();
         this.#renderer.render(this.#scene, this.orbit.camera);
-        const isLightOld = this.#parts.length > 0 && !this.#movesCasters && !this.#light.isComplete;
-        this.#isMoving = goesOn || isLightOld;
-        this.#isStill = false;
-        if (this.#isMoving) this.requestFrame();
-        else if (ratio < this.#fullRatio()) this.#drawStillLater();
+        clearTimeout(this.#rest);
+        if (ratio < this.#fullRatio()) this.#drawStillLater();
     }
 
     #exchange(former, meshes, layer) {
@@ -173,7 +188,6 @@ export class Stage {
     }
 
     #drawStillLater() {
-        clearTimeout(this.#rest);
         this.#rest = setTimeout(() => {
             this.#isStill = true;
             this.requestFrame();
@@ -191,14 +205,11 @@ export class Stage {
         this.#renderer.setSize(width, height, false);
     }
 
-    #drawLight(movesMallets) {
+    #drawShadows(movesMallets) {
         const showsMallets = movesMallets && this.#sharpness === 1;
         if (this.#areShadowsOld || this.#movesCasters || showsMallets)
             this.#light.drawShadows(this.#scene);
         this.#areShadowsOld = showsMallets;
-        const isEmpty = this.#parts.length === 0;
-        if (!this.#movesCasters && !isEmpty && !this.#light.isComplete)
-            this.#light.addLight(this.#scene);
     }
 
     #setUniforms() {
