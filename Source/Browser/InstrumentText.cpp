@@ -63,18 +63,42 @@ ordered_json notesOf(const Instrument& instrument) {
     return notes;
 }
 
+/// Returns the keys of materials.json that a picture and a map of materials need.
+ordered_json materialOf(const Material& material) {
+    return {{"name", material.name},
+            {"youngs_modulus_pa", material.youngsModulusPa},
+            {"density_kg_per_m3", material.densityKgPerM3},
+            {"fluid_damping_per_s", material.damping.fluidPerSecond},
+            {"viscoelastic_damping_s", material.damping.viscoelasticSeconds},
+            {"loss_factor", material.damping.lossFactor},
+            {"hasGrain", material.grain.has_value()}};
+}
+
+/// Returns the frequency of the mode that a bar shares with its tube; 0 if it has none.
+double tubeHz(const ModalObject& object) {
+    for (std::size_t mode = 0; mode < object.modeCount(); ++mode)
+        if (object.isShared(mode))
+            return object.dampedFrequencyHz(mode);
+    return 0;
+}
+
 ordered_json objectsOf(const Instrument& instrument, std::span<const std::size_t> slots) {
     auto objects = ordered_json::array();
     for (const auto slot : slots) {
         const auto& [object, sizeRatio] = std::pair<const ModalObject&, double>(
             *instrument.slots()[slot].object, instrument.slots()[slot].sizeRatio);
-        objects.push_back({{"name", instrument.objectName(slot)},
-                           {"title", object.name},
-                           {"sizeRatio", sizeRatio},
-                           {"modes", object.modeCount()},
-                           {"vertexCount", object.vertexCount()},
-                           {"faceCount", object.faceCount()},
-                           {"struckPlaces", struckPlaces(instrument, slot)}});
+        objects.push_back(
+            {{"name", instrument.objectName(slot)},
+             {"title", object.name},
+             {"sizeRatio", sizeRatio},
+             {"modes", object.modeCount()},
+             {"vertexCount", object.vertexCount()},
+             {"faceCount", object.faceCount()},
+             {"material", materialOf(object.material)},
+             {"thicknessMetres", object.body == BodyKind::shell ? object.thicknessMetres : 0.0},
+             {"clampedVertices", object.clampedVertices},
+             {"tubeHz", tubeHz(object)},
+             {"struckPlaces", struckPlaces(instrument, slot)}});
     }
     return objects;
 }

@@ -35,6 +35,18 @@ export interface NoteInfo {
     readonly isOwn: boolean;
 }
 
+export interface MaterialInfo {
+    readonly name: string;
+    readonly youngs_modulus_pa: number;
+    readonly density_kg_per_m3: number;
+    /** Damping is the sum of three laws: fluid, viscoelastic and by the loss factor. */
+    readonly fluid_damping_per_s: number;
+    readonly viscoelastic_damping_s: number;
+    readonly loss_factor: number;
+    /** Whether it is wood, which is stiffer along its grain. */
+    readonly hasGrain: boolean;
+}
+
 export interface ObjectInfo {
     readonly name: string;
     readonly title: string;
@@ -43,6 +55,14 @@ export interface ObjectInfo {
     readonly modes: number;
     readonly vertexCount: number;
     readonly faceCount: number;
+    /** Its own material, with the keys of Idiophone's materials.json. */
+    readonly material: MaterialInfo;
+    /** Of a shell, whose mesh is its middle surface; 0 for a solid. */
+    readonly thicknessMetres: number;
+    /** The vertices that are held still. */
+    readonly clampedVertices: readonly number[];
+    /** The frequency of the mode that a bar shares with its tube; 0 without one. */
+    readonly tubeHz: number;
     /** Where keys strike it, in metres. */
     readonly struckPlaces: readonly PlaceMetres[];
 }

@@ -7,88 +7,86 @@ const numbersOfPose = 8; // isThere, origin in metres, quaternion xyzw
 
 /** Another mesh of the same shape. */
 function copyOf(mesh, material) {
-  const copy = new Mesh(mesh.geometry, material);
-  copy.matrixAutoUpdate = false;
-  material.uniforms.pose.value = copy.matrixWorld;
-  return copy;
+    const copy = new Mesh(mesh.geometry, material);
+    copy.matrixAutoUpdate = false;
+    material.uniforms.pose.value = copy.matrixWorld;
+    return copy;
 }
 
 /** Bars lie along y and are longer than wide, and wider than high. */
 const isBar = ({ half }) => half.y > 2 * half.x && half.x > half.z;
 
 export class Bodies {
-  #bodies;
-  #seen = []; // corners of the bodies that have been there
+    #bodies;
 
-  /**
-   * `indices`: of the object of each body. Adds a mesh to the object for each further body, with a
-   * material of `materialOf(index)`. A part of furniture with `object` is drawn by `build(part)` at
-   * each body of that object.
-   */
-  constructor(indices, objects, parts, { build, materialOf }) {
-    const isUsed = new Set();
-    this.#bodies = indices.map((index) => {
-      const object = objects[index];
-      const [first] = object.meshes;
-      const mesh = isUsed.has(index) ? copyOf(first, materialOf(index)) : first;
-      if (isUsed.has(index)) object.meshes.push(mesh);
-      isUsed.add(index);
-      const furniture = parts.filter((part) => part.object === index).map((part) => build(part));
-      return { object, mesh, furniture, isSeen: false };
-    });
-  }
+    /**
+     * `indices`: of the object of each body. Adds a mesh to the object for each further body, with a
+     * material of `materialOf(index)`. A part of furniture with `object` is drawn by `build(part)` at
+     * each body of that object.
+     */
+    constructor(indices, objects, parts, { build, materialOf }) {
+        const isUsed = new Set();
+        this.#bodies = indices.map(index => {
+            const object = objects[index];
+            const [first] = object.meshes;
+            const mesh = isUsed.has(index) ? copyOf(first, materialOf(index)) : first;
+            if (isUsed.has(index)) object.meshes.push(mesh);
+            isUsed.add(index);
+            const furniture = parts.filter(part => part.object === index).map(part => build(part));
+            return { object, mesh, furniture };
+        });
+    }
 
-  get meshes() {
-    return this.#bodies.flatMap(({ mesh, furniture }) => [mesh, ...furniture]);
-  }
+    get meshes() {
+        return this.#bodies.flatMap(({ mesh, furniture }) => [mesh, ...furniture]);
+    }
 
-  /** Takes all poses. Returns whether a body is there for the first time. */
-  setPoses(poses) {
-    const pose = new Matrix4();
-    let isNew = false;
-    this.#bodies.forEach((body, i) => {
-      const first = numbersOfPose * i;
-      const [isThere, x, y, z, ...turn] = poses.subarray(first, first + numbersOfPose);
-      pose.makeRotationFromQuaternion(new Quaternion(...turn)).setPosition(x, y, z);
-      for (const mesh of [body.mesh, ...body.furniture]) {
-        mesh.visible = isThere === 1;
-        mesh.matrix.copy(pose);
-        mesh.matrixWorldNeedsUpdate = true;
-      }
-      if (!isThere || body.isSeen) return;
-      body.isSeen = isNew = true;
-      this.#seen.push(...body.object.corners.map((corner) => corner.clone().applyMatrix4(pose)));
-    });
-    return isNew;
-  }
+    /** Takes all poses. */
+    setPoses(poses) {
+        const pose = new Matrix4();
+        this.#bodies.forEach((body, i) => {
+            const first = numbersOfPose * i;
+            const [isThere, x, y, z, ...turn] = poses.subarray(first, first + numbersOfPose);
+            pose.makeRotationFromQuaternion(new Quaternion(...turn)).setPosition(x, y, z);
+            for (const mesh of [body.mesh, ...body.furniture]) {
+                mesh.visible = isThere === 1;
+                mesh.matrix.copy(pose);
+                mesh.matrixWorldNeedsUpdate = true;
+            }
+        });
+    }
 
-  /** The corners of all bodies where they first were, in the picture's metres. */
-  get corners() {
-    return this.#seen;
-  }
+    /** The corners of the boxes of all bodies that are there, in the picture's metres. */
+    get corners() {
+        return this.#present().flat();
+    }
 
-  /** The bodies that lie as the bars of a keyboard, from left to right (keyboardFurniture.js). */
-  get bars() {
-    return this.#bodies
-      .filter(({ isSeen }) => isSeen)
-      .map(({ object, mesh }) => {
-        const corners = object.corners.flatMap((corner) =>
-          corner.clone().applyMatrix4(mesh.matrix).toArray(),
-        );
-        return { ...boxOf(corners), tubeMetres: 0, isBehind: false, finish: object.look.finish };
-      })
-      .filter(isBar)
-      .sort((a, b) => a.middle.x - b.middle.x);
-  }
+    /** The bodies that lie as the bars of a keyboard, from left to right (keyboardFurniture.js). */
+    get bars() {
+        return this.#present()
+            .map(corners => boxOf(corners.flatMap(corner => corner.toArray())))
+            .map(box => ({ ...box, tubeMetres: 0, isBehind: false, finish: "wood" }))
+            .filter(isBar)
+            .sort((a, b) => a.middle.x - b.middle.x);
+    }
+
+    /** The corners of each body that is there. */
+    #present() {
+        return this.#bodies
+            .filter(({ mesh }) => mesh.visible)
+            .map(({ object, mesh }) =>
+                object.corners.map(corner => corner.clone().applyMatrix4(mesh.matrix)),
+            );
+    }
 }
 
 /** The smallest box around points: corners `minimum` and `maximum`. */
 export function extentOf(points) {
-  const minimum = new Vector3().setScalar(Infinity);
-  const maximum = new Vector3().setScalar(-Infinity);
-  for (const point of points) {
-    minimum.min(point);
-    maximum.max(point);
-  }
-  return { minimum, maximum };
+    const minimum = new Vector3().setScalar(Infinity);
+    const maximum = new Vector3().setScalar(-Infinity);
+    for (const point of points) {
+        minimum.min(point);
+        maximum.max(point);
+    }
+    return { minimum, maximum };
 }

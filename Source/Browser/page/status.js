@@ -3,12 +3,12 @@
 
 /** Shows a sentence, in place of an error. */
 export function say(sentence) {
-  document.getElementById("alert").textContent = "";
-  document.getElementById("status").textContent = sentence;
+    document.getElementById("alert").textContent = "";
+    document.getElementById("status").textContent = sentence;
 }
 
 /** Shows the sentence of an error. */
 export function warn(error) {
-  document.getElementById("status").textContent = "";
-  document.getElementById("alert").textContent = error?.message ?? String(error);
+    document.getElementById("status").textContent = "";
+    document.getElementById("alert").textContent = error?.message ?? String(error);
 }

@@ -4,26 +4,26 @@ const dark = matchMedia("(prefers-color-scheme: dark)");
 
 /** Calls `onchange` now and at each change with the look: `isDark` and the colours of the picture. */
 export function followTheme(button, onchange) {
-  let isDark = dark.matches;
-  const show = () => {
-    document.documentElement.dataset.theme = isDark ? "dark" : "light";
-    button.setAttribute("aria-pressed", String(isDark));
-    const style = getComputedStyle(document.documentElement);
-    const colour = (name) => {
-      const text = style.getPropertyValue(name).trim();
-      return [1, 3, 5].map((place) => parseInt(text.slice(place, place + 2), 16) / 255);
+    let isDark = dark.matches;
+    const show = () => {
+        document.documentElement.dataset.theme = isDark ? "dark" : "light";
+        button.setAttribute("aria-pressed", String(isDark));
+        const style = getComputedStyle(document.documentElement);
+        const colour = name => {
+            const text = style.getPropertyValue(name).trim();
+            return [1, 3, 5].map(place => parseInt(text.slice(place, place + 2), 16) / 255);
+        };
+        onchange({ isDark, panel: colour("--panel"), accent: colour("--accent") });
     };
-    onchange({ isDark, panel: colour("--panel"), accent: colour("--accent") });
-  };
-  const follow = () => {
-    isDark = dark.matches;
+    const follow = () => {
+        isDark = dark.matches;
+        show();
+    };
+    dark.addEventListener("change", follow);
+    button.addEventListener("click", () => {
+        dark.removeEventListener("change", follow);
+        isDark = !isDark;
+        show();
+    });
     show();
-  };
-  dark.addEventListener("change", follow);
-  button.addEventListener("click", () => {
-    dark.removeEventListener("change", follow);
-    isDark = !isDark;
-    show();
-  });
-  show();
 }
