@@ -16,7 +16,8 @@ namespace idiophone {
 /// last stay until `forgetUnplayed`.
 class FetchedObjects final : public ObjectSource {
 public:
-    /// Reads a .modal file, or a .glb with a modal model, and keeps its object under a name. The error begins with the name.
+    /// Reads a .modal file, or a .glb with a modal model, and keeps its object under a name. The
+    /// error begins with the name.
     Result<std::shared_ptr<const ModalObject>> add(const std::string& name,
                                                    std::span<const std::byte> bytes);
 

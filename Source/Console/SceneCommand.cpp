@@ -92,9 +92,8 @@ ordered_json describe(const SceneTally& tally, const Recording& recording) {
 }
 
 bool hasNamelessObjects(const SceneAssets& assets) {
-    return std::ranges::any_of(assets.roles(), [](const auto& role) {
-        return role.isHeard() && role.object.empty();
-    });
+    return std::ranges::any_of(
+        assets.roles(), [](const auto& role) { return role.isHeard() && role.object.empty(); });
 }
 
 /// Returns the impacts in the format of docs/impulses.md.
@@ -227,7 +226,9 @@ Result<void> perform(const SceneOptions& options) {
 void addScene(CLI::App& program, Action& chosen) {
     const auto [command, options] = addCommand<SceneOptions>(
         program, chosen, "scene", "Renders a scene of rigid bodies to a WAV file", perform);
-    command->add_option("scene", options->scene, "Name of a factory scene, or a scene file (.json, .gltf, .glb)")
+    command
+        ->add_option("scene", options->scene,
+                     "Name of a factory scene, or a scene file (.json, .gltf, .glb)")
         ->required();
     command->add_option(
         "--midi", options->midi,

@@ -21,8 +21,8 @@ std::optional<std::string> tableOf(const std::filesystem::path& file, int sample
     const auto self = juce::File::getSpecialLocation(juce::File::currentExecutableFile);
     std::error_code ignored;
     // Absolute, so that no name looks like an option.
-    const auto path = juce::String::fromUTF8(
-        std::filesystem::absolute(file, ignored).u8string().c_str());
+    const auto path =
+        juce::String::fromUTF8(std::filesystem::absolute(file, ignored).u8string().c_str());
     juce::ChildProcess reader;
     if (!reader.start({self.getFullPathName(), "sofa-table", path, juce::String(sampleRateHz),
                        table.getFile().getFullPathName()},

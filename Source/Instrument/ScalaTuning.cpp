@@ -1,8 +1,8 @@
 #include "Instrument/ScalaTuning.h"
 
+#include "Object/ByteOrderMark.h"
 #include "Object/NumberText.h"
 #include "Object/OneLine.h"
-#include "Object/ByteOrderMark.h"
 
 #include <Tunings.h>
 #include <algorithm>

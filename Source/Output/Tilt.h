@@ -35,7 +35,7 @@ private:
 
     std::array<Channel, 2> channels;
     Ramp<RampSteps::ratios> gain; ///< high part's
-    float coefficient = 0; ///< of the low-pass filter
+    float coefficient = 0;        ///< of the low-pass filter
     bool startsAtTarget = true;
 };
 

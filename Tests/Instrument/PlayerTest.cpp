@@ -1,9 +1,9 @@
 // Tests the sound of a player's strikes: channels, pitch, place and seed.
-#include "Instrument/ObjectLibrary.h"
 #include "Instrument/Player.h"
 #include "BusyKeys.h"
 #include "Instrument/ContactTrain.h"
 #include "Instrument/MalletStrike.h"
+#include "Instrument/ObjectLibrary.h"
 #include "Instrument/SettingsOfParameters.h"
 #include "Support/Level.h"
 #include "Support/PoleFit.h"

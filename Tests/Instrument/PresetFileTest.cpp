@@ -1,5 +1,5 @@
-#include "Instrument/ObjectLibrary.h"
 #include "Instrument/PresetFile.h"
+#include "Instrument/ObjectLibrary.h"
 
 #include "Instrument/FactoryContent.h"
 #include "Instrument/PhrasePrediction.h"

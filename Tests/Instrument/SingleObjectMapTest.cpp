@@ -1,6 +1,6 @@
 // Tests default strike places on an object, and paths between metres and the object's box.
-#include "Instrument/ObjectLibrary.h"
 #include "Instrument/SingleObjectMap.h"
+#include "Instrument/ObjectLibrary.h"
 
 #include "Geometry/ParametricMesh.h"
 #include "Instrument/Instrument.h"

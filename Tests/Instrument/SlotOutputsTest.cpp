@@ -1,6 +1,6 @@
 // Tests players with several outputs: which slot sounds where, and that nothing is lost or added.
-#include "Instrument/ObjectLibrary.h"
 #include "Instrument/SlotOutputs.h"
+#include "Instrument/ObjectLibrary.h"
 #include "Instrument/Player.h"
 #include "Support/AllocationCounter.h"
 #include "Support/Level.h"

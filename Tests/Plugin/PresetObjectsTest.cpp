@@ -1,5 +1,5 @@
-#include "Instrument/ObjectLibrary.h"
 #include "Plugin/PresetObjects.h"
+#include "Instrument/ObjectLibrary.h"
 
 #include "Instrument/FactoryContent.h"
 #include "Object/ModalObjectFile.h"

@@ -1,5 +1,5 @@
-#include "Instrument/ObjectLibrary.h"
 #include "Plugin/SurfaceHand.h"
+#include "Instrument/ObjectLibrary.h"
 
 #include "Instrument/FactoryContent.h"
 #include "Instrument/OwnSlots.h"

@@ -1,6 +1,6 @@
 // The user's files when the disk is full.
-#include "Instrument/ObjectLibrary.h"
 #include "Plugin/WholeFile.h"
+#include "Instrument/ObjectLibrary.h"
 
 #include "Editor/Utf8.h"
 #include "Instrument/FactoryContent.h"

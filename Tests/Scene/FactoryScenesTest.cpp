@@ -1,6 +1,6 @@
 // Tests the factory scenes.
-#include "Instrument/ObjectLibrary.h"
 #include "Scene/FactoryScenes.h"
+#include "Instrument/ObjectLibrary.h"
 
 #include "Scene/SceneFile.h"
 #include "Scene/SceneSimulation.h"

@@ -1,6 +1,6 @@
 // Tests the path and the taps of a recorded hand between its moments.
-#include "Instrument/ObjectLibrary.h"
 #include "Scene/RecordedHand.h"
+#include "Instrument/ObjectLibrary.h"
 
 #include "Scene/FactoryScenes.h"
 

@@ -1,6 +1,6 @@
 // Tests rendering a scene on several threads.
-#include "Instrument/ObjectLibrary.h"
 #include "Scene/SceneRenderer.h"
+#include "Instrument/ObjectLibrary.h"
 #include "Object/WorkTeam.h"
 #include "Scene/FactoryScenes.h"
 

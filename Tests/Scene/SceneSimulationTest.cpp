@@ -1,6 +1,6 @@
 // Tests simulations of scenes: songs as falling dice, slots and random numbers.
-#include "Instrument/ObjectLibrary.h"
 #include "Scene/SceneSimulation.h"
+#include "Instrument/ObjectLibrary.h"
 #include "Scene/FactoryScenes.h"
 #include "Scene/SceneText.h"
 

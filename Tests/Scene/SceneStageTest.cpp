@@ -1,6 +1,6 @@
 // Tests scenes as instruments, whose notes set bodies in motion.
-#include "Instrument/ObjectLibrary.h"
 #include "Scene/SceneStage.h"
+#include "Instrument/ObjectLibrary.h"
 
 #include "Instrument/Player.h"
 #include "Scene/FactoryScenes.h"

@@ -1,6 +1,6 @@
 // Tests the thread that simulates a stage ahead of its sound.
-#include "Instrument/ObjectLibrary.h"
 #include "Scene/SimulationThread.h"
+#include "Instrument/ObjectLibrary.h"
 
 #include "Scene/FactoryScenes.h"
 

@@ -1,6 +1,6 @@
 // Tests how contact voices follow pairs of bodies.
-#include "Instrument/ObjectLibrary.h"
 #include "Scene/TouchTracker.h"
+#include "Instrument/ObjectLibrary.h"
 #include "Scene/SilentBody.h"
 
 #include <algorithm>

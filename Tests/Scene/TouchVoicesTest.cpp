@@ -1,6 +1,6 @@
 // Tests sliding and rolling as forces on the slots of both bodies.
-#include "Instrument/ObjectLibrary.h"
 #include "World/TouchVoices.h"
+#include "Instrument/ObjectLibrary.h"
 
 #include "Scene/FactoryScenes.h"
 #include "Scene/SceneSimulation.h"

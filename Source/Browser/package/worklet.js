@@ -105,6 +105,7 @@ class IdiophoneProcessor extends AudioWorkletProcessor {
             send(Math.max(frame - currentFrame, 0), bytes[0], bytes[1] ?? 0, bytes[2] ?? 0);
         }
         render(FRAMES);
+        this.findOutput(); // offline, the bodies of a scene are simulated meanwhile
         if (this.isSilent)
             return true;
         left.set(this.left);
