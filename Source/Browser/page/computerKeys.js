@@ -15,8 +15,7 @@ function baseOf({ lowestNote, highestNote }) {
     return reached(below + 12) > reached(below) ? below + 12 : below;
 }
 
-const isTyping = target =>
-    target.closest?.("input:not([type=range]):not([type=radio]), select");
+const isTyping = target => target.closest?.("input:not([type=range]):not([type=radio]), select");
 
 export class ComputerKeys {
     #performer;
