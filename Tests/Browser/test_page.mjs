@@ -28,7 +28,7 @@ after(async () => {
 
 /** Opens the page and waits for its first preset. Returns the page and what went wrong in it. */
 async function open(viewport = DESKTOP, colorScheme = "dark") {
-    const context = await browser.newContext({ viewport, colorScheme });
+    const context = await browser.newContext({ viewport, colorScheme, reducedMotion: "reduce" });
     const page = await context.newPage();
     const faults = [];
     page.on("pageerror", error => faults.push(error.message));
