@@ -194,8 +194,11 @@ export class Idiophone {
                 this.#request("fadeOut"),
                 new Promise(resolve => setTimeout(resolve, FADE_MILLISECONDS)),
             ]);
-        await this.#callThere(...call);
-        this.#tell("fadeIn");
+        try {
+            await this.#callThere(...call);
+        } finally {
+            this.#tell("fadeIn");
+        }
         return this.instrument = this.#ask("describe");
     }
 

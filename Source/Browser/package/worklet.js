@@ -50,6 +50,7 @@ class IdiophoneProcessor extends AudioWorkletProcessor {
     }
 
     fadeIn() {
+        this.fade = null;
         this.isSilent = false;
     }
 
