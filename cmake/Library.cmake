@@ -55,7 +55,7 @@ install_modules(IdiophoneAnalysisTargets
     HEADERS
         Mesh/Mesh Mesh/ShapeMesh Mesh/SurfaceQuery
         World/HeadModel World/HeadResponses World/World
-        Gltf/ObjectFile
+        Gltf/ObjectBytes Gltf/ObjectFile
         Geometry/LengthUnit Geometry/MeshReader Geometry/MeshRepair Geometry/MeshWriter
         Geometry/MetricMesh Geometry/ParametricMesh Geometry/PointCarrier
         Analysis/AnalysedBand Analysis/AnalysisMethod Analysis/Clamp Analysis/DampedSinusoid

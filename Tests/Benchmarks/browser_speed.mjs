@@ -5,7 +5,7 @@
 // TOOLS is the folder of npm's node_modules, SITE the page (both in build/web). 37 vibraphone bars ring
 // under 40 notes a second for 20 s, in blocks of 128 frames. Prints the share of real time that one
 // core spends: in the console, in an OfflineAudioContext, and as the AudioWorklet of a running
-// context reports it.
+// context reports it. Then the time from a cold start of the page to its first sound.
 import { execFileSync } from "node:child_process";
 import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
@@ -71,6 +71,33 @@ async function shares({ preset, seconds, notes }) {
     return { offline: spent / seconds, worklet: (await idiophone.cpuReport()).share };
 }
 
+/** Opens the page in a new browser, strikes a key, and returns the seconds until its sound. */
+async function secondsToFirstSound(origin) {
+    const browser = await launchChromium(tools, program);
+    try {
+        const page = await browser.newPage();
+        const begin = performance.now();
+        await page.goto(origin);
+        await page.evaluate(async () => {
+            while (!window.idiophone?.instrument)
+                await new Promise(resolve => setTimeout(resolve, 5));
+            const { context, node } = window.idiophone;
+            await context.resume();
+            const analyser = new AnalyserNode(context);
+            node.connect(analyser);
+            window.idiophone.noteOn(72);
+            const samples = new Float32Array(analyser.fftSize);
+            do {
+                await new Promise(resolve => setTimeout(resolve, 5));
+                analyser.getFloatTimeDomainData(samples);
+            } while (samples.every(sample => Math.abs(sample) < 1e-3));
+        });
+        return (performance.now() - begin) / 1000;
+    } finally {
+        await browser.close();
+    }
+}
+
 const server = await serve({ "": site });
 const browser = await launchChromium(tools, program);
 try {
@@ -81,6 +108,8 @@ try {
     for (const [name, share] of Object.entries(measured))
         console.log(`${name}: ${(100 * share).toFixed(2)} % of one core, ` +
             `${(share / native).toFixed(2)} of native`);
+    await browser.close();
+    console.log(`first sound after ${(await secondsToFirstSound(server.origin)).toFixed(2)} s`);
 } finally {
     await browser.close();
     await server.close();
