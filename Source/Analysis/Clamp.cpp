@@ -1,7 +1,8 @@
 #include "Analysis/Clamp.h"
 
+#include "Object/NumberText.h"
+
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <string>
 
@@ -23,12 +24,11 @@ bool parseSide(std::string_view text, ClampSide& side) {
     if (text.size() < 3 || (text[1] != '<' && text[1] != '>'))
         return false;
     const auto axis = axes.find(text[0]);
-    const char* const end = text.data() + text.size();
-    const auto number = std::from_chars(text.data() + 2, end, side.metres);
+    const auto metres = parseNumber(text.substr(2));
+    side.metres = metres.value_or(0);
     side.axis = static_cast<int>(axis);
     side.isBelow = text[1] == '<';
-    return axis != std::string_view::npos && number.ec == std::errc() && number.ptr == end &&
-           std::isfinite(side.metres);
+    return axis != std::string_view::npos && metres && std::isfinite(*metres);
 }
 
 } // namespace

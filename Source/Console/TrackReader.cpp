@@ -1,6 +1,7 @@
 #include "Console/TrackReader.h"
 
 #include <optional>
+#include <string>
 
 namespace idiophone {
 namespace {

@@ -2,6 +2,7 @@
 
 #include "Geometry/MeshBuilder.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 

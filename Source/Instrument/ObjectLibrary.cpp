@@ -5,18 +5,20 @@
 #include "Object/FileBytes.h"
 #include "Object/ModalObjectFile.h"
 
+#include <cstdint>
 #include <filesystem>
 
 namespace idiophone {
 namespace {
 
 /// Returns the key of a file's object. It includes the time of the last change, because a changed
-/// file is another object.
+/// file is another object. libc++ counts it in 128 bits, which std::to_string does not take.
 std::string fileKey(const std::filesystem::path& file) {
     std::error_code fault;
     const auto path = std::filesystem::weakly_canonical(file, fault);
     const auto written = std::filesystem::last_write_time(path, fault);
-    return nameOf(path) + "@" + std::to_string(written.time_since_epoch().count());
+    const auto ticks = static_cast<std::int64_t>(written.time_since_epoch().count());
+    return nameOf(path) + "@" + std::to_string(ticks);
 }
 
 } // namespace

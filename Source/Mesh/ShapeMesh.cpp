@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <igl/adjacency_list.h>
 #include <queue>
 #include <set>

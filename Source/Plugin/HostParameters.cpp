@@ -1,5 +1,7 @@
 #include "Plugin/HostParameters.h"
 
+#include <memory>
+
 namespace idiophone {
 
 HostParameters::HostParameters(juce::AudioProcessor& processor) {

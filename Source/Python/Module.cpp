@@ -1,5 +1,6 @@
 #include "Python/Binding.h"
 
+#include <exception>
 #include <new>
 
 NB_MODULE(_core, module) {

@@ -1,5 +1,6 @@
 #include "Scene/RingShape.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 

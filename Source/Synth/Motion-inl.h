@@ -10,6 +10,8 @@
 
 #include "Synth/SimdComplex-inl.h"
 
+#include <numbers>
+
 HWY_BEFORE_NAMESPACE();
 namespace idiophone {
 namespace HWY_NAMESPACE {

@@ -7,6 +7,7 @@
 #include <Eigen/Eigenvalues>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
+#include <stdexcept>
 
 using namespace idiophone;
 using namespace idiophone::test;

@@ -1,8 +1,10 @@
 #include "Analysis/SolidBar.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
+#include <cmath>
 #include <map>
 
 using namespace idiophone;

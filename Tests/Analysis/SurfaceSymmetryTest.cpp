@@ -3,6 +3,7 @@
 #include "Geometry/LatheMesh.h"
 #include "Geometry/ParametricMesh.h"
 
+#include <algorithm>
 #include <catch2/catch_test_macros.hpp>
 #include <set>
 

@@ -8,6 +8,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
@@ -19,7 +20,6 @@
 #include <map>
 #include <mutex>
 #include <numbers>
-#include <thread>
 #include <vector>
 
 using namespace idiophone;
@@ -130,13 +130,11 @@ TEST_CASE("The same surface gives the same mesh, also on several threads at once
     const TetMeshSettings settings{.targetEdgeMetres = 0.03};
     const auto first = tetrahedralise(surface, settings);
     REQUIRE(first);
-    std::array<Result<TetMesh>, 3> others;
-    {
-        std::vector<std::jthread> threads;
-        for (auto& other : others)
-            threads.emplace_back([&] { other = tetrahedralise(surface, settings); });
-    }
-    for (const auto& other : others) {
+    std::array<std::future<Result<TetMesh>>, 3> others;
+    for (auto& other : others)
+        other = std::async(std::launch::async, [&] { return tetrahedralise(surface, settings); });
+    for (auto& future : others) {
+        const auto other = future.get();
         REQUIRE(other);
         CHECK(other->nodes == first->nodes);
         CHECK(other->tetrahedra == first->tetrahedra);

@@ -1,16 +1,16 @@
 #include "ValidationTable.h"
 
+#include "Object/NumberText.h"
+
 #include <algorithm>
 #include <array>
 #include <catch2/catch_test_macros.hpp>
-#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <optional>
 #include <sstream>
 
 namespace idiophone::test {
@@ -54,16 +54,6 @@ std::pair<std::size_t, std::size_t> placeOf(const std::string& title, const std:
     return {begin, end};
 }
 
-std::optional<double> number(std::string_view word) {
-    if (word.starts_with('+'))
-        word.remove_prefix(1);
-    double value = 0;
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-    if (error != std::errc() || end != word.data() + word.size())
-        return std::nullopt;
-    return value;
-}
-
 bool sameToTheDigitsShown(const std::string& shown, const std::string& now) {
     std::istringstream a(shown), b(now);
     std::string wordA, wordB;
@@ -71,7 +61,7 @@ bool sameToTheDigitsShown(const std::string& shown, const std::string& now) {
         const bool moreA = static_cast<bool>(a >> wordA), moreB = static_cast<bool>(b >> wordB);
         if (moreA != moreB || !moreA)
             return moreA == moreB;
-        const auto x = number(wordA), y = number(wordB);
+        const auto x = parseNumber(wordA), y = parseNumber(wordB);
         const bool same =
             x && y ? std::abs(*x - *y) <= std::max(0.02, 2e-4 * std::abs(*x)) : wordA == wordB;
         if (!same)

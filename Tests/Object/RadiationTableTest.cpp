@@ -6,6 +6,7 @@
 #include <cmath>
 #include <complex>
 #include <limits>
+#include <numbers>
 
 using namespace idiophone;
 using Catch::Matchers::ContainsSubstring;
