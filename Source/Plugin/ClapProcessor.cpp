@@ -2,7 +2,7 @@
 
 namespace idiophone {
 
-ClapProcessor::ClapProcessor(PluginKind kind) : Processor(kind) {
+ClapProcessor::ClapProcessor(PluginKind kindOfPlugin) : Processor(kindOfPlugin) {
     parameters()[ParameterId::mpe].setExactValue(1);
 }
 
