@@ -8,6 +8,14 @@ function(install_bundle target destination component)
         USE_SOURCE_PERMISSIONS)
 endfunction()
 
+# Installs the CLAPs, where they are built: a file each, on macOS a bundle.
+function(install_claps destination)
+    if(IDIOPHONE_CLAP)
+        install(TARGETS Idiophone_CLAP IdiophoneResonator_CLAP
+            LIBRARY DESTINATION "${destination}" COMPONENT plugin)
+    endif()
+endfunction()
+
 # The branches for macOS and Windows have not been run yet.
 if(APPLE)
     set(audio "Library/Audio/Plug-Ins")
@@ -16,6 +24,7 @@ if(APPLE)
         install_bundle(${plugin}_AU "${audio}/Components" plugin)
         install_bundle(${plugin}_LV2 "${audio}/LV2" plugin)
     endforeach()
+    install_claps("${audio}/CLAP")
     install(TARGETS Idiophone_Standalone BUNDLE DESTINATION Applications COMPONENT standalone)
     install(TARGETS idiophone_console RUNTIME DESTINATION usr/local/bin COMPONENT console)
     foreach(component plugin standalone console)
@@ -27,6 +36,7 @@ elseif(WIN32)
         install_bundle(${plugin}_VST3 "VST3" plugin)
         install_bundle(${plugin}_LV2 "LV2" plugin)
     endforeach()
+    install_claps(CLAP)
     install(TARGETS Idiophone_Standalone RUNTIME DESTINATION . COMPONENT standalone)
     install(TARGETS idiophone_console RUNTIME DESTINATION console COMPONENT console)
     foreach(component plugin standalone console)
@@ -38,6 +48,7 @@ else()
         install_bundle(${plugin}_VST3 lib/vst3 plugin)
         install_bundle(${plugin}_LV2 lib/lv2 plugin)
     endforeach()
+    install_claps(lib/clap)
     install(PROGRAMS "$<TARGET_FILE:Idiophone_Standalone>" DESTINATION "${CMAKE_INSTALL_BINDIR}"
         RENAME idiophone-standalone COMPONENT standalone)
     install(TARGETS idiophone_console RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}" COMPONENT console)
@@ -97,6 +108,12 @@ elseif(WIN32)
     set(CPACK_NSIS_EXTRA_INSTALL_COMMANDS
         "CopyFiles /SILENT '$INSTDIR\\VST3\\*' '$COMMONFILES64\\VST3'")
     set(CPACK_NSIS_EXTRA_UNINSTALL_COMMANDS "RMDir /r '$COMMONFILES64\\VST3\\Idiophone.vst3'\nRMDir /r '$COMMONFILES64\\VST3\\Idiophone Resonator.vst3'")
+    if(IDIOPHONE_CLAP)
+        string(APPEND CPACK_NSIS_EXTRA_INSTALL_COMMANDS
+            "\nCreateDirectory '$COMMONFILES64\\CLAP'\nCopyFiles /SILENT '$INSTDIR\\CLAP\\*' '$COMMONFILES64\\CLAP'")
+        string(APPEND CPACK_NSIS_EXTRA_UNINSTALL_COMMANDS
+            "\nDelete '$COMMONFILES64\\CLAP\\Idiophone.clap'\nDelete '$COMMONFILES64\\CLAP\\Idiophone Resonator.clap'")
+    endif()
 else()
     set(CPACK_GENERATOR DEB TGZ)
     # Two packages: the programs and the library.

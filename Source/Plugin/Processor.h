@@ -21,7 +21,7 @@ enum class PluginKind {
 /// Everything that changes the sound (states, programs, `prepareToPlay`) may come from any other
 /// thread and takes the session's lock. A program that MIDI asks for is loaded by a message-thread
 /// timer some 50 ms later. In an offline render the callback loads it between two blocks.
-class Processor final : public juce::AudioProcessor {
+class Processor : public juce::AudioProcessor {
 public:
     explicit Processor(PluginKind kind = PluginKind::instrument);
 

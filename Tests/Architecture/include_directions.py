@@ -39,7 +39,7 @@ MODULES = {
                  "juce_audio_basics/ nlohmann/ ebur128.h"),
     "Editor": ("Parameters Object Geometry Mesh", "Eigen/ juce_ GL/ X11/"),
     "Plugin": ("Editor Sampling Output Scene Instrument Analysis World Synth Geometry Gltf Mesh Parameters AudioFiles Object",
-               "boost/lockfree/ juce_ nlohmann/ libMTSClient.h pluginterfaces/"),
+               "boost/lockfree/ clap/ clap-juce-extensions/ juce_ nlohmann/ libMTSClient.h pluginterfaces/"),
     "Console": ("Sampling Output Scene Instrument Analysis World Synth Geometry Gltf Mesh Parameters AudioFiles Object",
                 "juce_ CLI/ nlohmann/ mysofa.h"),
 }

@@ -1,0 +1,142 @@
+#include "Plugin/ClapHost.h"
+
+#include <catch2/catch_approx.hpp>
+#include <cmath>
+#include <numbers>
+
+namespace idiophone {
+namespace {
+
+const std::string instrument = IDIOPHONE_CLAP_FILE;
+const std::string resonator = IDIOPHONE_RESONATOR_CLAP_FILE;
+
+double levelOf(const std::vector<float>& sound, std::size_t from = 0) {
+    double power = 0;
+    for (std::size_t k = from; k < sound.size(); ++k)
+        power += double{sound[k]} * sound[k];
+    return std::sqrt(power / static_cast<double>(sound.size() - from));
+}
+
+/// Returns the amplitude at a frequency (Goertzel), with a Hann window.
+double amplitudeAt(const std::vector<float>& sound, double frequencyHz) {
+    const double turn = 2 * std::numbers::pi / static_cast<double>(sound.size());
+    const double step = 2 * std::cos(2 * std::numbers::pi * frequencyHz / 48000);
+    double last = 0, secondLast = 0;
+    for (std::size_t k = 0; k < sound.size(); ++k) {
+        const double window = 1 - std::cos(turn * static_cast<double>(k));
+        const double next = step * last - secondLast + window * double{sound[k]};
+        secondLast = last;
+        last = next;
+    }
+    return std::sqrt(last * last + secondLast * secondLast - step * last * secondLast);
+}
+
+double loudestHz(const std::vector<float>& sound) {
+    double loudest = 0, amplitude = 0;
+    for (double frequencyHz = 200; frequencyHz < 4000; ++frequencyHz)
+        if (const double each = amplitudeAt(sound, frequencyHz); each > amplitude) {
+            amplitude = each;
+            loudest = frequencyHz;
+        }
+    return loudest;
+}
+
+std::vector<float> played(const std::vector<ClapEvent>& events, std::size_t blocks = 50) {
+    return ClapInstance(instrument).render(events, blocks);
+}
+
+} // namespace
+
+TEST_CASE("The CLAP file names its plugin and features") {
+    const ClapInstance plugin(instrument), effect(resonator);
+    CHECK(plugin.descriptor().name == std::string("Idiophone"));
+    CHECK(plugin.descriptor().id == std::string("org.idiophone.idiophone"));
+    CHECK(plugin.descriptor().features[0] == std::string(CLAP_PLUGIN_FEATURE_INSTRUMENT));
+    CHECK(effect.descriptor().name == std::string("Idiophone Resonator"));
+    CHECK(effect.descriptor().features[0] == std::string(CLAP_PLUGIN_FEATURE_AUDIO_EFFECT));
+}
+
+TEST_CASE("A CLAP plays a note at its sample") {
+    const auto sound = played({noteOn(1000, 72, 1)});
+    CHECK(levelOf({sound.begin(), sound.begin() + 1000}) == 0);
+    CHECK(levelOf({sound.begin() + 1000, sound.begin() + 5800}) > 0.001);
+}
+
+TEST_CASE("A CLAP note of velocity 0 sounds") {
+    CHECK(levelOf(played({noteOn(0, 72, 1, 0)})) > 1e-6);
+}
+
+TEST_CASE("A CLAP host restores a saved state") {
+    const ClapInstance first(instrument), second(instrument);
+    const auto size = first.parameter("Size");
+    const double moved = first.value(size) > 0.5 ? 0.25 : 0.75;
+    first.render({parameterEvent(size, moved)}, 1);
+    CHECK(second.value(size) != Catch::Approx(moved));
+    second.restore(first.save());
+    CHECK(second.value(size) == Catch::Approx(moved));
+    CHECK(levelOf(second.render({noteOn(0, 72, 1)}, 50)) > 0.001);
+}
+
+TEST_CASE("A CLAP tuning expression bends its note alone") {
+    using std::exp2;
+    const auto low = loudestHz(played({noteOn(0, 72, 1)}));
+    const auto high = loudestHz(played({noteOn(0, 79, 2)}));
+    const auto bentHigh = high * exp2(1.5 / 12);
+    const std::vector<ClapEvent> both{noteOn(0, 72, 1), noteOn(0, 79, 2)};
+    auto bent = both;
+    bent.push_back(expression(0, CLAP_NOTE_EXPRESSION_TUNING, 2, 1.5));
+    const auto straightSound = played(both), bentSound = played(bent);
+    CHECK(amplitudeAt(bentSound, low) ==
+          Catch::Approx(amplitudeAt(straightSound, low)).epsilon(0.1));
+    CHECK(amplitudeAt(bentSound, high) < 0.1 * amplitudeAt(straightSound, high));
+    CHECK(amplitudeAt(bentSound, bentHigh) > 0.5 * amplitudeAt(straightSound, high));
+}
+
+TEST_CASE("A CLAP note does not keep the tuning of the note before it") {
+    std::vector<ClapEvent> events;
+    for (int id = 0; id < 16; ++id) { // one more than there are channels
+        events.push_back(noteOn(0, 40 + id, id, 0.01));
+        events.push_back(expression(0, CLAP_NOTE_EXPRESSION_TUNING, id, 7));
+        events.push_back(noteEvent(CLAP_EVENT_NOTE_CHOKE, 0, 40 + id, id, 0));
+    }
+    const ClapInstance plugin(instrument);
+    plugin.render(events, 100);
+    const auto sound = plugin.render({noteOn(0, 72, 99)}, 50);
+    CHECK(loudestHz(sound) == Catch::Approx(loudestHz(played({noteOn(0, 72, 1)}))).margin(2));
+}
+
+TEST_CASE("A CLAP tuning expression is ignored while MPE is off") {
+    const std::vector<ClapEvent> straight{noteOn(0, 72, 1)},
+        bent{noteOn(0, 72, 1), expression(0, CLAP_NOTE_EXPRESSION_TUNING, 1, 2)};
+    const auto playedWithoutMpe = [](const std::vector<ClapEvent>& events) {
+        const ClapInstance plugin(instrument);
+        const auto mpe = plugin.parameter("MPE");
+        CHECK(plugin.value(mpe) == 1);
+        plugin.render({parameterEvent(mpe, 0)}, 1);
+        return plugin.render(events, 50);
+    };
+    CHECK(playedWithoutMpe(bent) == playedWithoutMpe(straight));
+}
+
+TEST_CASE("A CLAP pressure expression damps its note") {
+    const auto rings = played({noteOn(0, 72, 1)});
+    const auto damped =
+        played({noteOn(0, 72, 1), expression(4800, CLAP_NOTE_EXPRESSION_PRESSURE, 1, 1)});
+    CHECK(levelOf(damped, 12000) < 0.5 * levelOf(rings, 12000));
+}
+
+TEST_CASE("A CLAP choke releases a note faster than a note-off") {
+    const auto after = [](std::uint16_t type) {
+        return levelOf(played({noteOn(0, 72, 1), noteEvent(type, 4800, 72, 1, 0)}), 9600);
+    };
+    CHECK(after(CLAP_EVENT_NOTE_CHOKE) < after(CLAP_EVENT_NOTE_OFF));
+}
+
+TEST_CASE("A CLAP resonator rings after its input") {
+    const ClapInstance effect(resonator);
+    std::vector<float> click(480, 0.0f);
+    click[0] = 1;
+    CHECK(levelOf(effect.render({}, 50, click), 9600) > 1e-7);
+}
+
+} // namespace idiophone
