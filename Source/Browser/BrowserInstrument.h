@@ -18,7 +18,8 @@
 namespace idiophone {
 
 /// One thread, which in an AudioWorklet is the audio thread: between its callbacks it handles
-/// messages. Only `render` belongs in a callback; it neither allocates nor throws.
+/// messages. Only `send` and `render` belong in a callback; they neither allocate nor throw, unless
+/// an offline scene is simulated.
 class BrowserInstrument {
 public:
     static constexpr std::size_t maximumFrames = 128;
@@ -46,8 +47,12 @@ public:
     const ParameterValues& values() const { return current; }
     void set(ParameterId parameter, double value) { current.set(parameter, value); }
 
-    /// Queues a MIDI message for the next block, in order of time.
-    void send(const MidiEvent& event) { events.push_back(event); }
+    /// Queues a MIDI message for the next block, in order of time; drops it if there are thousands.
+    /// Callbacks may call it.
+    void send(const MidiEvent& event) {
+        if (events.size() < events.capacity())
+            events.push_back(event);
+    }
     /// Strikes the object of that index (`slots`) at the place nearest to a point, in metres of its
     /// own mesh. Velocity is 1 to 127; 0 lifts the hand. Ignores objects that do not exist.
     void strike(std::size_t object, const std::array<double, 3>& pointMetres, int velocity);

@@ -25,12 +25,12 @@ RoundRing ringIn(const btCollisionObjectWrapper& body, const btTransform& from) 
     return ring;
 }
 
-constexpr std::size_t circleSamples = 24; // of a circle, to find contacts between them
+constexpr std::size_t spokes = 24; // of a circle, to find contacts between them
 
 const auto directions = [] {
-    std::array<Direction, circleSamples> all;
-    for (std::size_t k = 0; k < circleSamples; ++k) {
-        const double angle = 2 * std::numbers::pi * static_cast<double>(k) / circleSamples;
+    std::array<Direction, spokes> all;
+    for (std::size_t k = 0; k < spokes; ++k) {
+        const double angle = 2 * std::numbers::pi * static_cast<double>(k) / spokes;
         all[k] = {std::cos(angle), std::sin(angle)};
     }
     return all;
@@ -92,14 +92,12 @@ public:
         if (areApart(one, other, reach))
             return;
         const RelativeCircle circle(one, other);
-        std::array<double, circleSamples> squares{};
-        for (std::size_t k = 0; k < circleSamples; ++k)
+        std::array<double, spokes> squares{};
+        for (std::size_t k = 0; k < spokes; ++k)
             squares[k] = circle.squaredDistance(directions[k]);
-        const double farthest =
-            reach + std::numbers::pi / circleSamples * one.radius; // of a sample
-        for (std::size_t k = 0; k < circleSamples; ++k) {
-            const auto next = (k + 1) % circleSamples,
-                       last = (k + circleSamples - 1) % circleSamples;
+        const double farthest = reach + std::numbers::pi / spokes * one.radius; // of a sample
+        for (std::size_t k = 0; k < spokes; ++k) {
+            const auto next = (k + 1) % spokes, last = (k + spokes - 1) % spokes;
             if (squares[k] < farthest * farthest && squares[k] <= squares[next] &&
                 squares[k] <= squares[last])
                 touch(one, other, circle.minimumBetween(directions[last], directions[next]),

@@ -7,7 +7,7 @@
 namespace idiophone {
 
 /// Does one piece of work after the other on a thread of its own, and sleeps while there is nothing
-/// to do. In WebAssembly it has no thread (Browser/SimulationWorker.cpp): its owner calls `doPiece`
+/// to do. In WebAssembly it has no thread (WorkerWithoutThread.cpp): its owner calls `doPiece`
 /// between two blocks.
 class SimulationWorker {
 public:
