@@ -85,12 +85,11 @@ double tubeHz(const ModalObject& object) {
 ordered_json objectsOf(const Instrument& instrument, std::span<const std::size_t> slots) {
     auto objects = ordered_json::array();
     for (const auto slot : slots) {
-        const auto& [object, sizeRatio] = std::pair<const ModalObject&, double>(
-            *instrument.slots()[slot].object, instrument.slots()[slot].sizeRatio);
+        const auto& object = *instrument.slots()[slot].object;
         objects.push_back(
             {{"name", instrument.objectName(slot)},
              {"title", object.name},
-             {"sizeRatio", sizeRatio},
+             {"sizeRatio", instrument.slots()[slot].sizeRatio},
              {"modes", object.modeCount()},
              {"vertexCount", object.vertexCount()},
              {"faceCount", object.faceCount()},
