@@ -36,6 +36,14 @@ PARAMETERS = {"unit": str, "method": str, "thickness": float, "max_frequency": f
               "radiation": str, "all_around": bool, "largest_part": bool}
 SECONDS_BETWEEN_REPORTS = 10
 
+# Each worker runs this as it starts. On a busy machine it may be slow to connect; the scheduler must not be as
+# patient, because it would wait for the results of a worker that died. Ctrl-C is for the process that ends them.
+PRELOAD = """
+import dask, signal
+dask.config.set({"distributed.comm.timeouts.connect": "10 minutes"})
+signal.signal(signal.SIGINT, signal.SIG_IGN)
+"""
+
 
 def sha256(contents):
     return hashlib.sha256(contents).hexdigest()
@@ -174,10 +182,7 @@ def connect(options):
     dask.config.set({
         # One object at a time, so that a worker that dies does not put the blame on two.
         "distributed.scheduler.worker-saturation": 1.0,
-        # A worker that starts on a busy machine may be slow to connect.
-        "distributed.comm.timeouts.connect": "10 minutes",
-        # Ctrl-C in the terminal is for this process, which ends the workers.
-        "distributed.worker.preload": ["import signal; signal.signal(signal.SIGINT, signal.SIG_IGN)"]})
+        "distributed.worker.preload": [PRELOAD]})
     return Client(n_workers=options.workers, threads_per_worker=1, dashboard_address=None)
 
 

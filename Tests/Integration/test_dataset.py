@@ -49,8 +49,7 @@ def cluster(dataset, tmp_path_factory):
     marker = tmp_path_factory.mktemp("marker") / "died"
     with dask.config.set({"distributed.scheduler.allowed-failures": 1,
                           "distributed.scheduler.worker-saturation": 1.0,
-                          "distributed.comm.timeouts.connect": "10 minutes",
-                          "distributed.worker.preload": [DEADLY.format(marker=str(marker))]}):
+                          "distributed.worker.preload": [dataset.PRELOAD + DEADLY.format(marker=str(marker))]}):
         with distributed.LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None) as started:
             yield started.scheduler_address
 
