@@ -164,7 +164,7 @@ TEST_CASE("A solve stops at the next step after cancellation, and progress never
     }
 }
 
-TEST_CASE("Modes have the same bits on one thread and on several") {
+TEST_CASE("Modes have the same bits on one thread and on several", "[.weekly]") {
     const auto mesh =
         tetrahedralise(boxMesh({0.2, 0.16, 0.12}, {12, 10, 8}), {.targetEdgeMetres = 0.017});
     REQUIRE(mesh);

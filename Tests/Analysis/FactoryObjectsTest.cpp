@@ -164,7 +164,8 @@ TEST_CASE("A tube makes a marimba's A3 decay clearly faster and 15 to 25 dB loud
     CHECK(tubed.levelDb - bare.levelDb < 25);
 }
 
-TEST_CASE("One bar of each instrument and one shape, analysed again, equal the stored ones") {
+TEST_CASE("One bar of each instrument and one shape, analysed again, equal the stored ones",
+          "[.weekly]") {
     // Low bars take minutes, and any tubular bell takes half of one.
     std::vector<std::string> names{"small-ring"};
     for (const auto& instrument : barInstruments())

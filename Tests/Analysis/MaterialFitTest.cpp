@@ -78,7 +78,7 @@ void checkFit(const Mesh& mesh, const Material& material) {
 
 } // namespace
 
-TEST_CASE("A material is fitted to the modes of a bar, a plate and a ring") {
+TEST_CASE("A material is fitted to the modes of a bar, a plate and a ring", "[.weekly]") {
     const std::array<Mesh, 3> meshes{extrudedMesh(sheetMesh(0.25, 0.04, 300), 0.012, 3),
                                      sheetMesh(0.3, 0.21, 1200), hoopMesh(0.08, 0.05, 120, 10)};
     const std::array<Material, 3> materials{*findMaterial("Aluminium"), *findMaterial("Glass"),

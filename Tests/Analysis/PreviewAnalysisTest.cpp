@@ -29,7 +29,7 @@ double hertz(const ModalObject& object, std::size_t mode) {
 
 } // namespace
 
-TEST_CASE("A preview's lowest modes are within 3 % of the full analysis") {
+TEST_CASE("A preview's lowest modes are within 3 % of the full analysis", "[.weekly]") {
     for (const Mesh& mesh : {sheetMesh(0.3, 0.2, 2000), hoopMesh(0.1, 0.03, 120, 8),
                              extrudedMesh(sheetMesh(0.3, 0.04, 600), 0.02, 4)}) {
         const auto preview = analysePreview(mesh, settings());

@@ -56,7 +56,7 @@ Solid wooden(std::string name,
 
 TEST_CASE("The ten lowest modes of every solid are within 0.5 % of converged ones, in a band that "
           "ends above them",
-          "[validation]") {
+          "[validation][.weekly]") {
     const auto solid = GENERATE_COPY(
         isotropic("bar of 0.4 x 0.05 x 0.02 m", boxMesh({0.4, 0.05, 0.02}, {1, 1, 1}), 0.25, 7200,
                   {569.80, 1364.62, 1547.48, 2275.75, 2971.01, 3470.88, 4568.35, 4783.73, 5587.53,

@@ -23,7 +23,7 @@ TubeSpecification brassTube(double noteHz) {
 
 } // namespace
 
-TEST_CASE("A long thin tube has Euler's and Bernoulli's bending ratios within 2 %") {
+TEST_CASE("A long thin tube has Euler's and Bernoulli's bending ratios within 2 %", "[.weekly]") {
     auto tube = brassTube(noteFrequencyHz(48));
     tube.outerDiameterMetres = 0.020;
     tube.maxFrequencyHz = 1500;
@@ -36,7 +36,8 @@ TEST_CASE("A long thin tube has Euler's and Bernoulli's bending ratios within 2 
                WithinRel(slenderTubeLengthMetres(tube, 2 * tube.noteFrequencyHz), 0.03));
 }
 
-TEST_CASE("A tubular bell's mode 4 is an octave above its note, with 5 and 6 near 2 : 3 : 4") {
+TEST_CASE("A tubular bell's mode 4 is an octave above its note, with 5 and 6 near 2 : 3 : 4",
+          "[.weekly]") {
     constexpr int note = 77;
     const auto tuned = tuneTube(brassTube(noteFrequencyHz(note)));
     REQUIRE(tuned);

@@ -1,10 +1,9 @@
-# Makes a CTest of each target if a clang with libFuzzer exists: it runs the corpus, then a few
-# seconds of new inputs, the same ones every time.
+# Makes a CTest of each target if a clang with libFuzzer exists: it runs the corpus, then new
+# inputs for a moment, the same ones every time.
 #
-# Targets without JUCE are built by clang in the preset `fuzz`, as a part of "all". Building JUCE
-# and the plugin there would take longer than all the rest. So targets with JUCE link the libraries
-# of this build, with its sanitizers if any, and libFuzzer varies the seeds without coverage
-# feedback.
+# The targets link the libraries of this build, with its sanitizers if any, and libFuzzer varies the
+# seeds without coverage feedback. Every week those without JUCE run also as clang builds them in
+# the preset `fuzz`, with sanitizers and feedback: that takes minutes to build, with JUCE far longer.
 function(find_libfuzzer found)
     set(${found} OFF PARENT_SCOPE)
     include(clang)
@@ -37,7 +36,8 @@ if(NOT libfuzzer)
     return()
 endif()
 
-function(smoke_test target program)
+# smoke_test(<test> <target> <program> <seconds> [CONFIGURATIONS <configuration>])
+function(smoke_test test target program seconds)
     file(GLOB seeds CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/corpus/${target}/*")
     list(JOIN seeds "," seeds)
     set(dictionary "${CMAKE_CURRENT_SOURCE_DIR}/dictionaries/${target}.dict")
@@ -46,23 +46,23 @@ function(smoke_test target program)
     else()
         set(dictionary)
     endif()
-    add_test(NAME "Fuzz: ${target}"
-        COMMAND "${program}" -seed=1 -keep_seed=1 -max_total_time=5
+    add_test(NAME "Fuzz: ${test}" ${ARGN}
+        COMMAND "${program}" -seed=1 -keep_seed=1 -max_total_time=${seconds}
                 ${dictionary} "-seed_inputs=${seeds}"
                 "-artifact_prefix=${CMAKE_CURRENT_BINARY_DIR}/${target}-")
 endfunction()
 
-foreach(module ${modules_with_juce})
+foreach(module ${modules} ${modules_with_juce})
     foreach(target ${targets_of_${module}})
         fuzz_program(${module} ${target})
         # libFuzzer needs libstdc++, also if the preset `clang` builds the rest with libc++.
         target_link_libraries(fuzz_${target} PRIVATE "${libfuzzer}" stdc++)
-        smoke_test(${target} "$<TARGET_FILE:fuzz_${target}>")
+        smoke_test(${target} ${target} "$<TARGET_FILE:fuzz_${target}>" 2)
     endforeach()
 endforeach()
 
 if(IDIOPHONE_SANITIZE)
-    return() # the other targets have their own sanitizers
+    return() # the targets above have them already
 endif()
 
 # The builds of all presets share one fuzz build, which `./dev soak` uses; other builds have their
@@ -77,19 +77,24 @@ foreach(name bullet cli11 ebur128 juce libigl mts_esp mysofa tetgen tuning_libra
     string(TOUPPER ${name} upper)
     list(APPEND fetched "-DFETCHCONTENT_SOURCE_DIR_${upper}=${${name}_SOURCE_DIR}")
 endforeach()
-add_custom_target(fuzz_targets_without_juce ALL
+add_test(NAME "Fuzz: The preset fuzz is configured" CONFIGURATIONS Weekly
     COMMAND ${CMAKE_COMMAND} --preset fuzz --log-level=WARNING --no-warn-unused-cli
             -S "${PROJECT_SOURCE_DIR}" -B "${fuzz_build}"
             "-DIDIOPHONE_DEPENDENCIES=${IDIOPHONE_DEPENDENCIES}"
             "-DIDIOPHONE_DEBIAN_SOURCES=${IDIOPHONE_DEBIAN_SOURCES}"
             ${fetched}
-    COMMAND ${CMAKE_COMMAND} --build "${fuzz_build}" --target fuzz_targets_without_juce
-            --parallel 2 -- --quiet
-    COMMENT "Building the fuzz targets"
-    VERBATIM)
+    WORKING_DIRECTORY "${PROJECT_SOURCE_DIR}")
+add_test(NAME "Fuzz: The preset fuzz is built" CONFIGURATIONS Weekly
+    COMMAND ${CMAKE_COMMAND} --build "${fuzz_build}" --target fuzz_targets_without_juce --parallel 2)
+set_tests_properties("Fuzz: The preset fuzz is configured" PROPERTIES
+    FIXTURES_SETUP fuzz_configuration)
+set_tests_properties("Fuzz: The preset fuzz is built" PROPERTIES PROCESSORS 2
+    FIXTURES_REQUIRED fuzz_configuration FIXTURES_SETUP fuzz_build)
 
 foreach(module ${modules})
     foreach(target ${targets_of_${module}})
-        smoke_test(${target} "${fuzz_build}/Tests/Fuzz/fuzz_${target}")
+        smoke_test("${target}, with sanitizers" ${target} "${fuzz_build}/Tests/Fuzz/fuzz_${target}"
+            10 CONFIGURATIONS Weekly)
+        set_tests_properties("Fuzz: ${target}, with sanitizers" PROPERTIES FIXTURES_REQUIRED fuzz_build)
     endforeach()
 endforeach()
