@@ -166,7 +166,7 @@ Result<void> readSamples(SNDFILE* file, const SF_INFO& info, const TakePiece& ta
 
 Result<void> readFile(const std::filesystem::path& file, const TakePiece& take) {
     const auto refuse = [&](const std::string& sentence) {
-        return failure(file.string() + ": " + sentence);
+        return failure(nameOf(file) + ": " + sentence);
     };
     auto bytes = readBytes(file, largestFileBytes);
     if (!bytes)

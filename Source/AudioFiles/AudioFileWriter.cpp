@@ -1,6 +1,7 @@
 #include "AudioFiles/AudioFileWriter.h"
 
 #include "Object/FileBeside.h"
+#include "Object/FileBytes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -77,7 +78,7 @@ AudioFileWriter::~AudioFileWriter() {
 }
 
 tl::unexpected<Error> AudioFileWriter::fault() const {
-    return failure(file.string() + ": the file cannot be written");
+    return failure(nameOf(file) + ": the file cannot be written");
 }
 
 Result<std::unique_ptr<AudioFileWriter>> AudioFileWriter::create(const std::filesystem::path& file,
@@ -87,12 +88,12 @@ Result<std::unique_ptr<AudioFileWriter>> AudioFileWriter::create(const std::file
     std::unique_ptr<AudioFileWriter> result(new AudioFileWriter(file, channelCount, bitDepth));
     std::error_code ignored;
     if (std::filesystem::is_directory(file, ignored))
-        return failure(file.string() + ": it is a directory");
+        return failure(nameOf(file) + ": it is a directory");
     if (std::filesystem::exists(result->file, ignored) &&
         !std::filesystem::is_regular_file(result->file, ignored))
-        return failure(file.string() + ": an audio file cannot be written to a device or a pipe");
+        return failure(nameOf(file) + ": an audio file cannot be written to a device or a pipe");
     if (isFlac(file) && bitDepth == 32)
-        return failure(file.string() + ": a FLAC file has 16 or 24 bits, not 32");
+        return failure(nameOf(file) + ": a FLAC file has 16 or 24 bits, not 32");
     const auto beside = makeFileBeside(result->file);
     if (!beside)
         return result->fault();
@@ -121,7 +122,7 @@ Result<void> AudioFileWriter::write(const float* const* channels, int sampleCoun
             return fault();
     constexpr std::int64_t largestWavBytes = 0xffff0000; // its header counts in 32 bits
     if (target->isWav && position(&target->stream) > largestWavBytes)
-        return failure(file.string() + ": a WAV file of whole numbers ends at 4 GB; use 32 bits");
+        return failure(nameOf(file) + ": a WAV file of whole numbers ends at 4 GB; use 32 bits");
     return {};
 }
 

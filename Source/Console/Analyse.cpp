@@ -6,6 +6,7 @@
 #include "Console/OptionChecks.h"
 #include "Console/ProgressLine.h"
 #include "Geometry/MetricMesh.h"
+#include "Object/FileBytes.h"
 #include "Object/ModalObjectFile.h"
 #include "Object/NumberText.h"
 #include "Object/OneLine.h"
@@ -57,8 +58,8 @@ Result<AnalysisSettings> settingsFrom(const AnalyseOptions& options) {
         support.clamps.push_back(*region);
     }
     return AnalysisSettings{
-        .name = options.name.empty() ? options.mesh.stem().string() : options.name,
-        .source = options.mesh.filename().string(),
+        .name = options.name.empty() ? nameOf(options.mesh.stem()) : options.name,
+        .source = nameOf(options.mesh.filename()),
         .material = *material,
         .method = findMethod(options.method), // nothing for auto
         .thicknessMetres = options.thicknessMetres.value_or(AnalysisSettings{}.thicknessMetres),
@@ -82,14 +83,14 @@ Result<ModalObject> analyseFile(const AnalyseOptions& options) {
         if (const auto name = groupOfClamp(text)) {
             const auto group = findGroup(file->groups, *name);
             if (!group)
-                return failure(options.mesh.string() + ": --clamp: " + group.error().message);
+                return failure(nameOf(options.mesh) + ": --clamp: " + group.error().message);
             auto& faces = settings->support.faces;
             faces.insert(faces.end(), (*group)->faces.begin(), (*group)->faces.end());
         }
-    ProgressLine progress(options.mesh.filename().string());
+    ProgressLine progress(nameOf(options.mesh.filename()));
     auto object = analyse(file->mesh, *settings, progress.control());
     if (!object && object.error().message != cancelledMessage)
-        return failure(options.mesh.string() + ": " +
+        return failure(nameOf(options.mesh) + ": " +
                        joinedSentences({object.error().message, file->unitSentence, file->notes}));
     if (object)
         object->provenance.notes =
@@ -100,7 +101,7 @@ Result<ModalObject> analyseFile(const AnalyseOptions& options) {
 void report(const ModalObject& object, const AnalyseOptions& options) {
     const auto& origin = object.provenance;
     if (options.json) {
-        std::cout << jsonText({{"object", options.output.string()},
+        std::cout << jsonText({{"object", nameOf(options.output)},
                                {"name", object.name},
                                {"vertices", object.vertexCount()},
                                {"faces", object.faceCount()},
@@ -114,7 +115,7 @@ void report(const ModalObject& object, const AnalyseOptions& options) {
                                {"analysis_s", origin.analysisSeconds}});
         return;
     }
-    std::cout << std::fixed << std::setprecision(1) << options.output.string() << ": "
+    std::cout << std::fixed << std::setprecision(1) << nameOf(options.output) << ": "
               << object.modeCount() << " modes up to " << object.bandHz / 1000 << " kHz from "
               << origin.analysedVertices << " vertices, in " << origin.analysisSeconds << " s\n"
               << "It leaves out " << origin.zeroModes << " zero modes.\n";
@@ -130,7 +131,7 @@ Result<void> analyseAndWrite(const AnalyseOptions& options) {
         return written;
     report(*object, options);
     if (options.thicknessMetres && object->body == BodyKind::solid)
-        std::cerr << "warning: " << options.mesh.string()
+        std::cerr << "warning: " << nameOf(options.mesh)
                   << ": --thickness has no effect on a solid; use --method two-layer for a shell"
                   << std::endl;
     return {};

@@ -29,7 +29,7 @@ void report(const ModalObject& object, const std::filesystem::path& file, double
 }
 
 Result<void> makeOne(const std::string& name, const FactoryOptions& options) {
-    const auto file = options.folder / (name + ".modal");
+    const auto file = options.folder / pathNamed(name + ".modal");
     std::error_code ignored;
     if (!options.replaces &&
         std::filesystem::exists(file, ignored)) // the user did not name the file

@@ -8,6 +8,7 @@
 #include "Console/OptionChecks.h"
 #include "Console/ProgressLine.h"
 #include "Geometry/MeshReader.h"
+#include "Object/FileBytes.h"
 #include "Object/ModalObjectFile.h"
 #include "Object/NumberText.h"
 
@@ -75,9 +76,9 @@ Result<MeasuredObjectSettings> settingsFrom(const FitOptions& options,
                                             const std::vector<RecordedStrike>& strikes,
                                             std::string& meshNotes) {
     MeasuredObjectSettings settings;
-    settings.name = options.name.empty() ? options.output.stem().string() : options.name;
+    settings.name = options.name.empty() ? nameOf(options.output.stem()) : options.name;
     for (const auto& strike : strikes)
-        settings.source += (settings.source.empty() ? "" : ", ") + strike.file.filename().string();
+        settings.source += (settings.source.empty() ? "" : ", ") + nameOf(strike.file.filename());
     settings.massKg = options.massKg;
     if (!options.material.empty()) {
         auto material = findOrReadMaterial(options.material);
@@ -111,7 +112,7 @@ std::vector<StrikeRecording> viewsOf(const std::vector<RecordedStrike>& strikes,
                                      const std::vector<MonoRecording>& recordings) {
     std::vector<StrikeRecording> views;
     for (std::size_t i = 0; i < strikes.size(); ++i)
-        views.push_back({.name = strikes[i].file.string(),
+        views.push_back({.name = nameOf(strikes[i].file),
                          .samples = recordings[i].samples,
                          .sampleRateHz = recordings[i].sampleRateHz});
     return views;
@@ -166,7 +167,7 @@ void report(const ModalObject& object, const RecordingFit& fit, const FitOptions
                              {"steady_hz", rest.steadyHz},
                              {"noise", rest.noise},
                              {"others", rest.others}});
-        std::cout << jsonText({{"object", options.output.string()},
+        std::cout << jsonText({{"object", nameOf(options.output)},
                                {"name", object.name},
                                {"vertices", object.vertexCount()},
                                {"mode_count", object.modeCount()},
@@ -180,7 +181,7 @@ void report(const ModalObject& object, const RecordingFit& fit, const FitOptions
                                {"modes", modes}});
         return;
     }
-    std::cout << std::fixed << std::setprecision(1) << options.output.string() << ": "
+    std::cout << std::fixed << std::setprecision(1) << nameOf(options.output) << ": "
               << object.modeCount() << " modes from " << fit.modes.front().frequencyHz << " to "
               << fit.modes.back().frequencyHz << " Hz, from " << fit.noiseDecibels.size()
               << (fit.noiseDecibels.size() == 1 ? " recording, in " : " recordings, in ")
@@ -214,7 +215,7 @@ Result<void> fitAndWrite(const FitOptions& options) {
     if (!recordings)
         return tl::unexpected(recordings.error());
     const auto views = viewsOf(strikes, *recordings);
-    ProgressLine progress(strikes.front().file.filename().string());
+    ProgressLine progress(nameOf(strikes.front().file.filename()));
     const auto fit = fitRecordings(views, options.fit, progress.control());
     if (!fit)
         return tl::unexpected(fit.error());

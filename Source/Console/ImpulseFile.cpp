@@ -1,6 +1,7 @@
 #include "Console/ImpulseFile.h"
 
 #include "Object/ByteOrderMark.h"
+#include "Object/FileBytes.h"
 #include "Object/OneLine.h"
 #include "Object/TextFile.h"
 #include "Object/UntrustedJson.h"
@@ -148,7 +149,7 @@ void BadLines::add(int line, const std::string& sentence) {
 Error BadLines::error(const std::filesystem::path& file) const {
     std::string sentences;
     for (const auto& [line, sentence] : first)
-        sentences += (sentences.empty() ? "" : "\n") + file.string() + ": line " +
+        sentences += (sentences.empty() ? "" : "\n") + nameOf(file) + ": line " +
                      std::to_string(line) + ": " + sentence;
     if (count > first.size())
         sentences += "\nand " + std::to_string(count - first.size()) + " more bad lines.";
@@ -176,7 +177,7 @@ Result<std::vector<Impulse>> readImpulses(const std::filesystem::path& file) {
     if (!faults.empty())
         return tl::unexpected(faults.error(file));
     if (impulses.empty())
-        return failure(file.string() + ": it holds no impulses");
+        return failure(nameOf(file) + ": it holds no impulses");
     std::ranges::stable_sort(impulses, {}, &Impulse::seconds);
     return impulses;
 }

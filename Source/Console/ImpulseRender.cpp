@@ -96,7 +96,7 @@ Result<ImpulseScore> arrange(std::span<const Impulse> impulses,
             faults.add(struck.firstLine, inQuotes(name) + " is the output file");
     if (!faults.empty())
         return tl::unexpected(faults.error(file));
-    if (auto bounded = boundedSlots(score.bodies, file.string(), "bodies"); !bounded)
+    if (auto bounded = boundedSlots(score.bodies, nameOf(file), "bodies"); !bounded)
         return tl::unexpected(bounded.error());
     return score;
 }
@@ -125,7 +125,7 @@ public:
     bool finished() const { return due == impacts.size() && world->silent(); }
     void warnOfLeftOut(const std::filesystem::path& file) const {
         if (world->impactsLeftOut() > 0)
-            std::cerr << "warning: " << file.string() << ": " << world->impactsLeftOut()
+            std::cerr << "warning: " << nameOf(file) << ": " << world->impactsLeftOut()
                       << " impulses were left out, because they are too hard for such light objects"
                       << std::endl;
     }
@@ -163,7 +163,7 @@ Result<RenderTally> renderImpulses(const std::filesystem::path& file,
         return tl::unexpected(world.error());
     CellPlayer player(score->impacts, std::move(*world));
     return renderTo(recording,
-                    {.name = file.filename().string(),
+                    {.name = nameOf(file.filename()),
                      .lastSample = static_cast<std::int64_t>(score->impacts.back().seconds * rate),
                      .pieceSamples = cellSamples,
                      .render =

@@ -8,6 +8,10 @@
 #include <exception>
 #include <iostream>
 #include <new>
+#ifdef _WIN32
+#define NOMINMAX
+#include <windows.h>
+#endif
 
 namespace {
 
@@ -51,6 +55,9 @@ int run(int argc, char** argv) {
 } // namespace
 
 int main(int argc, char** argv) {
+#ifdef _WIN32 // utf8.manifest does the same for arguments and names of files
+    SetConsoleOutputCP(CP_UTF8);
+#endif
     const idiophone::TerminalText output(std::cout), complaints(std::cerr);
     try {
         return run(argc, argv);

@@ -7,6 +7,7 @@
 #include "Console/OptionChecks.h"
 #include "Console/ProgressLine.h"
 #include "Geometry/MetricMesh.h"
+#include "Object/FileBytes.h"
 #include "Object/MaterialFile.h"
 #include "Object/TextFile.h"
 
@@ -31,7 +32,7 @@ Result<std::optional<StruckObject>> struckObject(const MaterialOptions& options)
         return std::nullopt;
     return readMetricMesh(options.mesh, options.unit).map([&](MetricMesh&& read) {
         return std::optional(
-            StruckObject{.name = options.mesh.filename().string(),
+            StruckObject{.name = nameOf(options.mesh.filename()),
                          .mesh = std::move(read.mesh),
                          .thicknessMetres = options.thicknessMetres,
                          .notes = joinedSentences({read.notes, read.unitSentence})});
@@ -47,7 +48,7 @@ void report(const RecordedMaterial& found, const MaterialOptions& options) {
         std::cout << jsonText(result);
         return;
     }
-    std::cout << options.output.string() << ": " << found.findings << '\n'
+    std::cout << nameOf(options.output) << ": " << found.findings << '\n'
               << found.notes << std::endl;
 }
 
@@ -58,12 +59,12 @@ Result<void> fitAndWriteMaterial(const MaterialOptions& options) {
     const auto object = struckObject(options);
     if (!object)
         return tl::unexpected(object.error());
-    ProgressLine progress(options.recording.filename().string());
+    ProgressLine progress(nameOf(options.recording.filename()));
     const auto found =
-        materialOfRecording({.name = options.recording.string(),
+        materialOfRecording({.name = nameOf(options.recording),
                              .samples = recording->samples,
                              .sampleRateHz = recording->sampleRateHz},
-                            options.name.empty() ? options.output.stem().string() : options.name,
+                            options.name.empty() ? nameOf(options.output.stem()) : options.name,
                             *object, progress.control());
     if (!found)
         return tl::unexpected(found.error());

@@ -2,6 +2,7 @@
 #include "Console/JsonText.h"
 #include "Console/MaterialChoice.h"
 #include "Console/TextColumns.h"
+#include "Object/FileBytes.h"
 #include "Object/MaterialFile.h"
 #include "Object/NumberText.h"
 
@@ -87,7 +88,7 @@ void listAll(const MaterialsOptions& options) {
     } else {
         print(materials, options.sources);
         std::cout << "\n--sources shows the sources of the figures.\nPut your own materials into "
-                  << userMaterialFolder().string() << '\n';
+                  << nameOf(userMaterialFolder()) << '\n';
     }
     for (const auto& fault : user.faults)
         std::cerr << "idiophone: " << fault.message << '\n';

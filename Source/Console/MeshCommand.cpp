@@ -2,6 +2,7 @@
 #include "Console/OptionChecks.h"
 #include "Geometry/MeshWriter.h"
 #include "Geometry/SimpleShapes.h"
+#include "Object/FileBytes.h"
 
 #include <iostream>
 
@@ -20,7 +21,7 @@ Result<void> makeMesh(const MeshOptions& options) {
         return tl::unexpected(mesh.error());
     if (auto done = writeMesh(*mesh, options.output); !done)
         return done;
-    std::cout << options.output.string() << ": " << mesh->vertexCount() << " vertices, "
+    std::cout << nameOf(options.output) << ": " << mesh->vertexCount() << " vertices, "
               << mesh->faceCount() << " faces" << std::endl;
     return {};
 }

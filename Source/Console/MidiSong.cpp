@@ -3,6 +3,7 @@
 #include "Console/MidiTracks.h"
 #include "Console/TempoMap.h"
 #include "Instrument/MidiTuning.h"
+#include "Object/FileBytes.h"
 #include "Object/TextFile.h"
 
 #include <algorithm>
@@ -127,7 +128,7 @@ bool isWhole(const SongEvent& event) {
 
 Result<MidiSong> readMidiSong(const std::filesystem::path& file) {
     return readTextFile(file).and_then(
-        [&](const std::string& bytes) { return parseMidiSong(bytes, file.string()); });
+        [&](const std::string& bytes) { return parseMidiSong(bytes, nameOf(file)); });
 }
 
 Result<MidiSong> parseMidiSong(std::string_view bytes, const std::string& name) {

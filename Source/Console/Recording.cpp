@@ -2,6 +2,7 @@
 
 #include "Console/Interrupt.h"
 #include "Console/OptionChecks.h"
+#include "Object/FileBytes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -63,7 +64,7 @@ Result<std::unique_ptr<Recording>> Recording::start(const RecordingFormat& forma
 Result<void> Recording::add(std::span<const float> left, std::span<const float> right) {
     float* channels[] = {writtenLeft.data(), writtenRight.data()};
     if (!output.process(left, right, channels, parameters))
-        return failure(format.file.string() + ": the sound is not finite, so it is not written");
+        return failure(nameOf(format.file) + ": the sound is not finite, so it is not written");
     auto sounding = static_cast<int>(left.size());
     while (sounding > 0 && writtenLeft[static_cast<std::size_t>(sounding - 1)] == 0 &&
            writtenRight[static_cast<std::size_t>(sounding - 1)] == 0)
@@ -133,7 +134,7 @@ Result<void> Recording::finish(std::int64_t minimumSamples) {
 void Recording::warnOfPeak() const {
     const double peakDb = decibelsFullScale(highest);
     std::ostringstream text;
-    text << std::fixed << std::setprecision(1) << format.file.string() << ": its peak of " << peakDb
+    text << std::fixed << std::setprecision(1) << nameOf(format.file) << ": its peak of " << peakDb
          << " dBFS is "
          << (format.bitDepth == 32 ? "above full scale and clips in playback"
                                    : "clipped; use --bit-depth 32");

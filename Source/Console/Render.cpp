@@ -7,6 +7,7 @@
 #include "Console/SongRender.h"
 #include "Instrument/ObjectLibrary.h"
 #include "Instrument/ScalaTuning.h"
+#include "Object/FileBytes.h"
 #include "Object/OneLine.h"
 #include "Object/TextFile.h"
 #include "Scene/SceneStage.h"
@@ -50,7 +51,7 @@ report(const RenderTally& tally, const Recording& recording, const RenderOptions
     if (options.json)
         std::cout << statistics.dump(4) << std::endl;
     else
-        std::cout << options.format.file.string() << ": " << recording.summary() << ", "
+        std::cout << nameOf(options.format.file) << ": " << recording.summary() << ", "
                   << tally.strikes << " strikes, at most " << tally.modesMixedMost
                   << " modes at a time" << std::endl;
     return {};
@@ -60,7 +61,7 @@ Result<ScalaFile> readScalaFile(const std::filesystem::path& file) {
     if (file.empty())
         return ScalaFile{};
     return readTextFile(file, ScalaTuning::largestFileBytes).transform([&](std::string text) {
-        return ScalaFile{.name = file.string(), .text = std::move(text)};
+        return ScalaFile{.name = nameOf(file), .text = std::move(text)};
     });
 }
 
@@ -92,7 +93,7 @@ std::span<const SongTuning>
 tuningsOf(const MidiSong& song, const Instrument& instrument, const RenderOptions& options) {
     const bool hasFile = !options.scale.empty() || !options.mapping.empty();
     if (!song.tunings.empty() && (hasFile || !instrument.keysHaveObjects()))
-        std::cerr << "warning: " << options.midi.string()
+        std::cerr << "warning: " << nameOf(options.midi)
                   << ": its tuning messages have no effect, because "
                   << (hasFile ? "--scale and --mapping override them"
                               : "the keys of the preset share objects")
@@ -110,7 +111,7 @@ void warnOfNotes(const Preset& preset,
     for (int note = 0; note < 128; ++note)
         if (instrument.key(note).slot >= 0)
             keys.push_back(note);
-    std::cerr << "warning: " << options.midi.string() << ": " << tally.notesWithoutKey << " of "
+    std::cerr << "warning: " << nameOf(options.midi) << ": " << tally.notesWithoutKey << " of "
               << tally.strikes + tally.notesWithoutKey << " notes "
               << (tally.notesWithoutKey == 1 ? "is" : "are") << " no key of "
               << inQuotes(preset.name);
@@ -146,7 +147,7 @@ Result<RenderTally> playSong(const Preset& preset,
     player.setTuning(*tuning);
     player.setSilencedModes(silencedModes(player.instrument(), preset.mutedModes, {}));
     auto tally =
-        renderSong(player, song->events, effect.values, to, options.midi.filename().string(),
+        renderSong(player, song->events, effect.values, to, nameOf(options.midi.filename()),
                    tuningsOf(*song, player.instrument(), options));
     if (tally)
         warnOfNotes(preset, player.instrument(), *tally, options);

@@ -5,6 +5,7 @@
 #include "Console/ParameterAssignments.h"
 #include "Console/ProgressLine.h"
 #include "Console/SampleOptions.h"
+#include "Object/FileBytes.h"
 #include "Object/NumberText.h"
 #include "Object/WorkTeam.h"
 #include "Sampling/SampleFolder.h"
@@ -60,7 +61,7 @@ Result<void> sample(const SampleOptions& options) {
     if (!folder)
         return tl::unexpected(folder.error());
     const auto& exported = folder->exported;
-    const auto index = folder->index.string();
+    const auto index = nameOf(folder->index);
     const auto jobs = task->jobsIn(options.folder);
     if (!options.json) {
         std::cout << index << ": " << jobs.size() << " samples, " << exported.rendered

@@ -38,7 +38,7 @@ valuesFor(const Instrument& instrument, ParameterValues values, const SampleOpti
 }
 
 Result<SampleTask> planKeys(const SampleOptions& options) {
-    if (std::filesystem::path(options.instrument).extension() == ".modal")
+    if (pathNamed(options.instrument).extension() == ".modal")
         return failure(options.instrument +
                        ": it is an object; --places says at how many places to strike it");
     const auto preset = findOrReadPreset(options.instrument);

@@ -7,6 +7,7 @@
 #include "Instrument/ImpulseLine.h"
 #include "Instrument/ObjectLibrary.h"
 #include "Object/EmbeddedFiles.h"
+#include "Object/FileBytes.h"
 #include "Object/OneLine.h"
 #include "Object/TextFile.h"
 #include "Scene/FactoryScenes.h"
@@ -123,13 +124,13 @@ report(const SceneTally& tally, const Recording& recording, const SceneOptions& 
     if (options.json)
         std::cout << statistics.dump() << std::endl;
     else
-        std::cout << options.format.file.string() << ": " << recording.summary() << ", "
+        std::cout << nameOf(options.format.file) << ": " << recording.summary() << ", "
                   << mostOf(tally, &FrameFigures::bodies) << " bodies, "
                   << sumOf(tally, &FrameFigures::impacts) << " impacts, at most "
                   << mostOf(tally, &FrameFigures::modesMixed) << " modes at a time" << std::endl;
     if (tally.notesLeftOut > 0)
         std::cerr << "warning: "
-                  << (options.midi.empty() ? "The Entertainer" : options.midi.string()) << ": "
+                  << (options.midi.empty() ? "The Entertainer" : nameOf(options.midi)) << ": "
                   << tally.notesLeftOut << " of its notes drop nothing" << std::endl;
     if (tally.impactsLeftOut > 0)
         std::cerr << "warning: " << tally.impactsLeftOut

@@ -1,6 +1,7 @@
 #include "Console/SofaHead.h"
 
 #include "Console/SofaTable.h"
+#include "Object/FileBytes.h"
 #include "Object/TextFile.h"
 
 #include <fstream>
@@ -42,7 +43,7 @@ std::optional<std::string> tableOf(const std::filesystem::path& file, int sample
 Result<std::shared_ptr<const HeadResponses>> readSofaHead(const std::filesystem::path& file,
                                                           int sampleRateHz) {
     const auto refuse = [&](const std::string& sentence) {
-        return failure(file.string() + ": " + sentence);
+        return failure(nameOf(file) + ": " + sentence);
     };
     std::error_code fault;
     if (std::filesystem::is_directory(file, fault))

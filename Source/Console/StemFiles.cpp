@@ -1,4 +1,5 @@
 #include "Console/StemFiles.h"
+#include "Object/FileBytes.h"
 
 #include <algorithm>
 #include <utility>
@@ -25,7 +26,7 @@ StemFiles::StemFiles(std::filesystem::path destination,
 /// Starts the stem's file with the silence up to here.
 Result<void> StemFiles::begin(std::size_t stem) {
     auto own = format;
-    own.file = folder / (names[stem] + format.file.extension().string());
+    own.file = folder / pathNamed(names[stem]).concat(format.file.extension().native());
     auto recording = Recording::start(own, parameters);
     if (!recording)
         return tl::unexpected(recording.error());
@@ -61,7 +62,7 @@ nlohmann::ordered_json StemFiles::statistics() const {
     for (const auto& recording : recordings)
         if (recording != nullptr) {
             auto figures = recording->statistics();
-            figures["file"] = recording->format.file.string();
+            figures["file"] = nameOf(recording->format.file);
             files.push_back(std::move(figures));
         }
     return files;

@@ -13,6 +13,7 @@
 #include "Instrument/ObjectLibrary.h"
 #include "Instrument/SettingsOfParameters.h"
 #include "Instrument/StrikePointMetres.h"
+#include "Object/FileBytes.h"
 #include "Object/OneLine.h"
 #include "Sampling/ObjectPlaces.h"
 #include "Synth/Listening.h"
@@ -172,7 +173,7 @@ void report(const ModalObject& object,
         std::cout << jsonText(result);
         return;
     }
-    std::cout << options.format.file.string() << ": " << recording.summary() << '\n'
+    std::cout << nameOf(options.format.file) << ": " << recording.summary() << '\n'
               << "struck '" << object.name << "' at vertex " << object.shapeVertices[row]
               << std::fixed << std::setprecision(4) << " (" << vertex[0] << ", " << vertex[1]
               << ", " << vertex[2] << " m)\n"
@@ -221,7 +222,7 @@ Result<void> strikeObject(const StrikeOptions& options) {
                            .bytes = {0x90, struckKey, static_cast<std::uint8_t>(options.velocity)}};
     Player player(*instrument, options.format.sampleRateHz);
     const auto tally = renderSong(player, {&noteOn, 1}, values, **recording,
-                                  options.format.file.filename().string());
+                                  nameOf(options.format.file.filename()));
     if (!tally)
         return tl::unexpected(tally.error());
     const auto& point = (*instrument)->key(struckKey).strip->points.front();

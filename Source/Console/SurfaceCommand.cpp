@@ -1,9 +1,10 @@
 #include "Analysis/SurfaceFit.h"
+#include "AudioFiles/AudioFileReader.h"
 #include "Console/Command.h"
 #include "Console/JsonText.h"
 #include "Console/OptionChecks.h"
-#include "AudioFiles/AudioFileReader.h"
 #include "Instrument/SurfaceFile.h"
+#include "Object/FileBytes.h"
 #include "Object/TextFile.h"
 
 #include <iomanip>
@@ -23,7 +24,7 @@ struct SurfaceOptions {
 /// recorded one at this speed.
 Surface surfaceOf(const SurfaceFit& fit, const SurfaceOptions& options) {
     const auto& named = options.output.empty() ? options.recording : options.output;
-    return Surface{.name = named.stem().string(),
+    return Surface{.name = nameOf(named.stem()),
                    .spectrumExponent = fit.spectrumExponent,
                    .resonFrequencyHz = fit.resonFrequencyHz,
                    .resonDampingPerSecond = fit.resonDampingPerSecond,
@@ -39,7 +40,7 @@ void report(const Surface& surface, const SurfaceFit& fit, const SurfaceOptions&
         std::cout << jsonText(result);
         return;
     }
-    std::cout << std::fixed << std::setprecision(2) << options.recording.string()
+    std::cout << std::fixed << std::setprecision(2) << nameOf(options.recording)
               << ": spectrum exponent " << surface.spectrumExponent << " (fractal dimension "
               << surface.fractalDimension() << "), reson " << std::setprecision(1)
               << surface.resonFrequencyHz << " Hz, damping " << surface.resonDampingPerSecond
@@ -52,7 +53,7 @@ Result<void> fitRecording(const SurfaceOptions& options) {
     if (!recording)
         return tl::unexpected(recording.error());
     const auto refuse = [&](const Error& error) {
-        return failure(options.recording.string() + ": " + error.message);
+        return failure(nameOf(options.recording) + ": " + error.message);
     };
     const auto fit = fitSurface(recording->samples, recording->sampleRateHz);
     if (!fit)
@@ -62,7 +63,7 @@ Result<void> fitRecording(const SurfaceOptions& options) {
     if (!surface)
         return refuse(surface.error());
     if (*surface != fitted)
-        std::cerr << "warning: " << options.recording.string()
+        std::cerr << "warning: " << nameOf(options.recording)
                   << ": it is no scrape with a clear resonance, so figures out of range were "
                      "limited\n";
     if (!options.output.empty())

@@ -6,6 +6,7 @@
 #include "Geometry/MeshWriter.h"
 #include "Gltf/ObjectFile.h"
 #include "Mesh/ShapeMesh.h"
+#include "Object/FileBytes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -44,7 +45,7 @@ Result<Range> rangeOf(const std::vector<double>& brightness, const ToneMapOption
         }
     }
     if (highest == 0)
-        return failure(options.object.string() + ": none of its modes is audible");
+        return failure(nameOf(options.object) + ": none of its modes is audible");
     return range;
 }
 
@@ -73,7 +74,7 @@ void report(const ModalObject& object,
                                           {"vertex", object.shapeVertices[row]},
                                           {"point_m", point(row)}};
         };
-        std::cout << jsonText({{"map", options.output.string()},
+        std::cout << jsonText({{"map", nameOf(options.output)},
                                {"vertices", brightness.size()},
                                {"silent_vertices", range.silent},
                                {"darkest", end(range.lowest)},
@@ -86,8 +87,7 @@ void report(const ModalObject& object,
                   << object.shapeVertices[row] << std::setprecision(4) << " (" << place[0] << ", "
                   << place[1] << ", " << place[2] << " m)";
     };
-    std::cout << std::fixed << options.output.string() << ": " << brightness.size()
-              << " vertices, ";
+    std::cout << std::fixed << nameOf(options.output) << ": " << brightness.size() << " vertices, ";
     tell("darkest ", range.lowest);
     tell(", brightest ", range.highest);
     std::cout << '\n' << std::flush;
@@ -98,7 +98,7 @@ Result<void> mapObject(const ToneMapOptions& options) {
     if (!object)
         return tl::unexpected(object.error());
     if (options.output.extension() != ".ply")
-        return failure(options.output.string() + ": its extension is not .ply");
+        return failure(nameOf(options.output) + ": its extension is not .ply");
     const auto brightness = brightnessHz(*object, vertexNormals(*object));
     const auto range = rangeOf(brightness, options);
     if (!range)

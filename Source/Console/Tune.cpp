@@ -120,18 +120,20 @@ std::string tableRow(const BarSpecification& asked, const TunedBar& bar, int not
 }
 
 Result<void> writeBar(const TunedBar& bar, const TuneOptions& options) {
-    const auto stem = options.folder / bar.object.name;
+    const auto file = [&](const char* ending) {
+        return options.folder / pathNamed(bar.object.name + ending);
+    };
     Mesh inMillimetres = bar.surface;
     inMillimetres.vertices *= 1000;
-    if (auto written = writeMesh(inMillimetres, stem.string() + ".obj"); !written)
+    if (auto written = writeMesh(inMillimetres, file(".obj")); !written)
         return written;
     if (options.meshesOnly)
         return {};
-    return writeModalObject(bar.object, stem.string() + ".modal", ShapePrecision::half);
+    return writeModalObject(bar.object, file(".modal"), ShapePrecision::half);
 }
 
 std::filesystem::path inFolder(const TuneOptions& options, const std::string& ending) {
-    return options.folder / (options.instrument + ending);
+    return options.folder / pathNamed(options.instrument + ending);
 }
 
 /// Fails if a file exists: the user did not name the files, so none is replaced.

@@ -2,6 +2,7 @@
 
 #include "Editor/Utf8.h"
 #include "Instrument/OwnSlots.h"
+#include "Object/FileBytes.h"
 #include "Object/FileName.h"
 #include "Sampling/SampleFolder.h"
 
@@ -48,7 +49,7 @@ void SampleSession::exportSamples(const SampleSettings& settings,
     order.folder = folderIn(parent, order);
     if (fileOf(order.folder).createDirectory().failed())
         return session.reportError("The samples are not exported: there can be no folder " +
-                                   order.folder.string() + ".");
+                                   nameOf(order.folder) + ".");
     failureShown = false;
     worker.start(std::move(order));
     last = std::move(subject);

@@ -1,4 +1,5 @@
 #include "Plugin/SoundRecorder.h"
+#include "Object/FileBytes.h"
 
 #include <array>
 #include <chrono>
@@ -11,7 +12,8 @@ namespace idiophone {
 Result<void> SoundRecorder::start(std::shared_ptr<const RollingSound> from,
                                   const std::filesystem::path& to) {
     stop();
-    auto made = AudioFileWriter::create(to, static_cast<int>(std::lround(from->sampleRateHz())), 2, 32);
+    auto made =
+        AudioFileWriter::create(to, static_cast<int>(std::lround(from->sampleRateHz())), 2, 32);
     if (!made)
         return tl::unexpected(made.error());
     writer = std::move(*made);
@@ -65,7 +67,7 @@ void SoundRecorder::run() {
         if (written)
             written = writer->finish();
     } catch (const std::exception& fault) { // such as a lack of memory
-        written = failure(file.string() + ": " + fault.what());
+        written = failure(nameOf(file) + ": " + fault.what());
     }
     writer.reset();
     end(written, reason);

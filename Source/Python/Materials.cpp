@@ -1,3 +1,4 @@
+#include "Object/FileBytes.h"
 #include "Object/MaterialFile.h"
 #include "Python/Binding.h"
 
@@ -48,7 +49,7 @@ void bindMaterials(nb::module_& module) {
             [](const Material& self, const std::filesystem::path& path) {
                 std::ofstream file(path, std::ios::binary);
                 if (!(file << encodeMaterial(valueOf(validated(self))) << std::flush))
-                    throw nb::value_error((path.string() + " cannot be written").c_str());
+                    throw nb::value_error((nameOf(path) + " cannot be written").c_str());
             },
             nb::arg("path"), "Writes a JSON file that the console and the window read.")
         .def("__getstate__", [](const Material& self) { return encodeMaterial(self); })

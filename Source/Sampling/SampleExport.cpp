@@ -1,6 +1,7 @@
 #include "Sampling/SampleExport.h"
 
 #include "AudioFiles/AudioFileWriter.h"
+#include "Object/FileBytes.h"
 #include "Object/TextFile.h"
 #include "Object/WorkTeam.h"
 
@@ -110,7 +111,7 @@ Result<void> keepRecord(const SampledInstrument& sampled,
     if (!kept)
         return tl::unexpected(kept.error());
     if (*kept != text)
-        return failure(settings.folder.string() +
+        return failure(nameOf(settings.folder) +
                        ": it holds samples with other settings; choose another folder");
     return {};
 }

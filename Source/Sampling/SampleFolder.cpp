@@ -1,5 +1,6 @@
 #include "Sampling/SampleFolder.h"
 
+#include "Object/FileBytes.h"
 #include "Object/FileName.h"
 #include "Object/NumberText.h"
 #include "Object/TextFile.h"
@@ -54,7 +55,7 @@ Result<SampleFolder> exportTask(const SampleTask& task,
     if (task.places.empty()) {
         const auto& name = task.sampled.preset.name;
         folder.index =
-            settings.folder / (fileNameFrom(name.empty() ? "Instrument" : name) + ".sfz");
+            settings.folder / pathNamed(fileNameFrom(name.empty() ? "Instrument" : name) + ".sfz");
         text = sfzOf(task, settings, exported->gainDecibels);
     } else {
         auto figures = figuresOf(jobs, control);

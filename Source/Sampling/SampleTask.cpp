@@ -1,5 +1,6 @@
 #include "Sampling/SampleTask.h"
 
+#include "Object/FileBytes.h"
 #include "Sampling/ObjectPlaces.h"
 #include "World/ObjectSurface.h"
 
@@ -14,9 +15,10 @@ std::vector<SampleJob> SampleTask::jobsIn(const std::filesystem::path& folder) c
         jobs.push_back({.strike = {.by = SampledStrike::KeyStrike{.key = sample.key,
                                                                   .velocity = sample.velocity},
                                    .turn = static_cast<std::uint64_t>(sample.roundRobin - 1)},
-                        .file = folder / (sample.name + ending)});
+                        .file = folder / pathNamed(sample.name + ending)});
     for (const auto& place : places)
-        jobs.push_back({.strike = {.by = place.strike}, .file = folder / (place.name + ending)});
+        jobs.push_back(
+            {.strike = {.by = place.strike}, .file = folder / pathNamed(place.name + ending)});
     return jobs;
 }
 
