@@ -39,7 +39,7 @@ struct MassProperties {
 /// The origin of an object, for people and for `idiophone info`.
 struct Provenance {
     std::string source;   ///< mesh file or generator
-    std::string software; ///< "Idiophone 0.1.0"
+    std::string software; ///< "Idiophone 0.2.0"
     std::string notes;    ///< remarks of repair and analysis
     double analysisSeconds = 0;
     std::int64_t analysedVertices = 0; ///< vertices of the analysed mesh
