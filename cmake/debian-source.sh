@@ -24,7 +24,8 @@ if [ "$keep" = --archives ]; then
     # Some mirrors serve the archives of a package but not its description.
     "${apt[@]}" source --download-only "$package=$version" || true
 elif [ "$keep" = --binary ]; then
-    "${apt[@]}" download "$package=$version"
+    # The star stands for Debian's rebuilds of a version (+b1): processors have others.
+    "${apt[@]}" download "$package=$version*"
     rm -rf "$package-$version.partial"
     dpkg-deb --extract "${package}_"*.deb "$package-$version.partial"
     mv "$package-$version.partial" "$package-$version"
