@@ -6,6 +6,7 @@
 # binary package into DESTINATION/PACKAGE-VERSION.
 set -euo pipefail
 package=$1 version=$2 suite=$3 destination=$4 keep=${5:-}
+# shellcheck disable=SC2016
 mirror=$(apt-get indextargets --format '$(REPO_URI) $(RELEASE)' 'Created-By: Packages' |
     awk '$2 == "bookworm" { print $1; exit }')
 [ -n "$mirror" ] || { echo "apt knows no bookworm mirror; run apt-get update first" >&2; exit 1; }
