@@ -92,6 +92,7 @@ else()
 endif()
 
 set(CPACK_PACKAGE_NAME idiophone)
+set(CPACK_PACKAGE_DIRECTORY "${PROJECT_BINARY_DIR}/packages")
 set(CPACK_COMPONENTS_ALL plugin standalone console) # without files of dependencies
 set(CPACK_PACKAGE_VENDOR Idiophone)
 set(CPACK_PACKAGE_CONTACT "Idiophone <team@idiophone.org>")
