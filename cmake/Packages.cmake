@@ -92,21 +92,27 @@ else()
 endif()
 
 set(CPACK_PACKAGE_NAME idiophone)
-set(CPACK_COMPONENTS_ALL plugin standalone console development) # without files of dependencies
+set(CPACK_PACKAGE_DIRECTORY "${PROJECT_BINARY_DIR}/packages")
+set(CPACK_COMPONENTS_ALL plugin standalone console) # without files of dependencies
 set(CPACK_PACKAGE_VENDOR Idiophone)
 set(CPACK_PACKAGE_CONTACT "Idiophone <team@idiophone.org>")
 set(CPACK_RESOURCE_FILE_LICENSE "${PROJECT_SOURCE_DIR}/LICENSE")
-set(CPACK_STRIP_FILES ON)
 set(CPACK_VERBATIM_VARIABLES ON)
 if(APPLE)
+    # The library is left out: under the prefix / it would go where macOS lets nobody write. Nothing is
+    # stripped, which would break signatures (.ci/package_macos).
     set(CPACK_GENERATOR productbuild)
     set(CPACK_PACKAGING_INSTALL_PREFIX /)
+    set(CPACK_SYSTEM_NAME macOS)
+    configure_file(LICENSE LICENSE.txt COPYONLY) # the installer wants the ending
+    set(CPACK_RESOURCE_FILE_LICENSE "${CMAKE_CURRENT_BINARY_DIR}/LICENSE.txt")
 elseif(WIN32)
+    list(APPEND CPACK_COMPONENTS_ALL development)
     set(CPACK_GENERATOR NSIS)
     set(CPACK_NSIS_DISPLAY_NAME Idiophone)
     set(CPACK_NSIS_ENABLE_UNINSTALL_BEFORE_INSTALL ON)
     set(CPACK_NSIS_EXTRA_INSTALL_COMMANDS
-        "CopyFiles /SILENT '$INSTDIR\\VST3\\*' '$COMMONFILES64\\VST3'")
+        "CreateDirectory '$COMMONFILES64\\VST3'\nCopyFiles /SILENT '$INSTDIR\\VST3\\*' '$COMMONFILES64\\VST3'")
     set(CPACK_NSIS_EXTRA_UNINSTALL_COMMANDS "RMDir /r '$COMMONFILES64\\VST3\\Idiophone.vst3'\nRMDir /r '$COMMONFILES64\\VST3\\Idiophone Resonator.vst3'")
     if(IDIOPHONE_CLAP)
         string(APPEND CPACK_NSIS_EXTRA_INSTALL_COMMANDS
@@ -115,7 +121,10 @@ elseif(WIN32)
             "\nDelete '$COMMONFILES64\\CLAP\\Idiophone.clap'\nDelete '$COMMONFILES64\\CLAP\\Idiophone Resonator.clap'")
     endif()
 else()
+    list(APPEND CPACK_COMPONENTS_ALL development)
     set(CPACK_GENERATOR DEB TGZ)
+    set(CPACK_STRIP_FILES ON)
+    set(CPACK_SYSTEM_NAME "Linux-${CMAKE_SYSTEM_PROCESSOR}") # in the name of the archives
     # Two packages: the programs and the library.
     set(CPACK_COMPONENTS_GROUPING ONE_PER_GROUP)
     set(CPACK_DEB_COMPONENT_INSTALL ON)

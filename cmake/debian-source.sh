@@ -6,6 +6,7 @@
 # binary package into DESTINATION/PACKAGE-VERSION.
 set -euo pipefail
 package=$1 version=$2 suite=$3 destination=$4 keep=${5:-}
+# shellcheck disable=SC2016
 mirror=$(apt-get indextargets --format '$(REPO_URI) $(RELEASE)' 'Created-By: Packages' |
     awk '$2 == "bookworm" { print $1; exit }')
 [ -n "$mirror" ] || { echo "apt knows no bookworm mirror; run apt-get update first" >&2; exit 1; }
@@ -24,7 +25,8 @@ if [ "$keep" = --archives ]; then
     # Some mirrors serve the archives of a package but not its description.
     "${apt[@]}" source --download-only "$package=$version" || true
 elif [ "$keep" = --binary ]; then
-    "${apt[@]}" download "$package=$version"
+    # The star stands for Debian's rebuilds of a version (+b1): processors have others.
+    "${apt[@]}" download "$package=$version*"
     rm -rf "$package-$version.partial"
     dpkg-deb --extract "${package}_"*.deb "$package-$version.partial"
     mv "$package-$version.partial" "$package-$version"

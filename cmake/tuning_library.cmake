@@ -4,7 +4,7 @@ if(TARGET idiophone_tuning_library)
 endif()
 add_library(idiophone_tuning_library INTERFACE)
 idiophone_debian_binary(tuning_library
-    PACKAGE libtuning-library-dev VERSION 1.1.0+ds-4+b1 SUITE trixie)
+    PACKAGE libtuning-library-dev VERSION 1.1.0+ds-4 SUITE trixie)
 if(tuning_library)
     target_include_directories(idiophone_tuning_library SYSTEM INTERFACE
         "${tuning_library}/usr/include")
