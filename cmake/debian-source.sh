@@ -28,9 +28,9 @@ elif [ "$keep" = --binary ]; then
     # The star stands for Debian's rebuilds of a version (+b1): processors have others.
     "${apt[@]}" download "$package=$version*"
     rm -rf "$package-$version.partial"
-    dpkg-deb --extract "${package}_"*.deb "$package-$version.partial"
+    dpkg-deb --extract "${package%:*}_"*.deb "$package-$version.partial"
     mv "$package-$version.partial" "$package-$version"
-    rm -f "${package}_"*.deb
+    rm -f "${package%:*}_"*.deb
 else
     rm -rf "$package-${version%-*}"
     "${apt[@]}" source "$package=$version"

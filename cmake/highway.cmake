@@ -2,7 +2,7 @@
 if(TARGET hwy::hwy)
     return()
 endif()
-if(IDIOPHONE_WEB)
+if(IDIOPHONE_WEB OR MINGW)
     include(highway_headers)
     add_library(hwy::hwy INTERFACE IMPORTED)
     target_include_directories(hwy::hwy INTERFACE "${highway_SOURCE_DIR}")

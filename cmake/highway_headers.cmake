@@ -1,5 +1,5 @@
-# Highway 1.2 for the WebAssembly module: 1.0 has no doubles there. Its headers suffice, because the
-# instruction set is fixed.
+# Highway 1.2 for the WebAssembly module, where 1.0 has no doubles, and for MinGW. Its headers suffice
+# where the instruction set is fixed.
 idiophone_debian_source(highway PACKAGE highway VERSION 1.2.0-2 SUITE trixie FOLDER hwy)
 FetchContent_Declare(highway
     GIT_REPOSITORY https://github.com/google/highway.git

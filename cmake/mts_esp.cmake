@@ -3,7 +3,7 @@ if(TARGET idiophone_mts_esp)
     return()
 endif()
 idiophone_debian_binary(mts_esp
-    PACKAGE libmts-esp-dev VERSION 0.0~git20230110.9df9a9c-1 SUITE trixie)
+    PACKAGE libmts-esp-dev${IDIOPHONE_DEBIAN_ARCHITECTURE} VERSION 0.0~git20230110.9df9a9c-1 SUITE trixie)
 if(mts_esp)
     # Parts are not position-independent, so a shared library that links it must not export its
     # symbols (--exclude-libs).
