@@ -13,6 +13,7 @@ mirror=$(apt-get indextargets --format '$(REPO_URI) $(RELEASE)' 'Created-By: Pac
 
 kind=deb-src lists=Sources work=$destination/apt-$suite
 [ "$keep" != --binary ] || { kind=deb lists=Packages work=$work-binary; }
+[ "$package" = "${package%:*}" ] || work=$work-${package#*:} # a processor's packages have lists of their own
 mkdir -p "$work/lists/partial" "$work/cache/archives/partial"
 echo "$kind [signed-by=/usr/share/keyrings/debian-archive-keyring.gpg] $mirror $suite main" \
     > "$work/sources.list"
