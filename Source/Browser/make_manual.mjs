@@ -91,8 +91,10 @@ rules.image = (tokens, index, options, env, renderer) => {
 // Wide tables and code scroll by themselves, also by keys.
 rules.table_open = () => `<div class="wide" tabindex="0"><table>\n`;
 rules.table_close = () => "</table></div>\n";
-const fence = rules.fence;
-rules.fence = (...all) => fence(...all).replace("<pre", `<pre tabindex="0"`);
+for (const name of ["fence", "code_block"]) {
+    const rule = rules[name];
+    rules[name] = (...all) => rule(...all).replace("<pre", `<pre tabindex="0"`);
+}
 
 let headings; // of the page that is being read
 markdown.use(anchor, {
