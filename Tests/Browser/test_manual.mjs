@@ -126,7 +126,6 @@ test("The gallery shows every preset and plays its sound, as Ogg and MP3", async
             name: item.querySelector("h2").textContent,
             description: item.querySelector("p").textContent,
             preset: new URL(item.querySelector("a").href).searchParams.get("preset"),
-            seconds: player.duration,
             sounds,
         };
     })));
@@ -134,8 +133,7 @@ test("The gallery shows every preset and plays its sound, as Ogg and MP3", async
     const expected = files.map(file => JSON.parse(readFileSync(join(presets, file), "utf8")))
         .map(({ name, description }) => ({ name, description, preset: name }));
     assert.deepEqual(cards.map(({ name, description, preset }) => ({ name, description, preset })), expected);
-    for (const { name, seconds, sounds } of cards) {
-        assert.ok(seconds > 0.1 && Number.isFinite(seconds), `${name} lasts ${seconds} s`);
+    for (const { name, sounds } of cards) {
         const [ogg, mp3] = sounds;
         assert.ok(sounds.length === 2 && Math.abs(ogg.seconds - mp3.seconds) < 0.1, name);
         assert.ok(ogg.seconds > 0.1 && ogg.peak > 0.1 && mp3.peak > 0.1, name);
@@ -159,7 +157,7 @@ test("A link of the gallery opens its preset, and an unknown one is named", asyn
 });
 
 test("axe-core finds no serious fault in both looks, on desktop and phone", async () => {
-    const { page, close } = await newPage();
+    const { page, faults, close } = await newPage();
     for (const path of ["gallery.html", "manual/sounds.html"]) {
         await page.goto(`${server.origin}/${path}`);
         await page.evaluate(axe);
@@ -176,5 +174,6 @@ test("axe-core finds no serious fault in both looks, on desktop and phone", asyn
                 await page.screenshot({ path: join(pictures, `${run}.png`) });
             }
     }
+    assert.deepEqual(faults, []);
     await close();
 });
