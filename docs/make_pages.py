@@ -29,7 +29,7 @@ PRESETS = """# Presets
 
 The factory's, by their program numbers. Many hosts show the first as 1. Keys are MIDI notes, 60 the C in the middle. Where
 each key has an object of its own, other keys from 21 to 108 play the nearest one, [resized](../presets.md#keys-without-an-object).
-The name of a preset leads to its sound: six notes, or three where keys are held, at a peak of −3 dBFS.
+The sound of a preset is six notes, or three where keys are held, at a peak of −3 dBFS.
 [Here](../presets.md) is what a preset file holds. This page is made by `./dev pages`, the sounds by
 `docs/make_preset_sounds.py`, the pictures by `docs/make_preset_pictures.sh`.
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Makes the page as static files: make_site.sh BUILD, the folder with instrument.wasm (build/web). Writes
-# BUILD/site, and fetches what the page uses from npm into BUILD/npm.
+# Makes the page, the gallery and the manual as static files: make_site.sh BUILD, the folder with
+# instrument.wasm (build/web). Writes BUILD/site, and fetches what this needs from npm into BUILD/npm.
 set -euo pipefail
 source=$(cd "$(dirname "$0")/../.." && pwd)
 build=$(cd "$1" && pwd)
@@ -8,7 +8,7 @@ site=$build/site
 
 "$source/Source/Browser/make_package.sh" "$build"
 mkdir -p "$build/npm"
-cp "$source"/Source/Browser/page/package*.json "$build/npm"
+cp "$source"/Source/Browser/{make_manual.mjs,page/package*.json} "$build/npm"
 (cd "$build/npm" && npm ci --silent --no-audit --no-fund)
 
 rm -rf "$site"
@@ -23,3 +23,8 @@ cp "$source"/Resources/Desktop/*.svg "$site/icon.svg"
 mkdir "$site/three" "$site/midifile-ts"
 cp "$build"/npm/node_modules/three/{LICENSE,build/three.{core,module}.min.js} "$site/three"
 cp "$build"/npm/node_modules/midifile-ts/{LICENSE,dist/index.js} "$site/midifile-ts"
+
+node "$build/npm/make_manual.mjs" "$source" "$site"
+for sound in "$site"/manual/sounds/presets/*.ogg; do # for Safari before 18.4
+    sndfile-convert "$sound" "${sound%.ogg}.mp3"
+done

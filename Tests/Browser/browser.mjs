@@ -6,10 +6,15 @@ import { createRequire } from "node:module";
 
 const TYPES = {
     ".css": "text/css",
+    ".flac": "audio/flac",
     ".html": "text/html",
     ".js": "text/javascript",
     ".json": "application/json",
+    ".mp3": "audio/mpeg",
+    ".ogg": "audio/ogg",
+    ".png": "image/png",
     ".svg": "image/svg+xml",
+    ".txt": "text/plain",
     ".wasm": "application/wasm",
 };
 

@@ -187,7 +187,10 @@ async function main() {
     part("open-file").disabled = false;
     offerMidi(part("midi"), performer);
     offerSong(context, performer);
-    await loadPreset(firstPreset);
+    const wanted = new URLSearchParams(location.search).get("preset") ?? firstPreset;
+    const isKnown = idiophone.presets.some(({ name }) => name === wanted);
+    await loadPreset(isKnown ? wanted : firstPreset);
+    if (!isKnown) warn(`No preset is called ${wanted}.`);
 }
 
 main().catch(warn);

@@ -6,7 +6,7 @@ const dark = matchMedia("(prefers-color-scheme: dark)");
 export function followTheme(button, onchange) {
     let isDark = dark.matches;
     const show = () => {
-        document.documentElement.dataset.theme = isDark ? "dark" : "light";
+        document.getElementById("light").media = isDark ? "not all" : "all";
         button.setAttribute("aria-pressed", String(isDark));
         const style = getComputedStyle(document.documentElement);
         const colour = name => {
