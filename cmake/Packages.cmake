@@ -1,5 +1,6 @@
-# Where `cmake --install` puts files, and the packages that CPack makes of them.
+# Where `cmake --install` puts files, and the packages that CPack makes of them (docs/packages.md).
 include(GNUInstallDirs)
+include(SourceDate)
 
 # Installs a bundle, which is a directory. Its files keep their permissions.
 function(install_bundle target destination component)
@@ -52,7 +53,7 @@ else()
     install(PROGRAMS "$<TARGET_FILE:Idiophone_Standalone>" DESTINATION "${CMAKE_INSTALL_BINDIR}"
         RENAME idiophone-standalone COMPONENT standalone)
     install(TARGETS idiophone_console RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}" COMPONENT console)
-    # The first entry of the changelog is this version's. Without a date, today counts.
+    # The first entry of the changelog is this version's. Without a date, that of the sources counts.
     set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/CHANGELOG.md")
     file(STRINGS CHANGELOG.md release REGEX "^## " LIMIT_COUNT 1)
     if(NOT release MATCHES "^## ([0-9.]+) \\((unreleased|[0-9-]+)\\)$"
@@ -83,10 +84,29 @@ else()
         PATTERN "__pycache__" EXCLUDE)
     install(DIRECTORY Resources/Mallets Resources/Materials Resources/Pictures
         DESTINATION "${documents}/Resources" COMPONENT console)
-    # Debian looks for the licence of each package here.
+    # Debian looks for the licence and the changelog of each package here.
     install(FILES LICENSE DESTINATION "${documents}" RENAME copyright COMPONENT console)
     install(FILES LICENSE DESTINATION "${documents}-dev" RENAME copyright COMPONENT development)
     install(FILES THIRD-PARTY LICENSE-APACHE DESTINATION "${documents}-dev" COMPONENT development)
+    if(IDIOPHONE_PORTABLE)
+        install(FILES Resources/Tarball/README.txt DESTINATION . COMPONENT console)
+        install(PROGRAMS Resources/Tarball/install.sh DESTINATION . COMPONENT console)
+    else()
+        string(TIMESTAMP source_time "%a, %d %b %Y %H:%M:%S +0000" UTC)
+        file(CONFIGURE OUTPUT changelog CONTENT
+"idiophone (@PROJECT_VERSION@) stable; urgency=medium
+
+  * CHANGELOG.md lists the changes.
+
+ -- Idiophone <team@idiophone.org>  @source_time@
+" @ONLY)
+        execute_process(COMMAND gzip --best --no-name --force "${CMAKE_CURRENT_BINARY_DIR}/changelog"
+            COMMAND_ERROR_IS_FATAL ANY)
+        install(FILES "${CMAKE_CURRENT_BINARY_DIR}/changelog.gz" DESTINATION "${documents}"
+            COMPONENT console)
+        install(FILES "${CMAKE_CURRENT_BINARY_DIR}/changelog.gz" DESTINATION "${documents}-dev"
+            COMPONENT development)
+    endif()
     install(FILES Resources/Songs/TheEntertainer.mid DESTINATION "${documents}/examples"
         COMPONENT console)
 endif()
@@ -94,10 +114,15 @@ endif()
 set(CPACK_PACKAGE_NAME idiophone)
 set(CPACK_COMPONENTS_ALL plugin standalone console development) # without files of dependencies
 set(CPACK_PACKAGE_VENDOR Idiophone)
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "Physical-modelling instrument: meshes become playable objects")
 set(CPACK_PACKAGE_CONTACT "Idiophone <team@idiophone.org>")
 set(CPACK_RESOURCE_FILE_LICENSE "${PROJECT_SOURCE_DIR}/LICENSE")
 set(CPACK_STRIP_FILES ON)
 set(CPACK_VERBATIM_VARIABLES ON)
+set(CPACK_PROJECT_CONFIG_FILE "${CMAKE_CURRENT_LIST_DIR}/SourceDate.cmake")
+if(CMAKE_SYSTEM_NAME STREQUAL "Linux")
+    set(CPACK_PRE_BUILD_SCRIPTS "${CMAKE_CURRENT_LIST_DIR}/PackagedFiles.cmake")
+endif()
 if(APPLE)
     set(CPACK_GENERATOR productbuild)
     set(CPACK_PACKAGING_INSTALL_PREFIX /)
@@ -114,8 +139,18 @@ elseif(WIN32)
         string(APPEND CPACK_NSIS_EXTRA_UNINSTALL_COMMANDS
             "\nDelete '$COMMONFILES64\\CLAP\\Idiophone.clap'\nDelete '$COMMONFILES64\\CLAP\\Idiophone Resonator.clap'")
     endif()
+elseif(IDIOPHONE_PORTABLE)
+    set(CPACK_GENERATOR External)
+    set(CPACK_MONOLITHIC_INSTALL ON)
+    set(CPACK_INSTALL_CMAKE_PROJECTS "")
+    foreach(component plugin standalone console)
+        list(APPEND CPACK_INSTALL_CMAKE_PROJECTS "${PROJECT_BINARY_DIR}" Idiophone ${component} /)
+    endforeach()
+    set(CPACK_PACKAGE_FILE_NAME "idiophone-${PROJECT_VERSION}-linux-${CMAKE_SYSTEM_PROCESSOR}")
+    set(CPACK_EXTERNAL_ENABLE_STAGING ON)
+    set(CPACK_EXTERNAL_PACKAGE_SCRIPT "${CMAKE_CURRENT_LIST_DIR}/Tarball.cmake")
 else()
-    set(CPACK_GENERATOR DEB TGZ)
+    set(CPACK_GENERATOR DEB)
     # Two packages: the programs and the library.
     set(CPACK_COMPONENTS_GROUPING ONE_PER_GROUP)
     set(CPACK_DEB_COMPONENT_INSTALL ON)
@@ -127,6 +162,16 @@ else()
     set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME idiophone-dev)
     set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_RECOMMENDS libeigen3-dev) # for the component Analysis
     set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
+    set(CPACK_DEBIAN_PROGRAM_DESCRIPTION
+"Idiophone computes from physics how struck objects vibrate, and plays them
+in real time. This package has the plugins (VST3, LV2), the standalone and
+the console program.")
+    set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION
+"Games and research programs make modal objects from meshes with the
+library, and play them. This package has the interface for C and that for
+C++, which is a CMake package.")
+    set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON) # runs ldconfig too
+    set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
     if(NOT hwy_SOURCE_DIR) # else Highway is in the package itself
         set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS libhwy-dev)
     endif()
