@@ -84,28 +84,9 @@ else()
         PATTERN "__pycache__" EXCLUDE)
     install(DIRECTORY Resources/Mallets Resources/Materials Resources/Pictures
         DESTINATION "${documents}/Resources" COMPONENT console)
-    # Debian looks for the licence and the changelog of each package here.
-    install(FILES LICENSE DESTINATION "${documents}" RENAME copyright COMPONENT console)
-    install(FILES LICENSE DESTINATION "${documents}-dev" RENAME copyright COMPONENT development)
-    install(FILES THIRD-PARTY LICENSE-APACHE DESTINATION "${documents}-dev" COMPONENT development)
     if(IDIOPHONE_PORTABLE)
         install(FILES Resources/Tarball/README.txt DESTINATION . COMPONENT console)
         install(PROGRAMS Resources/Tarball/install.sh DESTINATION . COMPONENT console)
-    else()
-        string(TIMESTAMP source_time "%a, %d %b %Y %H:%M:%S +0000" UTC)
-        file(CONFIGURE OUTPUT changelog CONTENT
-"idiophone (@PROJECT_VERSION@) stable; urgency=medium
-
-  * CHANGELOG.md lists the changes.
-
- -- Idiophone <team@idiophone.org>  @source_time@
-" @ONLY)
-        execute_process(COMMAND gzip --best --no-name --force "${CMAKE_CURRENT_BINARY_DIR}/changelog"
-            COMMAND_ERROR_IS_FATAL ANY)
-        install(FILES "${CMAKE_CURRENT_BINARY_DIR}/changelog.gz" DESTINATION "${documents}"
-            COMPONENT console)
-        install(FILES "${CMAKE_CURRENT_BINARY_DIR}/changelog.gz" DESTINATION "${documents}-dev"
-            COMPONENT development)
     endif()
     install(FILES Resources/Songs/TheEntertainer.mid DESTINATION "${documents}/examples"
         COMPONENT console)
@@ -140,7 +121,7 @@ elseif(WIN32)
             "\nDelete '$COMMONFILES64\\CLAP\\Idiophone.clap'\nDelete '$COMMONFILES64\\CLAP\\Idiophone Resonator.clap'")
     endif()
 elseif(IDIOPHONE_PORTABLE)
-    set(CPACK_GENERATOR External)
+    set(CPACK_GENERATOR External) # Tarball.cmake
     set(CPACK_MONOLITHIC_INSTALL ON)
     set(CPACK_INSTALL_CMAKE_PROJECTS "")
     foreach(component plugin standalone console)
@@ -150,37 +131,6 @@ elseif(IDIOPHONE_PORTABLE)
     set(CPACK_EXTERNAL_ENABLE_STAGING ON)
     set(CPACK_EXTERNAL_PACKAGE_SCRIPT "${CMAKE_CURRENT_LIST_DIR}/Tarball.cmake")
 else()
-    set(CPACK_GENERATOR DEB)
-    # Two packages: the programs and the library.
-    set(CPACK_COMPONENTS_GROUPING ONE_PER_GROUP)
-    set(CPACK_DEB_COMPONENT_INSTALL ON)
-    foreach(component PLUGIN STANDALONE CONSOLE)
-        set(CPACK_COMPONENT_${component}_GROUP program)
-    endforeach()
-    set(CPACK_COMPONENT_DEVELOPMENT_GROUP development)
-    set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME idiophone)
-    set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME idiophone-dev)
-    set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_RECOMMENDS libeigen3-dev) # for the component Analysis
-    set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
-    set(CPACK_DEBIAN_PROGRAM_DESCRIPTION
-"Idiophone computes from physics how struck objects vibrate, and plays them
-in real time. This package has the plugins (VST3, LV2), the standalone and
-the console program.")
-    set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION
-"Games and research programs make modal objects from meshes with the
-library, and play them. This package has the interface for C and that for
-C++, which is a CMake package.")
-    set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON) # runs ldconfig too
-    set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
-    if(NOT hwy_SOURCE_DIR) # else Highway is in the package itself
-        set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS libhwy-dev)
-    endif()
-    set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
-    set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
-    set(CPACK_DEBIAN_PACKAGE_SECTION sound)
-    set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-    set(CPACK_DEBIAN_PACKAGE_MAINTAINER "${CPACK_PACKAGE_CONTACT}")
-    set(CPACK_DEBIAN_PACKAGE_HOMEPAGE "${PROJECT_HOMEPAGE_URL}")
-    set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "libasound2-plugins")
+    include(DebianPackages)
 endif()
 include(CPack)
