@@ -1,6 +1,7 @@
-# idiophone_debian_source(<FetchContent name> PACKAGE p VERSION v SUITE s [FOLDER f])
+# idiophone_debian_source(<FetchContent name> PACKAGE p VERSION v SUITE s [FOLDER f | ORIGINAL])
 # On Debian 12 this unpacks a pinned source package once into build/dependencies and points
-# FetchContent at it. Elsewhere FetchContent fetches the upstream tag.
+# FetchContent at it. Elsewhere FetchContent fetches the upstream tag. ORIGINAL leaves out Debian's changes,
+# which the mirror does not serve for every package.
 #
 # idiophone_debian_binary(<variable> PACKAGE p VERSION v SUITE s)
 # For packages whose source is not served. On Debian 12 this unpacks the binary package and sets the
@@ -38,12 +39,15 @@ function(idiophone_unpack_debian folder package version suite)
 endfunction()
 
 function(idiophone_debian_source name)
-    cmake_parse_arguments(arg "" "PACKAGE;VERSION;SUITE;FOLDER" "" ${ARGN})
+    cmake_parse_arguments(arg "ORIGINAL" "PACKAGE;VERSION;SUITE;FOLDER" "" ${ARGN})
     string(TOUPPER ${name} upper)
     if(NOT IDIOPHONE_DEBIAN_SOURCES OR FETCHCONTENT_SOURCE_DIR_${upper})
         return()
     endif()
-    string(REGEX REPLACE "-[^-]*$" "" upstream_version "${arg_VERSION}")
+    string(REGEX REPLACE "^[0-9]+:|-[^-]*$" "" upstream_version "${arg_VERSION}")
+    if(arg_ORIGINAL)
+        set(arg_FOLDER --original)
+    endif()
     set(folder "${IDIOPHONE_DEPENDENCIES}/${arg_PACKAGE}-${upstream_version}")
     idiophone_unpack_debian("${folder}" ${arg_PACKAGE} ${arg_VERSION} ${arg_SUITE} ${arg_FOLDER})
     set(FETCHCONTENT_SOURCE_DIR_${upper} "${folder}" CACHE PATH "Unpacked source of ${name}" FORCE)

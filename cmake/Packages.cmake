@@ -1,5 +1,6 @@
-# Where `cmake --install` puts files, and the packages that CPack makes of them.
+# Where `cmake --install` puts files, and the packages that CPack makes of them (docs/packages.md).
 include(GNUInstallDirs)
+include(SourceDate)
 
 # Installs a bundle, which is a directory. Its files keep their permissions.
 function(install_bundle target destination component)
@@ -52,7 +53,7 @@ else()
     install(PROGRAMS "$<TARGET_FILE:Idiophone_Standalone>" DESTINATION "${CMAKE_INSTALL_BINDIR}"
         RENAME idiophone-standalone COMPONENT standalone)
     install(TARGETS idiophone_console RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}" COMPONENT console)
-    # The first entry of the changelog is this version's. Without a date, today counts.
+    # The first entry of the changelog is this version's. Without a date, that of the sources counts.
     set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/CHANGELOG.md")
     file(STRINGS CHANGELOG.md release REGEX "^## " LIMIT_COUNT 1)
     if(NOT release MATCHES "^## ([0-9.]+) \\((unreleased|[0-9-]+)\\)$"
@@ -83,10 +84,10 @@ else()
         PATTERN "__pycache__" EXCLUDE)
     install(DIRECTORY Resources/Mallets Resources/Materials Resources/Pictures
         DESTINATION "${documents}/Resources" COMPONENT console)
-    # Debian looks for the licence of each package here.
-    install(FILES LICENSE DESTINATION "${documents}" RENAME copyright COMPONENT console)
-    install(FILES LICENSE DESTINATION "${documents}-dev" RENAME copyright COMPONENT development)
-    install(FILES THIRD-PARTY LICENSE-APACHE DESTINATION "${documents}-dev" COMPONENT development)
+    if(IDIOPHONE_PORTABLE)
+        install(FILES Resources/Tarball/README.txt DESTINATION . COMPONENT console)
+        install(PROGRAMS Resources/Tarball/install.sh DESTINATION . COMPONENT console)
+    endif()
     install(FILES Resources/Songs/TheEntertainer.mid DESTINATION "${documents}/examples"
         COMPONENT console)
 endif()
@@ -95,9 +96,14 @@ set(CPACK_PACKAGE_NAME idiophone)
 set(CPACK_PACKAGE_DIRECTORY "${PROJECT_BINARY_DIR}/packages")
 set(CPACK_COMPONENTS_ALL plugin standalone console) # without files of dependencies
 set(CPACK_PACKAGE_VENDOR Idiophone)
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "Physical-modelling instrument: meshes become playable objects")
 set(CPACK_PACKAGE_CONTACT "Idiophone <team@idiophone.org>")
 set(CPACK_RESOURCE_FILE_LICENSE "${PROJECT_SOURCE_DIR}/LICENSE")
 set(CPACK_VERBATIM_VARIABLES ON)
+set(CPACK_PROJECT_CONFIG_FILE "${CMAKE_CURRENT_LIST_DIR}/SourceDate.cmake")
+if(CMAKE_SYSTEM_NAME STREQUAL "Linux")
+    set(CPACK_PRE_BUILD_SCRIPTS "${CMAKE_CURRENT_LIST_DIR}/PackagedFiles.cmake")
+endif()
 if(APPLE)
     # The library is left out: under the prefix / it would go where macOS lets nobody write. Nothing is
     # stripped, which would break signatures (.ci/package_macos).
@@ -120,31 +126,20 @@ elseif(WIN32)
         string(APPEND CPACK_NSIS_EXTRA_UNINSTALL_COMMANDS
             "\nDelete '$COMMONFILES64\\CLAP\\Idiophone.clap'\nDelete '$COMMONFILES64\\CLAP\\Idiophone Resonator.clap'")
     endif()
+elseif(IDIOPHONE_PORTABLE)
+    set(CPACK_GENERATOR External) # Tarball.cmake
+    set(CPACK_STRIP_FILES ON)
+    set(CPACK_MONOLITHIC_INSTALL ON)
+    set(CPACK_INSTALL_CMAKE_PROJECTS "")
+    foreach(component plugin standalone console)
+        list(APPEND CPACK_INSTALL_CMAKE_PROJECTS "${PROJECT_BINARY_DIR}" Idiophone ${component} /)
+    endforeach()
+    set(CPACK_PACKAGE_FILE_NAME "idiophone-${PROJECT_VERSION}-linux-${CMAKE_SYSTEM_PROCESSOR}")
+    set(CPACK_EXTERNAL_ENABLE_STAGING ON)
+    set(CPACK_EXTERNAL_PACKAGE_SCRIPT "${CMAKE_CURRENT_LIST_DIR}/Tarball.cmake")
 else()
     list(APPEND CPACK_COMPONENTS_ALL development)
-    set(CPACK_GENERATOR DEB TGZ)
     set(CPACK_STRIP_FILES ON)
-    set(CPACK_SYSTEM_NAME "Linux-${CMAKE_SYSTEM_PROCESSOR}") # in the name of the archives
-    # Two packages: the programs and the library.
-    set(CPACK_COMPONENTS_GROUPING ONE_PER_GROUP)
-    set(CPACK_DEB_COMPONENT_INSTALL ON)
-    foreach(component PLUGIN STANDALONE CONSOLE)
-        set(CPACK_COMPONENT_${component}_GROUP program)
-    endforeach()
-    set(CPACK_COMPONENT_DEVELOPMENT_GROUP development)
-    set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME idiophone)
-    set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME idiophone-dev)
-    set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_RECOMMENDS libeigen3-dev) # for the component Analysis
-    set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
-    if(NOT hwy_SOURCE_DIR) # else Highway is in the package itself
-        set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS libhwy-dev)
-    endif()
-    set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
-    set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
-    set(CPACK_DEBIAN_PACKAGE_SECTION sound)
-    set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-    set(CPACK_DEBIAN_PACKAGE_MAINTAINER "${CPACK_PACKAGE_CONTACT}")
-    set(CPACK_DEBIAN_PACKAGE_HOMEPAGE "${PROJECT_HOMEPAGE_URL}")
-    set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "libasound2-plugins")
+    include(DebianPackages)
 endif()
 include(CPack)

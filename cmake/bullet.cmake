@@ -2,7 +2,7 @@
 if(TARGET idiophone_bullet)
     return()
 endif()
-if(IDIOPHONE_WEB)
+if(IDIOPHONE_WEB OR IDIOPHONE_PORTABLE)
     include(bullet_sources)
     return()
 endif()

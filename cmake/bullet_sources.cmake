@@ -1,4 +1,4 @@
-# Bullet for the WebAssembly module, from its sources: packages have it compiled for other machines. One
+# Bullet from its sources, for the WebAssembly module and for programs that run on other distributions. One
 # file for each of its libraries includes all of that library's files.
 idiophone_debian_source(bullet PACKAGE bullet VERSION 3.24+dfsg-2 SUITE bookworm FOLDER src)
 FetchContent_Declare(bullet

@@ -1,11 +1,14 @@
 #!/usr/bin/env bash
 # Unpacks one pinned Debian package, signature checked, without touching the machine's own apt
 # sources. Used by DebianSource.cmake; the mirror is read from the machine's apt settings.
-#   debian-source.sh PACKAGE VERSION SUITE DESTINATION [FOLDER_TO_KEEP | --archives | --binary]
-# --archives downloads the archives of the source package without unpacking them. --binary unpacks the
-# binary package into DESTINATION/PACKAGE-VERSION.
+#   debian-source.sh PACKAGE VERSION SUITE DESTINATION [FOLDER_TO_KEEP | --archives | --original | --binary]
+# --archives downloads the archives of the source package without unpacking them. --original unpacks the
+# upstream archive without Debian's changes. --binary unpacks the binary package into
+# DESTINATION/PACKAGE-VERSION.
 set -euo pipefail
 package=$1 version=$2 suite=$3 destination=$4 keep=${5:-}
+upstream=${version%-*}
+upstream=${upstream#*:} # names of files have no epoch
 # shellcheck disable=SC2016
 mirror=$(apt-get indextargets --format '$(REPO_URI) $(RELEASE)' 'Created-By: Packages' |
     awk '$2 == "bookworm" { print $1; exit }')
@@ -25,6 +28,14 @@ cd "$destination"
 if [ "$keep" = --archives ]; then
     # Some mirrors serve the archives of a package but not its description.
     "${apt[@]}" source --download-only "$package=$version" || true
+elif [ "$keep" = --original ]; then
+    rm -rf "$package-$upstream"
+    "${apt[@]}" source --download-only "$package=$version" || true # as above
+    mkdir "$package-$upstream.partial"
+    tar --extract --file "${package}_$upstream".orig.tar.* --strip-components 1 \
+        --directory "$package-$upstream.partial"
+    mv "$package-$upstream.partial" "$package-$upstream"
+    rm -f "${package}_"*
 elif [ "$keep" = --binary ]; then
     # The star stands for Debian's rebuilds of a version (+b1): processors have others.
     "${apt[@]}" download "$package=$version*"
@@ -33,11 +44,11 @@ elif [ "$keep" = --binary ]; then
     mv "$package-$version.partial" "$package-$version"
     rm -f "${package%:*}_"*.deb
 else
-    rm -rf "$package-${version%-*}"
+    rm -rf "$package-$upstream"
     "${apt[@]}" source "$package=$version"
     rm -f "${package}_"*
     if [ -n "$keep" ]; then
-        find "$package-${version%-*}" -type f -not -path "*/$keep/*" -delete
-        find "$package-${version%-*}" -type d -empty -delete
+        find "$package-$upstream" -type f -not -path "*/$keep/*" -delete
+        find "$package-$upstream" -type d -empty -delete
     fi
 fi

@@ -9,6 +9,11 @@ if(IDIOPHONE_WEB OR MINGW)
     target_compile_definitions(hwy::hwy INTERFACE HWY_COMPILE_ONLY_STATIC)
     return()
 endif()
+if(IDIOPHONE_PORTABLE)
+    idiophone_debian_source(hwy PACKAGE highway VERSION 1.0.3-3+deb12u1 SUITE bookworm)
+else()
+    set(system_highway FIND_PACKAGE_ARGS 1.0.3)
+endif()
 set(HWY_ENABLE_TESTS OFF)
 set(HWY_ENABLE_EXAMPLES OFF)
 set(HWY_ENABLE_CONTRIB OFF)
@@ -19,7 +24,7 @@ FetchContent_Declare(hwy
     GIT_REPOSITORY https://github.com/google/highway.git
     GIT_TAG 1.0.4 # the first that installs a CMake package
     GIT_SHALLOW ON
-    FIND_PACKAGE_ARGS 1.0.3)
+    ${system_highway})
 FetchContent_MakeAvailable(hwy)
 unset(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME)
 if(NOT TARGET hwy::hwy)

@@ -11,6 +11,9 @@ FetchContent_Declare(juce
 # and resources of Windows need it.
 if(CMAKE_SYSTEM_NAME STREQUAL "Linux")
     set(JUCE_MODULES_ONLY ON)
+    if(IDIOPHONE_PORTABLE AND IDIOPHONE_DEBIAN_SOURCES)
+        include(jpeg)
+    endif()
 endif()
 FetchContent_MakeAvailable(juce)
 if(JUCE_MODULES_ONLY)

@@ -56,6 +56,15 @@ def test_the_docs_are_installed_with_their_images(prefix):
     assert (documents / "docs/manual/images/dropped.png").exists()
 
 
+def test_no_installed_file_has_a_path_of_its_build(build, prefix, sources):
+    if "CMAKE_BUILD_TYPE:STRING=Release" not in (build / "CMakeCache.txt").read_text():
+        pytest.skip("only a release has no debug information")
+    told = [str(path) for path in prefix.rglob("*") if path.is_file()
+            and any(str(folder).encode() in path.read_bytes()
+                    for folder in (build, sources / "build", sources / "Source"))]
+    assert not told
+
+
 def table_cells(page, heading, column=0):
     """Returns the cells of a column of the table below a heading."""
     text = page.read_text().split(f"## {heading}\n")[1].split("\n## ")[0]
