@@ -81,6 +81,10 @@ tl::unexpected<Error> AudioFileWriter::fault() const {
     return failure(nameOf(file) + ": the file cannot be written");
 }
 
+int AudioFileWriter::usualBitDepth(const std::filesystem::path& file) {
+    return isFlac(file) ? 24 : 32;
+}
+
 Result<std::unique_ptr<AudioFileWriter>> AudioFileWriter::create(const std::filesystem::path& file,
                                                                  int sampleRateHz,
                                                                  int channelCount,

@@ -18,6 +18,9 @@ public:
     static Result<std::unique_ptr<AudioFileWriter>>
     create(const std::filesystem::path& file, int sampleRateHz, int channelCount, int bitDepth);
 
+    /// Returns 32, or 24 if the name makes the file FLAC.
+    static int usualBitDepth(const std::filesystem::path& file);
+
     /// Removes an unfinished file.
     ~AudioFileWriter();
     AudioFileWriter(const AudioFileWriter&) = delete;

@@ -20,6 +20,10 @@ double decibelsFullScale(double amplitude) {
     return 20 * std::log10(amplitude);
 }
 
+int bitDepthOf(const RecordingFormat& format) {
+    return format.bitDepth.value_or(AudioFileWriter::usualBitDepth(format.file));
+}
+
 } // namespace
 
 void addRecordingOptions(CLI::App& command, RecordingFormat& format) {
@@ -32,9 +36,10 @@ void addRecordingOptions(CLI::App& command, RecordingFormat& format) {
     command.add_option("--block-size", format.blockSize, "Samples rendered at a time")
         ->check(numberBetween(1, 8192))
         ->capture_default_str();
-    command.add_option("--bit-depth", format.bitDepth, "16, 24, or 32 (floating point, WAV only)")
-        ->check(CLI::IsMember({16, 24, 32}))
-        ->capture_default_str();
+    command
+        .add_option("--bit-depth", format.bitDepth,
+                    "16, 24, or 32 (floating point, WAV only). Default: 32, for FLAC 24")
+        ->check(CLI::IsMember({16, 24, 32}));
     command.add_option("--seconds", format.seconds, "Length of the file (default: until silence)")
         ->check(numberBetween(0.001, 36000));
 }
@@ -54,7 +59,7 @@ Result<std::unique_ptr<Recording>> Recording::start(const RecordingFormat& forma
                                                     const ParameterValues& parameters) {
     interruptRequested(); // installs the handler, so that an interrupt leaves no partial file
     std::unique_ptr<Recording> result(new Recording(format, parameters));
-    auto writer = AudioFileWriter::create(format.file, format.sampleRateHz, 2, format.bitDepth);
+    auto writer = AudioFileWriter::create(format.file, format.sampleRateHz, 2, bitDepthOf(format));
     if (!writer)
         return tl::unexpected(writer.error());
     result->writer = std::move(*writer);
@@ -136,8 +141,8 @@ void Recording::warnOfPeak() const {
     std::ostringstream text;
     text << std::fixed << std::setprecision(1) << nameOf(format.file) << ": its peak of " << peakDb
          << " dBFS is "
-         << (format.bitDepth == 32 ? "above full scale and clips in playback"
-                                   : "clipped; use --bit-depth 32");
+         << (bitDepthOf(format) == 32 ? "above full scale and clips in playback"
+                                      : "clipped; use --bit-depth 32");
     const auto& level = parameterInfo(ParameterId::level);
     const double lower = std::floor(10 * (parameters[level.parameter] - peakDb)) / 10;
     if (lower >= level.minimum)

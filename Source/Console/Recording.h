@@ -22,8 +22,8 @@ namespace idiophone {
 struct RecordingFormat {
     std::filesystem::path file;
     int sampleRateHz = 48000;
-    int blockSize = 64; ///< samples rendered at a time
-    int bitDepth = 32;
+    int blockSize = 64;            ///< samples rendered at a time
+    std::optional<int> bitDepth;   ///< nothing: the usual one of the file
     std::optional<double> seconds; ///< length; nothing: until silence
 };
 
