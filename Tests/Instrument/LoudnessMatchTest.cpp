@@ -274,7 +274,8 @@ TEST_CASE("The gain is the mean over velocities, within 1.5 dB of the middle one
     CHECK(bounded > 10);
 }
 
-TEST_CASE("Matched scrapes of another material are within 2 LU in the mean over the surface") {
+TEST_CASE("Matched scrapes of another material are within 2 LU in the mean over the surface",
+          "[.weekly]") {
     for (const auto& preset : presetsOfBodies()) {
         INFO(preset.name);
         const auto worst = worstOf(materialGrid, preset, scrapeContact, 16, 100);
@@ -283,7 +284,8 @@ TEST_CASE("Matched scrapes of another material are within 2 LU in the mean over 
     }
 }
 
-TEST_CASE("Matched rolls of another material are within 2.3 LU in the mean over the surface") {
+TEST_CASE("Matched rolls of another material are within 2.3 LU in the mean over the surface",
+          "[.weekly]") {
     for (const auto& preset : presetsOfBodies()) {
         INFO(preset.name);
         const auto worst = worstOf(materialGrid, preset, rollContact, 16, 100);
