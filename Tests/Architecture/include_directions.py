@@ -41,7 +41,7 @@ MODULES = {
     "Plugin": ("Editor Sampling Output Scene Instrument Analysis World Synth Geometry Gltf Mesh Parameters AudioFiles Object",
                "boost/lockfree/ clap/ clap-juce-extensions/ juce_ nlohmann/ libMTSClient.h pluginterfaces/"),
     "Console": ("Sampling Output Scene Instrument Analysis World Synth Geometry Gltf Mesh Parameters AudioFiles Object",
-                "juce_ CLI/ nlohmann/ mysofa.h"),
+                "juce_ CLI/ nlohmann/ mysofa.h windows.h"),
 }
 
 HEADER_ENDINGS = {".h", ".hpp"}
