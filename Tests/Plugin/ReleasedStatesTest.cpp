@@ -34,6 +34,14 @@ std::vector<std::filesystem::path> releasedStates() {
     return files;
 }
 
+/// Returns strikes of four octaves, so that some key has a sound in every preset.
+juce::MidiBuffer middleKeys() {
+    juce::MidiBuffer midi;
+    for (int note = 36; note <= 84; ++note)
+        midi.addEvent(juce::MidiMessage::noteOn(1, note, static_cast<juce::uint8>(100)), 10);
+    return midi;
+}
+
 /// Returns a state with all that a state may hold: an object, controllers, a tuning, an origin.
 State fullState() {
     auto state = unusualState();
@@ -55,6 +63,7 @@ TEST_CASE("States that released versions saved restore every value and sound") {
         const auto asReleased = parseState(bytes);
         REQUIRE(asReleased);
         Processor processor;
+        processor.setNonRealtime(true); // so that a scene does not depend on its worker's speed
         processor.prepareToPlay(48000, blockSamples);
         restoreBytes(processor, bytes);
         const auto now = parseState(saved(processor));
@@ -67,7 +76,7 @@ TEST_CASE("States that released versions saved restore every value and sound") {
             REQUIRE(info);
             CHECK(now->parameters[info->parameter] == value.get<double>());
         }
-        CHECK(loudest(render(processor, 48000, blockSamples, chord())) > 1e-3f);
+        CHECK(loudest(render(processor, 48000, blockSamples, middleKeys())) > 1e-3f);
     }
 }
 
