@@ -41,11 +41,11 @@ void FloorLight::measure(std::span<const SceneVertex> vertices, float floorHeigh
         box.extend(vectorOf(vertex.place));
     centre = box.center();
     radius = std::max(box.diagonal().norm() / 2, 1e-4f);
-    const float margin = 0.2f * radius + 1.5f * box.sizes().z();
-    const Eigen::Vector2f size = box.sizes().head<2>().array() + 2 * margin;
+    const float surround = 0.2f * radius + 1.5f * box.sizes().z();
+    const Eigen::Vector2f size = box.sizes().head<2>().array() + 2 * surround;
     const float texel = size.maxCoeff() / longestSide;
-    floor = {.left = box.min().x() - margin,
-             .front = box.min().y() - margin,
+    floor = {.left = box.min().x() - surround,
+             .front = box.min().y() - surround,
              .width = size.x(),
              .depth = size.y(),
              .height = floorHeight,

@@ -17,10 +17,10 @@ using Palette = std::array<juce::uint32,
                                static_cast<std::size_t>(LookColour::background)>;
 
 // In the order of LookColour.
-constexpr Palette dark{0xff15171b, 0xff1d2026, 0xff2e333c, 0xffe3e6eb, 0xff9aa3b2,
-                       0xffdca65f, 0xff15171b, 0xffff8a75, 0xff6fc3e0};
-constexpr Palette light{0xffe9e6df, 0xfff8f6f2, 0xffc9c4b9, 0xff23262b, 0xff565c66,
-                        0xff8a5210, 0xffffffff, 0xffb02a1c, 0xff17617f};
+constexpr Palette darkPalette{0xff15171b, 0xff1d2026, 0xff2e333c, 0xffe3e6eb, 0xff9aa3b2,
+                              0xffdca65f, 0xff15171b, 0xffff8a75, 0xff6fc3e0};
+constexpr Palette lightPalette{0xffe9e6df, 0xfff8f6f2, 0xffc9c4b9, 0xff23262b, 0xff565c66,
+                               0xff8a5210, 0xffffffff, 0xffb02a1c, 0xff17617f};
 
 const juce::Identifier modulatedFrom("modulatedFrom"), modulatedTo("modulatedTo");
 
@@ -36,7 +36,7 @@ std::optional<juce::Range<double>> modulatedPlaces(juce::Slider& slider) {
 juce::Colour colourOf(LookScheme scheme, LookColour colour) {
     const auto index =
         static_cast<std::size_t>(colour) - static_cast<std::size_t>(LookColour::background);
-    return juce::Colour((scheme == LookScheme::dark ? dark : light)[index]);
+    return juce::Colour((scheme == LookScheme::dark ? darkPalette : lightPalette)[index]);
 }
 
 juce::Colour colourOf(const juce::Component& component, LookColour colour) {

@@ -9,9 +9,12 @@
 #include <utility>
 
 namespace idiophone {
+namespace {
 
 using FitStage = MaterialFitStatus::Stage;
 using Clock = std::chrono::steady_clock;
+
+} // namespace
 
 void MaterialWorkshop::start(Task task) {
     auto job = std::make_shared<Job>();
