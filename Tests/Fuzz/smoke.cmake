@@ -55,8 +55,9 @@ endfunction()
 foreach(module ${modules} ${modules_with_juce})
     foreach(target ${targets_of_${module}})
         fuzz_program(${module} ${target})
-        # libFuzzer needs libstdc++, also if the preset `clang` builds the rest with libc++.
-        target_link_libraries(fuzz_${target} PRIVATE "${libfuzzer}" stdc++)
+        # libFuzzer needs libstdc++, also if the preset `clang` builds the rest with libc++. Clang
+        # itself would then take -lstdc++ for its own library.
+        target_link_libraries(fuzz_${target} PRIVATE "${libfuzzer}" -Wl,-lstdc++)
         smoke_test(${target} ${target} "$<TARGET_FILE:fuzz_${target}>" 2)
     endforeach()
 endforeach()

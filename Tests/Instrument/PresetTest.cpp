@@ -195,17 +195,17 @@ TEST_CASE("An invalid key map is refused with its fault and the fault's place") 
 }
 
 TEST_CASE("Keys strike at interpolated places of the key map") {
-    KeyMap map{.kind = KeyMapKind::bars, .lowestNote = 40, .highestNote = 50, .object = "bar"};
-    CHECK(map.strikePlace(47) == 0.5);
-    map.strikeAt = {0.2, 0.4, 0.3};
-    CHECK(map.strikePlace(40) == 0.2);
-    CHECK_THAT(map.strikePlace(44), WithinAbs(0.36, 1e-12));
-    CHECK_THAT(map.strikePlace(48), WithinAbs(0.34, 1e-12));
-    CHECK(map.strikePlace(50) == 0.3);
-    map.kind = KeyMapKind::zones;
-    CHECK_THAT(map.strikePlace(42), WithinAbs(0.2, 1e-12));
-    map.highestNote = 40;
-    CHECK(map.strikePlace(40) == 0.2);
+    KeyMap keys{.kind = KeyMapKind::bars, .lowestNote = 40, .highestNote = 50, .object = "bar"};
+    CHECK(keys.strikePlace(47) == 0.5);
+    keys.strikeAt = {0.2, 0.4, 0.3};
+    CHECK(keys.strikePlace(40) == 0.2);
+    CHECK_THAT(keys.strikePlace(44), WithinAbs(0.36, 1e-12));
+    CHECK_THAT(keys.strikePlace(48), WithinAbs(0.34, 1e-12));
+    CHECK(keys.strikePlace(50) == 0.3);
+    keys.kind = KeyMapKind::zones;
+    CHECK_THAT(keys.strikePlace(42), WithinAbs(0.2, 1e-12));
+    keys.highestNote = 40;
+    CHECK(keys.strikePlace(40) == 0.2);
 }
 
 TEST_CASE("Invalid muted modes are refused with their fault and the fault's place") {

@@ -199,9 +199,13 @@ IDIOPHONE_WATCHED_LOCK(sem_timedwait, (sem_t * s, Time t), s, t)
 IDIOPHONE_WATCHED_LOCK(sem_clockwait, (sem_t * s, clockid_t k, Time t), s, k, t)
 IDIOPHONE_WATCHED_LOCK(sem_post, (sem_t * s), s)
 
-// Called at the first use of a function's static variable, which is guarded by a lock.
-extern "C" int __cxxabiv1::__cxa_guard_acquire(__guard* guard) {
-    static int (*function)(__guard*) = nullptr;
+// Called at the first use of a function's static variable, which is guarded by a lock. Standard
+// libraries have different types of guards.
+template <class Argument>
+Argument argumentOf(int (*)(Argument));
+using Guard = decltype(argumentOf(__cxxabiv1::__cxa_guard_acquire));
+extern "C" int __cxxabiv1::__cxa_guard_acquire(Guard guard) {
+    static int (*function)(Guard) = nullptr;
     return lockCall(function, "__cxa_guard_acquire", guard);
 }
 
