@@ -114,18 +114,40 @@ const Unit* findUnit(const std::string& name) {
     return found == units.end() ? nullptr : &*found;
 }
 
+/// Returns the length of the number that the text begins with. Streams cannot tell: those of libc++
+/// take letters of hexadecimal numbers too, which are also letters of units.
+std::size_t lengthOfNumber(std::string_view text) {
+    const auto after = [&](std::size_t begin, std::string_view characters) {
+        return std::min(text.find_first_not_of(characters, begin), text.size());
+    };
+    constexpr std::string_view digits = "0123456789";
+    const auto signEnd = text.find_first_not_of("+-") == 1 ? 1U : 0U;
+    auto end = after(signEnd, digits);
+    if (end < text.size() && text[end] == '.')
+        end = after(end + 1, digits);
+    if (end < text.size() && (text[end] == 'e' || text[end] == 'E')) {
+        const auto sign = text.find_first_not_of("+-", end + 1) == end + 2 ? 1U : 0U;
+        if (const auto exponent = after(end + 1 + sign, digits); exponent > end + 1 + sign)
+            end = exponent;
+    }
+    return end;
+}
+
 } // namespace
 
 std::optional<TypedNumber> parseTypedNumber(std::string_view text) {
+    constexpr std::string_view space = " \t\r\n";
+    text.remove_prefix(std::min(text.find_first_not_of(space), text.size()));
     std::string plain(text);
     std::ranges::replace(plain, ',', '.');
-    std::istringstream stream(plain);
+    const auto length = lengthOfNumber(plain);
+    std::istringstream stream(plain.substr(0, length));
     stream.imbue(std::locale::classic()); // the host's locale may differ
     TypedNumber typed;
-    if (!(stream >> typed.number))
+    if (!(stream >> typed.number) || !stream.eof())
         return std::nullopt;
-    std::getline(stream >> std::ws, typed.unit);
-    typed.unit.erase(typed.unit.find_last_not_of(" \t\r\n") + 1);
+    typed.unit = plain.substr(std::min(plain.find_first_not_of(space, length), plain.size()));
+    typed.unit.erase(typed.unit.find_last_not_of(space) + 1);
     return typed;
 }
 
