@@ -32,7 +32,9 @@ public:
     /// Returns a uniform point of the unit circle.
     Complex phase() {
         for (;;) {
-            const Complex point(signedUniform(), signedUniform());
+            // Compilers evaluate arguments in different orders.
+            const double imaginary = signedUniform();
+            const Complex point(signedUniform(), imaginary);
             const double square = std::norm(point);
             if (square > 0.01 && square <= 1)
                 return point / std::sqrt(square);
