@@ -217,12 +217,13 @@ json documentJson(BufferWriter& buffer, const ModalObject& object) {
                   {"scenes", {{{"nodes", {0}}}}}};
     if (object.faceCount() > 0) {
         node["mesh"] = 0;
-        document["meshes"] = {meshJson(buffer, object)};
+        // Without json::array, some compilers copy the one element instead.
+        document["meshes"] = json::array({meshJson(buffer, object)});
         // Shells have two sides.
         document["materials"] = {
             {{"name", object.material.name}, {"doubleSided", object.body == BodyKind::shell}}};
     }
-    document["nodes"] = {node};
+    document["nodes"] = json::array({node});
     document["extensions"] = {{"KHR_audio_rigid_bodies",
                                {{"acousticMaterials", {materialJson(object)}},
                                 {"acousticSurfaces", {surfaceJson(object.material)}},
