@@ -58,9 +58,9 @@ struct ModalObject {
 
     std::vector<double> eigenvalues; ///< [M] λ = ω² in rad²/s², ascending, 0.001 Hz to 1 GHz
     std::vector<float> shapes;       ///< [V,M,3] mass-normalised (GᵀMG = I), in 1/√kg
-    std::vector<std::int32_t> shapeVertices; ///< [V] mesh vertices that carry shapes, ascending
-    std::vector<float> vertices;             ///< [N,3] in metres
-    std::vector<std::int32_t> faces;         ///< [F,3] counter-clockwise seen from outside
+    std::vector<std::int32_t> shapeVertices;   ///< [V] mesh vertices that carry shapes, ascending
+    std::vector<float> vertices;               ///< [N,3] in metres
+    std::vector<std::int32_t> faces;           ///< [F,3] counter-clockwise seen from outside
     std::vector<std::int32_t> clampedVertices; ///< mesh vertices that are held, ascending; or none
     /// Empty, or [M] the part of λ that grows with the square of a shell's thickness (0 ≤ b ≤ λ).
     std::vector<double> bending;
