@@ -1,45 +1,16 @@
 // Tests the manual and the gallery in Chromium: test_manual.mjs TOOLS CHROMIUM SITE PRESETS PICTURES
 // PRESETS is the folder of the factory's presets. Leaves its screenshots in PICTURES.
 import assert from "node:assert/strict";
-import { mkdirSync, readdirSync, readFileSync } from "node:fs";
-import { createRequire } from "node:module";
+import { readdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
-import { after, before, test } from "node:test";
+import { test } from "node:test";
 
-import { launchChromium, serve } from "./browser.mjs";
+import { BrowsedSite } from "./site.mjs";
 
 const [tools, program, site, presets, pictures] = process.argv.slice(2);
-const axe = readFileSync(createRequire(join(tools, "package.json")).resolve("axe-core/axe.min.js"), "utf8");
 const DESKTOP = { width: 1280, height: 800 }, PHONE = { width: 360, height: 780 };
-let server, browser;
-
-before(async () => {
-    mkdirSync(pictures, { recursive: true });
-    server = await serve({ "": site });
-    browser = await launchChromium(tools, program);
-});
-
-after(async () => {
-    await browser?.close();
-    await server?.close();
-});
-
-/** Returns an empty page and the list of faults that it collects. */
-async function newPage() {
-    const context = await browser.newContext({ viewport: DESKTOP });
-    const page = await context.newPage();
-    const faults = [];
-    page.on("pageerror", error => faults.push(`${page.url()}: ${error.message}`));
-    page.on("console", message => {
-        if (message.type() === "error")
-            faults.push(`${page.url()}: ${message.text()}`);
-    });
-    page.on("request", request => {
-        if (!request.url().startsWith(server.origin))
-            faults.push(`${page.url()}: it asks for ${request.url()}`);
-    });
-    return { page, faults, close: () => context.close() };
-}
+const browsed = new BrowsedSite({ tools, program, site, pictures });
+const newPage = () => browsed.newPage({ viewport: DESKTOP });
 
 /**
  * Returns what the pages at `paths` have, by their paths: the `ids`, and the addresses of `links`,
@@ -77,10 +48,10 @@ function brokenPictures(page, addresses) {
 
 test("No page has a broken link, anchor or picture, and links lead to each", async () => {
     const { page, faults, close } = await newPage();
-    await page.goto(`${server.origin}/gallery.html`);
+    await page.goto(`${browsed.server.origin}/gallery.html`);
     const files = new Set(readdirSync(site, { recursive: true }));
     const pages = await readPages(page, [...files].filter(file => file.endsWith(".html")));
-    const inSite = address => address.startsWith(`${server.origin}/`);
+    const inSite = address => address.startsWith(`${browsed.server.origin}/`);
     const pathOf = address => decodeURIComponent(new URL(address).pathname.slice(1));
     const reached = new Set();
     for (const [path, { links, resources }] of Object.entries(pages)) {
@@ -104,7 +75,7 @@ test("No page has a broken link, anchor or picture, and links lead to each", asy
 
 test("The gallery shows every preset and plays its sound, as Ogg and MP3", async () => {
     const { page, faults, close } = await newPage();
-    await page.goto(`${server.origin}/gallery.html`);
+    await page.goto(`${browsed.server.origin}/gallery.html`);
     const cards = await page.locator(".gallery li").evaluateAll(items => Promise.all(items.map(async item => {
         const player = item.querySelector("audio");
         const sources = [...player.querySelectorAll("source")];
@@ -147,10 +118,10 @@ test("The gallery shows every preset and plays its sound, as Ogg and MP3", async
 test("A link of the gallery opens its preset, and an unknown one is named", async () => {
     const { page, faults, close } = await newPage();
     await page.setViewportSize(PHONE); // draws faster
-    await page.goto(`${server.origin}/gallery.html`);
+    await page.goto(`${browsed.server.origin}/gallery.html`);
     await page.getByRole("link", { name: "Ship's Bell" }).click();
     await page.locator("#preset-name", { hasText: "Ship's Bell" }).waitFor();
-    await page.goto(`${server.origin}/?preset=Nothing`);
+    await page.goto(`${browsed.server.origin}/?preset=Nothing`);
     await page.locator("#alert", { hasText: "No preset is called Nothing." }).waitFor();
     assert.match(await page.locator("#preset-name").textContent(), /Rosewood Xylophone/);
     assert.deepEqual(faults, []);
@@ -160,17 +131,13 @@ test("A link of the gallery opens its preset, and an unknown one is named", asyn
 test("axe-core finds no serious fault in both looks, on desktop and phone", async () => {
     const { page, faults, close } = await newPage();
     for (const path of ["gallery.html", "manual/sounds.html"]) {
-        await page.goto(`${server.origin}/${path}`);
-        await page.evaluate(axe);
+        await page.goto(`${browsed.server.origin}/${path}`);
         for (const [name, viewport] of [["desktop", DESKTOP], ["phone", PHONE]])
             for (const colorScheme of ["dark", "light"]) {
                 const run = `${name}-${colorScheme}-${path.replace("/", "-")}`;
                 await page.setViewportSize(viewport);
                 await page.emulateMedia({ colorScheme });
-                const { violations } = await page.evaluate(() => window.axe.run({ resultTypes: ["violations"] }));
-                const serious = violations.filter(({ impact }) => ["serious", "critical"].includes(impact))
-                    .map(({ id, nodes }) => `${id}: ${nodes.slice(0, 3).map(({ html }) => html.slice(0, 100))}`);
-                assert.deepEqual(serious, [], run);
+                assert.deepEqual(await browsed.seriousFaults(page), [], run);
                 assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), run);
                 await page.screenshot({ path: join(pictures, `${run}.png`) });
             }

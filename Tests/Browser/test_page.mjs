@@ -1,48 +1,24 @@
 // Tests the page in Chromium: test_page.mjs TOOLS CHROMIUM SITE PICTURES
 // Leaves its screenshots in PICTURES.
 import assert from "node:assert/strict";
-import { mkdirSync, readFileSync } from "node:fs";
-import { createRequire } from "node:module";
+import { readFileSync } from "node:fs";
 import { join } from "node:path";
-import { after, before, test } from "node:test";
+import { test } from "node:test";
 import { gzipSync } from "node:zlib";
 
-import { launchChromium, serve } from "./browser.mjs";
+import { BrowsedSite } from "./site.mjs";
 
 const [tools, program, site, pictures] = process.argv.slice(2);
-const axe = readFileSync(createRequire(join(tools, "package.json")).resolve("axe-core/axe.min.js"), "utf8");
 const DESKTOP = { width: 1280, height: 800 }, PHONE = { width: 390, height: 844 };
 const MEGABYTE = 2 ** 20;
-let server, browser;
-
-before(async () => {
-    mkdirSync(pictures, { recursive: true });
-    server = await serve({ "": site });
-    browser = await launchChromium(tools, program);
-});
-
-after(async () => {
-    await browser?.close();
-    await server?.close();
-});
+const browsed = new BrowsedSite({ tools, program, site, pictures });
 
 /** Opens the page and waits for its first preset. Returns the page and what went wrong in it. */
 async function open(viewport = DESKTOP, colorScheme = "dark") {
-    const context = await browser.newContext({ viewport, colorScheme, reducedMotion: "reduce" });
-    const page = await context.newPage();
-    const faults = [];
-    page.on("pageerror", error => faults.push(error.message));
-    page.on("console", message => {
-        if (message.type() === "error")
-            faults.push(message.text());
-    });
-    page.on("request", request => {
-        if (!request.url().startsWith(server.origin) && !/^(data|blob):/.test(request.url()))
-            faults.push(`it asks for ${request.url()}`);
-    });
-    await page.goto(server.origin);
-    await nameIs(page, "Rosewood Xylophone");
-    return { page, faults, close: () => context.close() };
+    const opened = await browsed.newPage({ viewport, colorScheme, reducedMotion: "reduce" });
+    await opened.page.goto(browsed.server.origin);
+    await nameIs(opened.page, "Rosewood Xylophone");
+    return opened;
 }
 
 function nameIs(page, name) {
@@ -89,11 +65,11 @@ async function placeOfBar(page) {
 }
 
 test("The page loads without an error or a foreign request, in at most 3 MB", async () => {
-    server.requests.length = 0;
+    browsed.server.requests.length = 0;
     const { page, faults, close } = await open();
     assert.deepEqual(faults, []);
-    assert.deepEqual(server.requests.filter(({ status }) => status !== 200), []);
-    const paths = [...new Set(server.requests.map(({ path }) => path))];
+    assert.deepEqual(browsed.server.requests.filter(({ status }) => status !== 200), []);
+    const paths = [...new Set(browsed.server.requests.map(({ path }) => path))];
     const bytes = paths.reduce((sum, path) => sum +
         gzipSync(readFileSync(join(site, path === "/" ? "index.html" : decodeURIComponent(path)))).length, 0);
     console.log(`${paths.length} files, ${(bytes / MEGABYTE).toFixed(2)} MB with gzip`);
@@ -161,11 +137,7 @@ for (const [name, viewport] of [["desktop", DESKTOP], ["phone", PHONE]])
     for (const look of ["dark", "light"])
         test(`axe-core finds no serious fault: ${name}, ${look}`, async () => {
             const { page, close } = await open(viewport, look);
-            await page.evaluate(axe);
-            const { violations } = await page.evaluate(() => window.axe.run());
-            const serious = violations.filter(({ impact }) => ["serious", "critical"].includes(impact))
-                .map(({ id, nodes }) => `${id}: ${nodes.map(({ html }) => html.slice(0, 100))}`);
-            assert.deepEqual(serious, []);
+            assert.deepEqual(await browsed.seriousFaults(page), []);
             assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth));
             await page.screenshot({ path: join(pictures, `${name}-${look}.png`) });
             await close();
