@@ -1,5 +1,5 @@
 // The moving bodies of a scene. Several may share an object.
-import { Matrix4, Mesh, Quaternion, Vector3 } from "three";
+import { Matrix4, Mesh, Quaternion } from "three";
 
 import { boxOf } from "./geometry.js";
 
@@ -78,15 +78,4 @@ export class Bodies {
                 object.corners.map(corner => corner.clone().applyMatrix4(mesh.matrix)),
             );
     }
-}
-
-/** The smallest box around points: corners `minimum` and `maximum`. */
-export function extentOf(points) {
-    const minimum = new Vector3().setScalar(Infinity);
-    const maximum = new Vector3().setScalar(-Infinity);
-    for (const point of points) {
-        minimum.min(point);
-        maximum.max(point);
-    }
-    return { minimum, maximum };
 }

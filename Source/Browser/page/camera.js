@@ -1,6 +1,6 @@
 // The camera: it orbits the middle of the scene and zooms, and frames all of it at any aspect
 // ratio. As Editor/OrbitCamera.cpp does.
-import { Matrix4, PerspectiveCamera, Vector3 } from "three";
+import { Box3, Matrix4, PerspectiveCamera, Vector3 } from "three";
 
 const halfFieldRadians = (14 * Math.PI) / 180; // half, vertical
 const margin = 1.06;
@@ -27,14 +27,9 @@ export class OrbitCamera {
     /** Frames points, which are not empty. Keeps turn and zoom. */
     lookAt(points) {
         this.#points = points;
-        const minimum = points[0].clone();
-        const maximum = points[0].clone();
-        for (const point of points) {
-            minimum.min(point);
-            maximum.max(point);
-        }
-        this.#middle.copy(minimum).add(maximum).multiplyScalar(0.5);
-        this.#reach = Math.max(maximum.distanceTo(minimum) / 2, 1e-4);
+        const box = new Box3().setFromPoints(points);
+        box.getCenter(this.#middle);
+        this.#reach = Math.max(box.max.distanceTo(box.min) / 2, 1e-4);
     }
 
     turnBy(aroundRadians, upRadians) {

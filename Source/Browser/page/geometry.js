@@ -1,24 +1,18 @@
 // Triangles to draw from an object's mesh: corner normals with creases, its form, and finer faces
 // for round objects. As Editor/DrawingMesh.cpp does.
-import { Vector3 } from "three";
+import { Box3, Vector3 } from "three";
 
 const creaseCosine = Math.cos((35 * Math.PI) / 180);
 const flatness = 0.02; // distance from the box that counts as on it, of its extent
 
 const pointAt = (vertices, index, target = new Vector3()) => target.fromArray(vertices, 3 * index);
 
+/** Returns the `middle` and half the size (`half`) of the box around points, three numbers each. */
 export function boxOf(vertices) {
-    const minimum = new Vector3().setScalar(Infinity);
-    const maximum = new Vector3().setScalar(-Infinity);
-    const point = new Vector3();
-    for (let i = 0; i < vertices.length; i += 3) {
-        point.fromArray(vertices, i);
-        minimum.min(point);
-        maximum.max(point);
-    }
+    const box = new Box3().setFromArray(vertices);
     return {
-        middle: minimum.clone().add(maximum).multiplyScalar(0.5),
-        half: maximum.clone().sub(minimum).multiplyScalar(0.5),
+        middle: box.getCenter(new Vector3()),
+        half: box.getSize(new Vector3()).multiplyScalar(0.5),
     };
 }
 

@@ -2,7 +2,7 @@
 // chimes, and the board of tines. As Editor/KeyboardFurniture.cpp does. A bar has `middle`, `half`
 // (Vector3, metres), `tubeRadius`, `tubeMetres` (0: no tube), `isBehind` and `finish`. Each
 // function returns the height of the floor.
-import { Vector3 } from "three";
+import { Box3, Vector3 } from "three";
 
 import { looks } from "./appearance.js";
 
@@ -124,20 +124,16 @@ export function addKeyboardFrame(parts, bars) {
     return floor;
 }
 
-/** The corners of the box around all bars. */
-function extentOf(bars) {
-    const minimum = vector(Infinity, Infinity, Infinity);
-    const maximum = minimum.clone().negate();
-    for (const { middle, half } of bars) {
-        minimum.min(middle.clone().sub(half));
-        maximum.max(middle.clone().add(half));
-    }
-    return { minimum, maximum };
+/** The box around all bars. */
+function boxAround(bars) {
+    return new Box3().setFromPoints(
+        bars.flatMap(({ middle, half }) => [middle.clone().sub(half), middle.clone().add(half)]),
+    );
 }
 
 export function addChimeFrame(parts, chimes) {
     const unit = unitOf(chimes);
-    const { minimum, maximum } = extentOf(chimes);
+    const { min: minimum, max: maximum } = boxAround(chimes);
     const beam = maximum.z + 2 * unit;
     const floor = minimum.z - 3 * unit;
     for (const isBehind of [false, true]) {
@@ -172,7 +168,7 @@ export function addChimeFrame(parts, chimes) {
 
 export function addTineBoard(parts, tines) {
     const unit = unitOf(tines);
-    const { minimum, maximum } = extentOf(tines);
+    const { min: minimum, max: maximum } = boxAround(tines);
     const length = maximum.y - minimum.y;
     const [left, right] = [minimum.x - 2 * unit, maximum.x + 2 * unit];
     // Blocks from one side to the other between two places along the tines and two heights.

@@ -159,11 +159,12 @@ export class SceneLight {
         return this.#floor?.texture ?? null;
     }
 
-    /** Begins with a scene's extent (Vector3 corners) and the height of its floor, in metres. */
-    begin({ minimum, maximum }, floorHeight) {
-        this.middle.copy(minimum).add(maximum).multiplyScalar(0.5);
+    /** Begins with a scene's extent (Box3) and the height of its floor, in metres. */
+    begin(extent, floorHeight) {
+        const { min: minimum, max: maximum } = extent;
+        extent.getCenter(this.middle);
         this.reach = Math.max(maximum.distanceTo(minimum) / 2, 1e-4);
-        const size = maximum.clone().sub(minimum);
+        const size = extent.getSize(new Vector3());
         const margin = 0.2 * this.reach + 1.5 * size.z;
         const [width, depth] = [size.x + 2 * margin, size.y + 2 * margin];
         this.area.set(minimum.x - margin, minimum.y - margin, width, depth);

@@ -1,9 +1,9 @@
 // The instrument as meshes of the stage: its objects at their places, the furniture around them,
 // and their strikes. Points go between an object's own metres and the picture here.
-import { Vector3 } from "three";
+import { Box3, Vector3 } from "three";
 
 import { appearanceOf } from "./appearance.js";
-import { Bodies, extentOf } from "./bodies.js";
+import { Bodies } from "./bodies.js";
 import { frameOfBars, furnish } from "./furnishing.js";
 import { boxOf } from "./geometry.js";
 import { layoutOf } from "./layout.js";
@@ -80,8 +80,8 @@ export class Picture {
         this.#stage.orbit.reset();
         this.#stage.orbit.lookAt(this.#objects.flatMap(object => object.corners));
         const boxes = shown.map(({ geometry }) => boxOf(geometry.attributes.position.array));
-        const extent = extentOf(boxes.flatMap(cornersOf));
-        this.#reach = extent.maximum.distanceTo(extent.minimum) / 2;
+        const extent = new Box3().setFromPoints(boxes.flatMap(cornersOf));
+        this.#reach = extent.max.distanceTo(extent.min) / 2;
         this.#stage.show(shown, extent, floorHeight, isScene);
         this.setMallet(mallet);
         this.#motion.reset(
@@ -171,8 +171,8 @@ export class Picture {
         const { corners, bars } = this.#bodies;
         if (corners.length === 0) return;
         this.#isFramed = true;
-        const extent = extentOf(corners);
-        let floorHeight = extent.minimum.z;
+        const extent = new Box3().setFromPoints(corners);
+        let floorHeight = extent.min.z;
         if (bars.length >= fewestBars) {
             const frame = frameOfBars(bars);
             floorHeight = Math.min(floorHeight, frame.floorHeight);

@@ -66,8 +66,8 @@ export class Stage {
     }
 
     /**
-     * Shows meshes instead of the former ones. `extent` has the corners `minimum` and `maximum`, and
-     * `movesCasters` says whether bodies move, so that shadows are drawn anew for each frame.
+     * Shows meshes instead of the former ones. `extent` is a Box3 in metres, and `movesCasters` says
+     * whether bodies move, so that shadows are drawn anew for each frame.
      */
     show(meshes, extent, floorHeight, movesCasters) {
         this.#parts = this.#exchange(this.#parts, meshes, casterLayer);
