@@ -22,6 +22,7 @@ export const looks = {
     pip: look("plastic", 0.95, 0.94, 0.9),
 };
 
+/** Converts "#rrggbb" to three channels from 0 to 1. */
 export const channelsOf = colour =>
     [1, 3, 5].map(place => parseInt(colour.slice(place, place + 2), 16) / 255);
 

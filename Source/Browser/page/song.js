@@ -24,8 +24,8 @@ const orderAtOneTime = ({ bytes: [status] }) => (status < 0x90 ? 1 : status < 0x
 /** Returns a function from ticks to seconds. */
 function tempoMap(events, ticksPerBeat) {
     const stretches = [{ ticks: 0, seconds: 0, secondsPerTick: 0.5 / ticksPerBeat }];
-    const secondsAt = (ticks) => {
-        const here = stretches.findLast((stretch) => stretch.ticks <= ticks);
+    const secondsAt = ticks => {
+        const here = stretches.findLast(stretch => stretch.ticks <= ticks);
         return here.seconds + (ticks - here.ticks) * here.secondsPerTick;
     };
     for (const { subtype, ticks, microsecondsPerBeat } of events)
@@ -48,7 +48,7 @@ export function songEvents(file) {
     const events = tracks.flat().sort((a, b) => a.ticks - b.ticks);
     const secondsAt = tempoMap(events, header.ticksPerBeat);
     return events
-        .map((event) => ({ seconds: secondsAt(event.ticks), bytes: bytesOf(event) }))
+        .map(event => ({ seconds: secondsAt(event.ticks), bytes: bytesOf(event) }))
         .filter(({ bytes }) => bytes !== null)
         .sort((a, b) => a.seconds - b.seconds || orderAtOneTime(a) - orderAtOneTime(b));
 }

@@ -1,4 +1,5 @@
 // The dark and the light look: the system's, until the button is used.
+import { channelsOf } from "./appearance.js";
 
 const dark = matchMedia("(prefers-color-scheme: dark)");
 
@@ -9,10 +10,7 @@ export function followTheme(button, onchange) {
         document.getElementById("light").media = isDark ? "not all" : "all";
         button.setAttribute("aria-pressed", String(isDark));
         const style = getComputedStyle(document.documentElement);
-        const colour = name => {
-            const text = style.getPropertyValue(name).trim();
-            return [1, 3, 5].map(place => parseInt(text.slice(place, place + 2), 16) / 255);
-        };
+        const colour = name => channelsOf(style.getPropertyValue(name).trim());
         onchange({ isDark, panel: colour("--panel"), accent: colour("--accent") });
     };
     const follow = () => {
