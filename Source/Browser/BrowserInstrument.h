@@ -29,18 +29,17 @@ public:
 
     FetchedObjects& objects() { return fetched; }
 
-    /// Plays a factory preset from the next block on. Its objects must have been added. On an error
-    /// the former sound goes on. So it does in the two functions that follow.
+    // The next three play a sound from the next block on. On an error the former sound goes on.
+    /// Plays a factory preset, whose objects must have been added.
     Result<void> loadFactory(std::string_view name);
     /// Plays a preset file's text; `name` stands for it in errors.
     Result<void> loadText(std::string_view text, std::string_view name);
     /// Plays an added object on all keys, as loud as the factory presets.
     Result<void> loadObject(const std::string& name);
 
-    /// Returns what plays. Nothing before the first load.
+    /// Return what plays, or null before the first load.
     const Preset* preset() const { return played ? &*played : nullptr; }
     const Instrument* instrument() const { return player ? &player->instrument() : nullptr; }
-    const PlayedStage* stage() const { return player ? &player->stage() : nullptr; }
     /// Returns a slot for each object that plays (ownSlots).
     const std::vector<std::size_t>& slots() const { return slotsOfObjects; }
 

@@ -1,6 +1,6 @@
 // The functions of `instrument.wasm` (docs/web.md). JavaScript passes texts and bytes by address
-// and length. Functions that can fail return whether they did what they should; the answer is then
-// the text that was asked for, or else the sentence of the error.
+// and length. Functions that can fail return 1 on success, else 0. The answer is then the requested
+// text, or the sentence of the error.
 #include "Browser/BrowserInstrument.h"
 #include "Browser/InstrumentText.h"
 #include "Instrument/FactoryContent.h"
@@ -150,13 +150,13 @@ void EXPORT(work)() {
     played->work();
 }
 
-/// Returns eight numbers for each body of a scene (BrowserInstrument::poses).
+/// Returns the numbers of BrowserInstrument::poses.
 const float* EXPORT(poses)() {
     return played->poses().data();
 }
 
-std::size_t EXPORT(pose_count)() {
-    return played->poses().size() / 8;
+std::size_t EXPORT(poses_size)() {
+    return played->poses().size();
 }
 
 /// Returns the left channel; the right one begins `maximumFrames` floats later.

@@ -86,12 +86,12 @@ class IdiophoneProcessor extends AudioWorkletProcessor {
     }
 
     work() {
-        const { memory, instrument_work, instrument_poses, instrument_pose_count } = this.module.exports;
+        const { memory, instrument_work, instrument_poses, instrument_poses_size } = this.module.exports;
         instrument_work();
         const address = instrument_poses();
-        const count = instrument_pose_count();
-        if (count > 0)
-            this.port.postMessage({ poses: new Float32Array(memory.buffer, address, 8 * count).slice() });
+        const size = instrument_poses_size();
+        if (size > 0)
+            this.port.postMessage({ poses: new Float32Array(memory.buffer, address, size).slice() });
     }
 
     settled() {}
