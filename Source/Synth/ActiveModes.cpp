@@ -21,11 +21,6 @@ ActiveModes::ActiveModes(ModalBank& ownBank, BankOutput& ownOutput, SynthesisScr
     : bank(ownBank), output(ownOutput), scratch(sharedScratch), activeBlocks(ownBank, ownOutput),
       flags(ownBank) {}
 
-bool ActiveModes::holdsAboveTau() const noexcept {
-    return std::any_of(bank.energies(), bank.energies() + bank.paddedSize(),
-                       [&](float energy) { return energy > tauEnergy(); });
-}
-
 // The amplitude decays as e^{−αt} and reaches τ at t_c. A comparison at every grid point finds t_c
 // without a logarithm per struck mode.
 void ActiveModes::survey(Change allowed) noexcept {

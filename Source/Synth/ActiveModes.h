@@ -33,8 +33,6 @@ public:
     double tau() const noexcept { return tauPascals; }
     float tauEnergy() const noexcept { return static_cast<float>(tauPascals * tauPascals); }
     void setTau(double pascals) noexcept { tauPascals = pascals; }
-    /// Returns whether any mode is above τ, audible or not. With other poles it may be audible.
-    bool holdsAboveTau() const noexcept;
 
     /// How a survey may change the set of ringing modes.
     enum class Change { any, joinOnly, none };

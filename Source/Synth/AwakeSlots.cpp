@@ -148,16 +148,9 @@ void AwakeSlots::report() noexcept {
     mixedNow = 0;
     for (const std::int32_t number : awake) {
         const std::size_t slot = index(number);
-        const ModalResonator& object = objects[slot];
-        const ModeDemand demand = object.demand();
-        mixedNow += object.modesMixed();
-        statusOf[slot] = {static_cast<float>(demand.amplitude),
-                          demand.modes,
-                          object.modesMixed(),
-                          static_cast<std::int32_t>(object.channelsSounding()),
-                          std::min(shares[slot], demand.modes),
-                          object.groupCount(),
-                          object.groupsAudible()};
+        statusOf[slot] = objects[slot].status();
+        statusOf[slot].share = modesWanted(slot);
+        mixedNow += statusOf[slot].modesMixed;
     }
 }
 

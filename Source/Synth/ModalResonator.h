@@ -11,6 +11,7 @@
 #include "Synth/ModeGroups.h"
 #include "Synth/PendingIncrements.h"
 #include "Synth/PointShapes.h"
+#include "Synth/SlotStatus.h"
 #include "Synth/SoundingGroups.h"
 #include "Synth/SynthesisSettings.h"
 #include "Synth/SynthesiserSlot.h"
@@ -180,14 +181,19 @@ public:
         return active.blocks().none() && !contacts.sounding() && !output.fading() &&
                !active.restRinging();
     }
-    std::size_t channelsSounding() const noexcept { return bank.channels(); }
     std::size_t modeCount() const noexcept { return object.modeCount(); }
-    std::int32_t groupCount() const noexcept { return static_cast<std::int32_t>(bank.size()); }
-    std::int32_t groupsAudible() const noexcept {
-        return static_cast<std::int32_t>(bank.poles().audibleCount());
-    }
     /// Number of mixed modes, including those that strikes have added since `mix`.
     std::int32_t modesMixed() const noexcept { return active.modes().mixedCount(); }
+    /// Returns all but the share, which the budget gives.
+    SlotStatus status() const noexcept {
+        const auto [amplitude, modes] = demand();
+        return {.amplitude = static_cast<float>(amplitude),
+                .modesRinging = modes,
+                .modesMixed = modesMixed(),
+                .channels = static_cast<std::int32_t>(bank.channels()),
+                .groups = static_cast<std::int32_t>(bank.size()),
+                .groupsAudible = static_cast<std::int32_t>(bank.poles().audibleCount())};
+    }
 
 private:
     void applySettings(const SynthesisSettings& settings) noexcept;
