@@ -98,8 +98,4 @@ Result<ModalObject> analysedShape(const FactoryShape& shape, const WorkControl& 
     return shape.mesh != nullptr ? analysedMesh(shape, control) : analysedWall(shape, control);
 }
 
-Cavity cavityOf(const FactoryShape& shape) {
-    return slitShell(shape.wall(), shape.isSlit).cavity;
-}
-
 } // namespace idiophone

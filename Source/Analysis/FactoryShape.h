@@ -1,7 +1,6 @@
 // One object of the factory that is analysed from a generated shape: a sheet, a solid, or a wall.
 #pragma once
 
-#include "Analysis/Cavity.h"
 #include "Geometry/LatheMesh.h"
 #include "Object/ModalObject.h"
 #include "Object/WorkControl.h"
@@ -35,8 +34,5 @@ struct FactoryShape {
 
 /// Analyses the object, which takes seconds. Error: `cancelledMessage`.
 Result<ModalObject> analysedShape(const FactoryShape& shape, const WorkControl& control = {});
-
-/// Returns the cavity of a shape that has a slit.
-Cavity cavityOf(const FactoryShape& shape);
 
 } // namespace idiophone

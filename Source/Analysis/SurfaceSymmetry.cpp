@@ -134,10 +134,6 @@ Eigen::RowVector3d centroidOf(const Mesh& mesh) {
 
 } // namespace
 
-SurfaceSymmetry noSymmetry(const Mesh& mesh) {
-    return {elementsOf({}, mesh.faceCount()), charactersOf({})};
-}
-
 SurfaceOrbits orbitsOf(const SurfaceSymmetry& symmetry, const Mesh& mesh) {
     // The first face of an orbit is the farthest along a direction. So the first faces fill one
     // corner for mirrors and one wedge for turns.

@@ -26,8 +26,6 @@ struct SurfaceSymmetry {
 /// mesh without symmetry gets the identity alone. Vertices may be off by 1e-6 of the size.
 SurfaceSymmetry surfaceSymmetry(const Mesh& mesh);
 
-SurfaceSymmetry noSymmetry(const Mesh& mesh);
-
 /// Orbits: sets of faces that the elements map to each other.
 struct SurfaceOrbits {
     std::vector<int> firsts;   ///< one face of each orbit, side by side in a sector

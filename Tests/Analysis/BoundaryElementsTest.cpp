@@ -13,6 +13,7 @@
 #include <complex>
 #include <map>
 #include <numbers>
+#include <numeric>
 #include <random>
 #include <vector>
 
@@ -25,6 +26,13 @@ using Complex = std::complex<double>;
 constexpr double pi = std::numbers::pi;
 constexpr double impedance = airDensityKgPerM3 * speedOfSoundMetresPerSecond;
 const Complex j(0, 1);
+
+/// Returns the identity alone, whatever the mesh.
+SurfaceSymmetry noSymmetry(const Mesh& mesh) {
+    std::vector<int> faces(static_cast<std::size_t>(mesh.faceCount()));
+    std::iota(faces.begin(), faces.end(), 0);
+    return {.images = {faces}, .characters = Eigen::MatrixXcd::Ones(1, 1)};
+}
 
 double decibels(Complex actual, Complex expected) {
     return 20 * std::log10(std::abs(actual / expected));
