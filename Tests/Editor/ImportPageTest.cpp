@@ -1,13 +1,13 @@
 // Tests of the import page and of dropped files, without a screen.
 #include "Editor/ImportPage.h"
 #include "Editor/EditorWindow.h"
+#include "Editor/WindowParts.h"
 #include "Support/ImportedFiles.h"
 #include "Support/PresetNumber.h"
 #include "Support/TestSound.h"
 
 #include <catch2/catch_approx.hpp>
 #include <catch2/catch_test_macros.hpp>
-#include <functional>
 
 using namespace idiophone;
 using namespace idiophone::test;
@@ -15,24 +15,6 @@ using Catch::Approx;
 using ImportStage = ImportStatus::Stage;
 
 namespace {
-
-template <class Kind>
-Kind& part(juce::Component& whole, const juce::String& title) {
-    std::function<Kind*(juce::Component&)> find = [&](juce::Component& in) -> Kind* {
-        for (auto* child : in.getChildren()) {
-            if (auto* kind = dynamic_cast<Kind*>(child);
-                kind != nullptr && kind->getTitle() == title)
-                return kind;
-            if (auto* deeper = find(*child))
-                return deeper;
-        }
-        return nullptr;
-    };
-    auto* found = find(whole);
-    INFO(title);
-    REQUIRE(found != nullptr);
-    return *found;
-}
 
 void click(juce::Button& button) {
     REQUIRE(button.isEnabled());
@@ -343,9 +325,9 @@ TEST_CASE("Files can be dropped anywhere on the window; unreadable files are rep
         const auto status = processor.view().status.takeStatus();
         CHECK(status.isError);
         CHECK(status.sentence.starts_with('"' + std::string(refused) + '"'));
-        CHECK(status.sentence.ends_with(
-            "none of .obj, .off, .ply, .stl, .gltf, .glb, .modal, .wav, .flac, .aif, .aiff, .scl, .kbm, "
-            ".json."));
+        CHECK(status.sentence.ends_with("none of .obj, .off, .ply, .stl, .gltf, .glb, .modal, "
+                                        ".wav, .flac, .aif, .aiff, .scl, .kbm, "
+                                        ".json."));
     }
     const auto captured = juce::File::getSpecialLocation(juce::File::tempDirectory)
                               .getChildFile("Idiophone-drag-1a/Idiophone capture.mid");

@@ -29,10 +29,7 @@ struct Rig {
 
     template <class Kind>
     Kind& part(const juce::String& title) {
-        auto* found = find<Kind>(page, title);
-        INFO(title);
-        REQUIRE(found != nullptr);
-        return *found;
+        return test::part<Kind>(page, title);
     }
     void type(const juce::String& field, const juce::String& text) {
         part<juce::Label>(field).setText(text, juce::sendNotificationSync);

@@ -26,10 +26,7 @@ struct Page {
 
     template <class Kind>
     Kind& part(const juce::String& title) {
-        auto* found = find<Kind>(page, title);
-        INFO(title);
-        REQUIRE(found != nullptr);
-        return *found;
+        return test::part<Kind>(page, title);
     }
     bool isShown(const juce::String& title) {
         return isOnScreen(part<juce::Component>(title), page);

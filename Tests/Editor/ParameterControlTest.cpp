@@ -28,9 +28,7 @@ struct Opened {
 
     template <class Kind>
     Kind& part(const juce::String& title) {
-        auto* found = find<Kind>(*window, title);
-        REQUIRE(found != nullptr);
-        return *found;
+        return test::part<Kind>(*window, title);
     }
     double value(ParameterId parameter) {
         return processor.view().parameters.effectiveValue(parameter);

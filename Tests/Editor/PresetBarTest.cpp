@@ -21,10 +21,7 @@ struct Bar {
 
     juce::Button& button(const char* title) {
         bar.refresh();
-        auto* found = find<juce::Button>(bar, title);
-        INFO(title);
-        REQUIRE(found != nullptr);
-        return *found;
+        return part<juce::Button>(bar, title);
     }
     void click(const char* title) {
         button(title).onClick();

@@ -34,10 +34,7 @@ struct Browser {
 
     template <class Kind>
     Kind& part(const char* title) {
-        auto* found = find<Kind>(browser, title);
-        INFO(title);
-        REQUIRE(found != nullptr);
-        return *found;
+        return test::part<Kind>(browser, title);
     }
     PresetList& list() { return part<PresetList>("Presets"); }
     int rows() { return list().getListBoxModel()->getNumRows(); }

@@ -1,6 +1,7 @@
 // Finds parts of a window by their accessible names, and counts their repaints.
 #pragma once
 
+#include <catch2/catch_test_macros.hpp>
 #include <functional>
 #include <juce_gui_basics/juce_gui_basics.h>
 
@@ -22,6 +23,15 @@ Kind* find(juce::Component& window, const juce::String& title) {
             found = candidate;
     });
     return found;
+}
+
+/// Returns the first component of that kind and title. Without one the test fails.
+template <class Kind>
+Kind& part(juce::Component& window, const juce::String& title) {
+    auto* found = find<Kind>(window, title);
+    INFO(title);
+    REQUIRE(found != nullptr);
+    return *found;
 }
 
 inline bool isOnScreen(const juce::Component& component, const juce::Component& window) {

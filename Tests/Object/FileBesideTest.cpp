@@ -8,16 +8,10 @@
 #include <string>
 
 using namespace idiophone;
+using test::emptyFolder;
 namespace fs = std::filesystem;
 
 namespace {
-
-fs::path emptyFolder(const char* name) {
-    const auto folder = test::testFolder() / name;
-    fs::remove_all(folder);
-    fs::create_directories(folder);
-    return folder;
-}
 
 auto writing(std::string text) {
     return [text = std::move(text)](std::ostream& stream) { stream << text; };

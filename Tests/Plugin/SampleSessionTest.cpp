@@ -22,13 +22,6 @@ using SampleStage = SampleStatus::Stage;
 
 namespace {
 
-std::filesystem::path emptyFolder(const std::string& name) {
-    const auto folder = testFolder() / name;
-    std::filesystem::remove_all(folder);
-    std::filesystem::create_directories(folder);
-    return folder;
-}
-
 /// Two keys of one layer, cut early.
 SampleSettings shortSettings() {
     return {.lowestKey = 60,

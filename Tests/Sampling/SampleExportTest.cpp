@@ -17,13 +17,6 @@ using namespace idiophone::test;
 
 namespace {
 
-std::filesystem::path emptyFolder(const std::string& name) {
-    const auto folder = testFolder() / name;
-    std::filesystem::remove_all(folder);
-    std::filesystem::create_directories(folder);
-    return folder;
-}
-
 std::vector<SampleJob> jobsIn(const std::filesystem::path& folder) {
     std::vector<SampleJob> jobs;
     for (const int velocity : {40, 80, 127})

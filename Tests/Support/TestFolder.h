@@ -24,4 +24,12 @@ inline const std::filesystem::path& testFolder() {
     return folder.path;
 }
 
+/// Returns a folder of that name in `testFolder`, without the files of an earlier call.
+inline std::filesystem::path emptyFolder(const std::string& name) {
+    const auto folder = testFolder() / name;
+    std::filesystem::remove_all(folder);
+    std::filesystem::create_directories(folder);
+    return folder;
+}
+
 } // namespace idiophone::test
