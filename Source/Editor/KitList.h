@@ -77,14 +77,8 @@ private:
             return;
         const auto& part = rows[static_cast<std::size_t>(row)];
         const auto area = juce::Rectangle<int>(width, height).reduced(0, 1);
-        if (isSelected) {
-            g.setColour(colourOf(*this, LookColour::outline).withMultipliedAlpha(0.7f));
-            g.fillRoundedRectangle(area.toFloat(), 4);
-            if (hasKeyboardFocus(true)) {
-                g.setColour(colourOf(*this, LookColour::accent));
-                g.drawRoundedRectangle(area.toFloat().reduced(0.75f), 4, 1.5f);
-            }
-        }
+        if (isSelected)
+            drawSelectedRow(g, area, *this);
         auto below = cellsIn({getWidth(), height}).withY(area.getY());
         below.setHeight(area.getHeight());
         const auto line = below.removeFromTop(area.getHeight() * 9 / 16);

@@ -271,6 +271,15 @@ void Look::drawFileBrowserRow(juce::Graphics& g,
     g.drawFittedText(name, area, juce::Justification::centredLeft, 1, 0.8f);
 }
 
+void drawSelectedRow(juce::Graphics& g, juce::Rectangle<int> row, const juce::ListBox& list) {
+    g.setColour(colourOf(list, LookColour::outline).withMultipliedAlpha(0.7f));
+    g.fillRoundedRectangle(row.toFloat(), 4);
+    if (list.hasKeyboardFocus(true)) {
+        g.setColour(colourOf(list, LookColour::accent));
+        g.drawRoundedRectangle(row.toFloat().reduced(0.75f), 4, 1.5f);
+    }
+}
+
 void recolourTexts(juce::Component& part) {
     if (auto* editor = dynamic_cast<juce::TextEditor*>(&part)) {
         editor->applyColourToAllText(editor->findColour(juce::TextEditor::textColourId), false);

@@ -118,6 +118,9 @@ void showParts(juce::Component& parent, Parts&... parts) {
     (parent.addAndMakeVisible(parts), ...);
 }
 
+/// Draws a selected row of a list, and whether the list has the focus.
+void drawSelectedRow(juce::Graphics& g, juce::Rectangle<int> row, const juce::ListBox& list);
+
 /// Colours text that was typed into `part` and its children. JUCE keeps its old colour otherwise.
 void recolourTexts(juce::Component& part);
 

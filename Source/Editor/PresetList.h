@@ -67,14 +67,8 @@ private:
         if (preset == nullptr)
             return;
         auto area = juce::Rectangle<int>(width, height).reduced(2, 1);
-        if (isSelected) {
-            g.setColour(colourOf(*this, LookColour::outline).withMultipliedAlpha(0.7f));
-            g.fillRoundedRectangle(area.toFloat(), 4);
-            if (hasKeyboardFocus(true)) {
-                g.setColour(colourOf(*this, LookColour::accent));
-                g.drawRoundedRectangle(area.toFloat().reduced(0.75f), 4, 1.5f);
-            }
-        }
+        if (isSelected)
+            drawSelectedRow(g, area, *this);
         const auto star = area.removeFromLeft(starWidth).toFloat().withSizeKeepingCentre(15, 15);
         g.setColour(
             colourOf(*this, preset->isFavourite ? LookColour::accent : LookColour::outline));
