@@ -1,16 +1,11 @@
 #include "Instrument/LoudnessMatch.h"
 
 #include "Instrument/FactoryContent.h"
-#include "Instrument/LoudnessPhrase.h"
 #include "Instrument/ObjectLibrary.h"
 #include "Instrument/PhrasePrediction.h"
-#include "Instrument/Player.h"
-#include "Instrument/Scatter.h"
-#include "IntegratedLufs.h"
+#include "LoudnessRig.h"
 #include "Object/Mallet.h"
-#include "Parameters/ModulationTable.h"
 #include "Support/KeyedPresets.h"
-#include "Support/RenderNotes.h"
 #include "Support/WithParameter.h"
 #include "TestInstruments.h"
 
@@ -20,9 +15,7 @@
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
 #include <limits>
-#include <memory>
 #include <numeric>
-#include <optional>
 #include <ranges>
 #include <string>
 #include <vector>
@@ -34,7 +27,7 @@ using Catch::Approx;
 
 namespace {
 
-constexpr double sampleRateHz = 48000;
+constexpr double sampleRateHz = LoudnessRig::sampleRateHz;
 
 /// Returns one preset of each kind of body: all of them would take minutes.
 auto presetsOfBodies() {
@@ -50,113 +43,6 @@ auto presetsOfBodies() {
 double gainOf(const LoudnessMatch& match, const ParameterValues& now) {
     return match.gainDb(with(now, matchLoudness, 1));
 }
-
-double measuredLufs(const StereoSound& sound, double gainDb) {
-    const auto gain = static_cast<float>(std::pow(10, gainDb / 20));
-    std::vector<float> interleaved;
-    for (std::size_t i = 0; i < sound.left.size(); ++i) {
-        interleaved.push_back(gain * sound.left[i]);
-        interleaved.push_back(gain * sound.right[i]);
-    }
-    return integratedLufs(interleaved, 2, sampleRateHz);
-}
-
-/// Plays and measures a preset whose keys have the contact `kind`. Several takes average out
-/// chance. Strikes come a little early or late, so that they meet the ringing sound in different
-/// phases. Scrapes and rolls start all over the surface's profile, because narrow modes hear only a
-/// few of its harmonics.
-class Rig {
-public:
-    explicit Rig(const Preset& preset, int kind, std::uint32_t takes = 1)
-        : map(preset.keyMap), instrument(Instrument::build(map, ObjectLibrary::shared()).value()),
-          predicted(instrument, preset.surface, sampleRateHz), own(preset.parameters) {
-        own.set(contact, kind);
-        own.set(matchLoudness, 1);
-        // Random, or slow, so no prediction includes them.
-        for (const auto parameter : {imperfection, strikeSpread, motorDepth})
-            own.set(parameter, 0);
-        for (const auto& route : modulationRoutes) // nor modulation
-            own.set(route.source, 0);
-        match.emplace(predicted, own);
-        for (std::uint32_t take = 0; take < takes; ++take)
-            voices.push_back(std::make_unique<Player>(
-                instrument, sampleRateHz, preset.surface,
-                strikes(own) ? preset.seed : preset.seed + seedsToNextPlace * take));
-    }
-
-    /// Returns the mean power of all takes, without matching.
-    double loudness(ParameterValues parameters, double gainDb, int velocity = 100) {
-        parameters.set(matchLoudness, 0);
-        double power = 0;
-        for (std::uint32_t take = 0; take < voices.size(); ++take) {
-            voices[take]->reset();
-            const auto sound = renderStereo(
-                *voices[take], phraseOf(take, velocity),
-                static_cast<std::size_t>(loudnessPhraseSeconds * sampleRateHz), 4800, parameters);
-            power += std::pow(10, measuredLufs(sound, gainDb) / 10);
-        }
-        return 10 * std::log10(power / static_cast<double>(voices.size()));
-    }
-
-    struct Error {
-        double matched;   ///< LU above the preset's own, with the gain applied
-        double predicted; ///< LU above the prediction for that velocity
-    };
-
-    /// Returns nothing if the gain is at its bound. Measures near −23 LUFS, far from the absolute
-    /// gate.
-    std::optional<Error> error(const ParameterValues& now, int velocity = 100) {
-        if (velocity != ownVelocity)
-            measureOwn(velocity);
-        const double gain = match->gainDb(now);
-        if (std::abs(gain) >= 40)
-            return {};
-        const auto level =
-            static_cast<std::size_t>(std::ranges::find(PhrasePrediction::velocities, velocity) -
-                                     PhrasePrediction::velocities.begin());
-        const double matched = loudness(now, ownLevel + gain, velocity) - ownLoudness;
-        const double louder =
-            predictedLoudness(predicted, now)[level] - predictedLoudness(predicted, own)[level];
-        return Error{.matched = matched, .predicted = matched - gain - louder};
-    }
-
-    void measureOwn(int velocity) {
-        ownVelocity = velocity;
-        ownLevel = 0;
-        double lufs = loudness(own, 0, velocity);
-        while (!std::isfinite(lufs))
-            lufs = loudness(own, ownLevel += 40, velocity);
-        ownLevel -= 23 + lufs;
-        ownLoudness = loudness(own, ownLevel, velocity);
-    }
-
-    KeyMap map;
-    std::shared_ptr<const Instrument> instrument;
-    Phrase predicted;
-    ParameterValues own;
-    int ownVelocity = 0;
-    double ownLevel = 0, ownLoudness = 0;
-    std::optional<LoudnessMatch> match;
-    std::vector<std::unique_ptr<Player>> voices;
-
-private:
-    /// Seed step that spreads 16 starts of contacts evenly over the profile.
-    static constexpr std::uint32_t seedsToNextPlace = 60;
-
-    /// Shifts strikes by up to 30 ms, except in the first take.
-    std::vector<MidiEvent> phraseOf(std::uint32_t take, int velocity) const {
-        auto events = loudnessPhrase(map, velocity, sampleRateHz);
-        const bool strays = take > 0 && strikes(own);
-        for (std::size_t note = 1; strays && note < PhraseMeter::notes; ++note) {
-            const double chance =
-                scatter(PhraseMeter::notes * take + static_cast<std::uint32_t>(note));
-            const int late = static_cast<int>(0.015 * (1 + chance) * sampleRateHz);
-            events[2 * note - 1].sampleOffset += late; // the previous note's note-off
-            events[2 * note].sampleOffset += late;
-        }
-        return events;
-    }
-};
 
 /// Materials from plastic to hard ceramic: speeds of sound √(E/ρ) of 1200, 3500 and 6000 m/s, each
 /// with three densities and with dampings from a bell's to a soft wood's.
@@ -208,7 +94,7 @@ struct Worst {
 
 template <typename Grid>
 Worst worstOf(const Grid& grid, const Preset& preset, int kind, std::uint32_t takes, int velocity) {
-    Rig rig(preset, kind, takes);
+    LoudnessRig rig(preset, kind, takes);
     Worst worst;
     for (const auto& figures : grid)
         if (const auto error = rig.error(of(figures, rig.own), velocity)) {
@@ -256,7 +142,7 @@ TEST_CASE("Matched strikes of another mallet are within 3.1 LU at velocity 100, 
 TEST_CASE("The gain is the mean over velocities, within 1.5 dB of the middle one") {
     std::size_t means = 0, bounded = 0;
     for (const auto& preset : keyedFactoryPresets()) {
-        Rig rig(preset, strikeContact);
+        LoudnessRig rig(preset, strikeContact);
         const auto wanted = predictedLoudness(rig.predicted, rig.own);
         for (const auto& figures : malletGrid) {
             const auto now = of(figures, rig.own);
@@ -296,7 +182,7 @@ TEST_CASE("Matched rolls of another material are within 2.3 LU in the mean over 
 
 TEST_CASE("Without the gain, mallets on a xylophone are more than 20 LU apart") {
     const auto& preset = factoryPresets().front();
-    Rig rig(preset, strikeContact);
+    LoudnessRig rig(preset, strikeContact);
     const double plastic = rig.loudness(preset.parameters, 20);
     const double yarn = rig.loudness(with(preset.parameters, mallet, firstRackMallet), 20);
     CHECK(plastic - yarn > 20);
@@ -309,7 +195,7 @@ TEST_CASE(
             continue;
         // Strikes on a shared object meet the sound that still rings, so measure the mean of four
         // phrases.
-        Rig rig(preset, strikeContact, 4);
+        LoudnessRig rig(preset, strikeContact, 4);
         const double bothChannels = 10 * std::log10(2);
         const double measured = rig.loudness(rig.own, 0) - bothChannels;
         INFO(preset.name << ": " << measured);
@@ -319,7 +205,7 @@ TEST_CASE(
 
 TEST_CASE("With the preset's own material and mallet the gain is 0, whatever else changes") {
     const auto& preset = factoryPresets().front();
-    Rig rig(preset, strikeContact);
+    LoudnessRig rig(preset, strikeContact);
     auto now = preset.parameters;
     for (const auto parameter : {malletSpeed, size, strikeAlong, tune, radiation, chatter, level})
         now.set(parameter, parameterInfo(parameter).maximum);
@@ -368,7 +254,7 @@ TEST_CASE("Every struck preset is predicted within 2 LU for other mallets and ma
     for (const auto& preset : keyedFactoryPresets()) {
         if (static_cast<int>(preset.parameters[contact]) != strikeContact)
             continue;
-        Rig rig(preset, strikeContact, 8);
+        LoudnessRig rig(preset, strikeContact, 8);
         std::vector<ParameterValues> settings;
         for (std::size_t racked = 0; racked < malletRack().size(); ++racked)
             settings.push_back(
