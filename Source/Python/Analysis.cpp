@@ -77,11 +77,8 @@ PythonObject analysed(const Mesh& mesh,
         settings.radiation = RadiationMethod::exact;
     else if (radiation != "quick")
         throw nb::value_error("the radiation is none of none, quick and exact");
-    return {worked(progress, [&](const WorkControl& control) {
-        return analyse(mesh, settings, control).map([](ModalObject&& object) {
-            return std::make_shared<const ModalObject>(std::move(object));
-        });
-    })};
+    return held(worked(
+        progress, [&](const WorkControl& control) { return analyse(mesh, settings, control); }));
 }
 
 using Place = std::variant<double, Numbers3>;
@@ -112,14 +109,11 @@ PythonObject fitted(const std::vector<std::tuple<ArrayLike, double, Place>>& rec
                                     .massKg = mass};
     if (material)
         settings.material = materialOf(*material);
-    return {worked(progress, [&](const WorkControl& control) {
+    return held(worked(progress, [&](const WorkControl& control) {
         return fitRecordings(strikes, {.modeCount = modes, .contactSeconds = contactTime}, control)
             .and_then(
-                [&](const RecordingFit& fit) { return measuredObject(fit, places, settings); })
-            .map([](ModalObject&& object) {
-                return std::make_shared<const ModalObject>(std::move(object));
-            });
-    })};
+                [&](const RecordingFit& fit) { return measuredObject(fit, places, settings); });
+    }));
 }
 
 std::pair<Material, std::string> recordedMaterial(const ArrayLike& given,

@@ -56,6 +56,10 @@ struct PythonObject {
     std::shared_ptr<const ModalObject> object;
 };
 
+inline PythonObject held(ModalObject&& object) {
+    return {std::make_shared<const ModalObject>(std::move(object))};
+}
+
 /// Returns the value, or raises ValueError with the sentence.
 template <class Value>
 Value valueOf(Result<Value>&& result) {

@@ -110,19 +110,15 @@ void bindObjects(nb::module_& module) {
         .def("__setstate__",
              [](PythonObject& self, const nb::bytes& state) {
                  const std::span bytes(static_cast<const std::byte*>(state.data()), state.size());
-                 new (&self) PythonObject{std::make_shared<const ModalObject>(
-                     valueOf(readModalObject(bytes, "a pickled object")))};
+                 new (&self)
+                     PythonObject(held(valueOf(readModalObject(bytes, "a pickled object"))));
              })
         .def("__repr__", [](const PythonObject& self) {
             return "<ModalObject '" + self.object->name + "' of " +
                    std::to_string(self.object->modeCount()) + " modes>";
         });
     module.def(
-        "load",
-        [](const std::filesystem::path& path) {
-            auto object = readObject(path);
-            return PythonObject{std::make_shared<const ModalObject>(valueOf(std::move(object)))};
-        },
+        "load", [](const std::filesystem::path& path) { return held(valueOf(readObject(path))); },
         nb::arg("path"),
         "Reads a .modal file, or the first modal model of a glTF file (.gltf, .glb).");
 }

@@ -6,8 +6,8 @@
     print(bell.frequencies[:5])
     sound = idiophone.strike(bell, impulse=(0, 0, -0.02))     # [frames, 2], 48 kHz
 
-Lengths are in metres, times in seconds, frequencies in hertz. What cannot be done raises ValueError with one sentence.
-Meshes, materials and modal objects can be pickled.
+Lengths are in metres, times in seconds, frequencies in hertz. A function that cannot do its work raises ValueError with
+one sentence. Meshes, materials and modal objects can be pickled.
 """
 from __future__ import annotations
 
