@@ -1,4 +1,4 @@
-# Where `cmake --install` puts files, and the packages that CPack makes of them (docs/packages.md).
+# The places to which `cmake --install` copies files, and the packages that CPack makes of them (docs/packages.md).
 include(GNUInstallDirs)
 include(SourceDate)
 

@@ -54,7 +54,7 @@ def tap(seconds, degrees, height, speed):
 
 
 def main():
-    # What comes before the hand is written by people, and stays.
+    # The part before the hand is written by people, and stays.
     head = FILE.read_text().split(',\n    "hand"')[0].removesuffix("\n}\n")
     hand = {
         "taps": [tap(0.3, -90, 0.006, 0.8), tap(1.0, -75, 0.02, 0.5), tap(1.5, -100, 0.045, 0.6),

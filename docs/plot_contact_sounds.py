@@ -24,7 +24,7 @@ SPEED, PLACE = 1, 74
 RACK = ("Yarn", "Soft rubber", "Medium rubber", "Hard rubber", "Wood", "Hard plastic", "Brass")
 MATERIALS = ("Rosewood", "Padauk", "Wood", "Ceramic", "Glass", "Plastic", "Iron", "Polycarbonate",
              "Steel", "Tin", "Aluminium")
-# What a contact does to an object is read best where the object forgets soon, heard as it is.
+# A contact is seen best on an object that decays soon, heard at the struck place.
 PROBE = {"material": "Custom", "gamma": 1000, "tau": 0.001, "compression": 0, "budget": 16384,
          "radiation": 0, "spread": 0, "level": 0}
 ROSEWOOD = {"young": 12.5, "density": 850, "eta": 0.235}

@@ -101,7 +101,7 @@ def rolling(console):
     sound.set_xlabel("s")
     save(figure, "rolling")
     seconds, _ = performance.impulses_on("long-table")
-    # What follows within a millisecond is one setting down.
+    # Impacts within a millisecond of each other are one setting down.
     set_down = seconds[1:][np.diff(seconds) > 0.001]
     steps = 1000 * np.diff(set_down[(set_down >= 0.2) & (set_down < 1)])
     return table(("rolling on the table", "mean, ms", "s.d., ms"),

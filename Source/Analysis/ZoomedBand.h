@@ -10,8 +10,7 @@ namespace idiophone {
 
 /// Shifts the centre to 0 Hz, low-passes by a filter of finite length and resamples at 1.8 times
 /// the width. The filter is level to half a width, −6 dB at 0.86 widths, −60 dB from 1.22 on.
-/// Where it lies within a free decay, the result is a sum of exponentials with the poles of the
-/// decay.
+/// Within a free decay, the result is a sum of exponentials with the poles of the decay.
 class ZoomedBand {
 public:
     ZoomedBand(double centreHz, double widthHz);

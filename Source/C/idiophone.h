@@ -43,7 +43,7 @@ extern "C" {
 #define IDIOPHONE_INTERFACE_VERSION 1
 IDIOPHONE_API uint32_t idiophone_interface_version(void);
 
-/* What a function did. If it is not IDIOPHONE_DONE, nothing changed. */
+/* The result of a call. If it is not IDIOPHONE_DONE, nothing changed. */
 typedef enum idiophone_result {
     IDIOPHONE_DONE = 0,
     IDIOPHONE_INVALID = 1, /* an argument is null or out of range, or does not exist */
@@ -94,7 +94,7 @@ typedef struct idiophone_body {
 #define IDIOPHONE_BODY_DEFAULTS                                                                    \
     { sizeof(idiophone_body), NULL, 1 }
 
-/* What a surface sounds like when something slides or rolls on it (docs/surfaces.md). */
+/* How a surface sounds when something slides or rolls on it (docs/surfaces.md). */
 typedef struct idiophone_surface {
     uint32_t struct_size;
     double spectrum_exponent; /* -4 to 1 */
@@ -110,7 +110,7 @@ typedef struct idiophone_surface {
 typedef struct idiophone_world_settings {
     uint32_t struct_size;
     double sample_rate; /* 8000 to 384000 Hz */
-    /* What touches sound like. None: one with the defaults. */
+    /* How touches sound. Null: one surface with the defaults. */
     const idiophone_surface* surfaces;
     size_t surface_count;
     /* Calls that may wait for idiophone_world_render, 16 to 1048576. */
@@ -183,7 +183,7 @@ IDIOPHONE_API idiophone_result idiophone_world_touch(idiophone_world* world,
                                                      const idiophone_contact* contact);
 IDIOPHONE_API idiophone_result idiophone_world_end_touch(idiophone_world* world, size_t touch);
 
-/* What a body is made of. */
+/* The material of a body. */
 typedef struct idiophone_material {
     uint32_t struct_size;
     double youngs_modulus;       /* in Pa */

@@ -36,7 +36,8 @@ std::vector<KeyboardBar> rowOf(std::span<const KeyboardBar> bars, bool isBehind)
     return row;
 }
 
-/// Where the cord passes through a bar: at its rest line towards (−1) or away from the player (1).
+/// The place where the cord passes through a bar: at its rest line towards (−1) or away from the
+/// player (1).
 Vector cordPlace(const KeyboardBar& bar, float side) {
     return bar.middle + Vector(0, side * nodeShare * bar.half.y(), 0);
 }

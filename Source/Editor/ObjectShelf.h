@@ -1,4 +1,4 @@
-// Where the objects of a kit stand in the picture: in rows on the floor, in the order of their
+// Lays out the objects of a kit in the picture: in rows on the floor, in the order of their
 // keys.
 #pragma once
 

@@ -22,7 +22,7 @@ struct PicturePart {
 /// The objects or bodies of a frame, their furniture and the mallets.
 std::vector<PicturePart> partsOf(const SceneFrame& frame);
 
-/// Which of the parts cast shadows in the lamp's depth map: all but glass.
+/// Returns for each part whether it casts a shadow in the lamp's depth map: all but glass do.
 std::vector<bool> shadowCasters(std::span<const PicturePart> parts);
 
 /// The vertices of objects and furniture of a frame where they are, three a triangle. In the order

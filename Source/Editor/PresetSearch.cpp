@@ -43,7 +43,7 @@ juce::String small(const std::string& text) {
     return small(fromUtf8(text));
 }
 
-/// Those of the factory presets (docs/presets.md), in the order of a list.
+/// The tags of the factory presets (docs/presets.md), in the order of a list.
 constexpr std::array soundWords{"dark",    "warm", "clear", "bright", "short",
                                 "ringing", "long", "soft",  "hard"};
 

@@ -1,4 +1,4 @@
-// Which object each key plays, and where it is struck.
+// The object that each key plays, and where it is struck.
 #pragma once
 
 #include "Object/Result.h"

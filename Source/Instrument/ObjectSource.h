@@ -1,4 +1,4 @@
-// Where instruments and scenes find modal objects by name.
+// A source in which instruments and scenes find modal objects by name.
 #pragma once
 
 #include "Object/ModalObject.h"

@@ -1,4 +1,4 @@
-// Where the keys strike an object, for pictures of it.
+// The places where the keys strike an object, for pictures of it.
 #pragma once
 
 #include "Instrument/Instrument.h"

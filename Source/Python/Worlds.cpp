@@ -194,7 +194,7 @@ void bindWorlds(nb::module_& module) {
         "`bodies` are modal objects, or pairs of an object and a size. They are numbered from 0 "
         "and stand at the origin. Without a `listener` everything is heard at the struck place. At "
         "most `events` calls wait for the next `render`; a further one raises BufferError. One "
-        "thread may render while another says what happens. Positions are in m. What is out of "
+        "thread may render while another says what happens. Positions are in m. A number out of "
         "range raises ValueError.")
         .def(nb::init<const std::vector<PythonWorld::Body>&, double, bool, std::size_t>(),
              nb::arg("bodies"), nb::kw_only(), nb::arg("sample_rate") = 48000.0,

@@ -184,7 +184,7 @@ void __cxa_end_catch() {
 
 } // extern "C"
 
-// Those of the C++ library return null instead of throwing.
+// These throw; the operators of the C++ library return null instead.
 
 void* operator new(std::size_t bytes) {
     if (void* const memory = std::malloc(bytes == 0 ? 1 : bytes))

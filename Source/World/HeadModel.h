@@ -9,7 +9,7 @@
 
 namespace idiophone {
 
-/// Where a listener stands, in metres.
+/// The place of a listener, in metres.
 struct Listener {
     Eigen::Vector3d positionMetres{0, -1.5, 1.5};
     Eigen::Vector3d towardsMetres{0, 0, 0.5}; ///< the point that the listener looks at

@@ -37,7 +37,7 @@ struct WorldSettings {
     SynthesisSettings synthesis = {.tau = 0.1, .radiation = 1};
 };
 
-/// Where a body is: the origin and the axes (columns) of its object's coordinates.
+/// The place of a body: the origin and the axes (columns) of its object's coordinates.
 struct WorldPose {
     Eigen::Vector3d originMetres = Eigen::Vector3d::Zero();
     Eigen::Matrix3d axes = Eigen::Matrix3d::Identity(); ///< a rotation

@@ -1,4 +1,4 @@
-/* Strikes bodies in turn, as strikes.mjs does in the WebAssembly module, and renders them in blocks
+/* Strikes bodies in turn, as engine.mjs does in the WebAssembly module, and renders them in blocks
  * of 128 frames. Writes both ears of each frame as floats. Prints the processor seconds.
  *
  *     strikes OUTPUT SECONDS STRIKES_PER_SECOND OBJECT.modal...
@@ -16,7 +16,7 @@ static int fail(const char* what) {
     return 1;
 }
 
-/* Where and how hard strike number k hits a body that stands at x. */
+/* Returns strike number k on a body that stands at x. */
 static idiophone_impact
 strike(size_t k, size_t body, double x, const float* low, const float* high) {
     idiophone_impact hit = IDIOPHONE_IMPACT_DEFAULTS;

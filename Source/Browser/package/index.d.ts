@@ -57,13 +57,13 @@ export interface ObjectInfo {
     readonly faceCount: number;
     /** Its own material, with the keys of Idiophone's materials.json. */
     readonly material: MaterialInfo;
-    /** Of a shell, whose mesh is its middle surface; 0 for a solid. */
+    /** The thickness of a shell, whose mesh is its middle surface; 0 for a solid. */
     readonly thicknessMetres: number;
     /** The vertices that are held still. */
     readonly clampedVertices: readonly number[];
     /** The frequency of the mode that a bar shares with its tube; 0 without one. */
     readonly tubeHz: number;
-    /** Where keys strike it, in metres. */
+    /** The places where keys strike it, in metres. */
     readonly struckPlaces: readonly PlaceMetres[];
 }
 
@@ -100,7 +100,7 @@ export class Idiophone {
     readonly node: AudioWorkletNode;
     readonly presets: readonly PresetInfo[];
     readonly parameters: readonly ParameterInfo[];
-    /** What plays, or null before the first load. */
+    /** The instrument that plays, or null before the first load. */
     readonly instrument: InstrumentInfo | null;
 
     /** Plays a factory preset and fetches the objects that it lacks. */

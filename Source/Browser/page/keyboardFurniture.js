@@ -16,7 +16,7 @@ const unitOf = bars => bars.reduce((sum, bar) => sum + 2 * bar.half.x, 0) / bars
 
 const rowOf = (bars, isBehind) => bars.filter(bar => bar.isBehind === isBehind);
 
-/** Where the cord passes through a bar: towards (-1) or away from the player (1). */
+/** The place where the cord passes through a bar: towards (-1) or away from the player (1). */
 function cordPlace(bar, side) {
     return bar.middle.clone().add(vector(0, side * nodeShare * bar.half.y, 0));
 }

@@ -1,4 +1,4 @@
-// Where the objects of an instrument lie in the picture, in metres, z up: bars of a keyboard in two
+// Lays the objects of an instrument out in the picture, in metres, z up: bars of a keyboard in two
 // rows, a kit on a shelf, a single object alone. As Editor/ObjectScene.cpp and ObjectShelf.h do.
 import { Matrix4, Vector3 } from "three";
 
