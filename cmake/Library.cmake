@@ -1,5 +1,5 @@
-# Installs Object, Synth, Mesh, Geometry and Analysis as a CMake package (docs/library.md), and the
-# C interface (docs/c-interface.md) for pkg-config too.
+# Installs the modules that other programs use as a CMake package (docs/library.md), and the C interface
+# (docs/c-interface.md) for pkg-config too.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
@@ -49,7 +49,7 @@ install_modules(IdiophoneTargets
         Synth/BowedPoint Synth/CellOutput Synth/ContactForce Synth/ContactWidth Synth/ForceCell Synth/HeardForce Synth/LiveConditions
         Synth/ModalPole Synth/PointModes Synth/Reson Synth/SlotStatus Synth/SoundingGroups Synth/Strike Synth/StrikePoints Synth/Surface Synth/SurfaceProfile
         Synth/Synthesiser Synth/SynthesiserSlot Synth/SynthesisSettings Synth/TubeOpening)
-# Makes objects from meshes. This is a component of its own because it needs Eigen.
+# Bodies in space, glTF files, and objects from meshes. A component of its own, because it needs Eigen.
 install_modules(IdiophoneAnalysisTargets
     TARGETS idiophone_mesh idiophone_gltf idiophone_world idiophone_geometry idiophone_analysis idiophone_tetgen
     HEADERS
