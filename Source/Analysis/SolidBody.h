@@ -20,9 +20,10 @@ struct SolidBodySettings {
 /// The elements suit the default band at least, within the budget, so that the ten lowest modes of
 /// bars, rings, plates and walls are within 0.5 % of converged ones in any band. Long rods exceed
 /// the budget. Remeshes the surface if its triangles are much coarser or finer than the elements
-/// need, and curves the elements along it then. Edges over 40° are kept. The band ends where three elements span the shortest wavelength. Precondition: `surface` is as
-/// repairMesh leaves it, and its MeshCheck says that it is solid. Errors, each one sentence: those
-/// of remesh and tetrahedralise, `cancelledMessage`.
+/// need, and curves the elements along it then. Edges over 40° are kept. The band ends where three
+/// elements span the shortest wavelength. Precondition: `surface` is as repairMesh leaves it, and
+/// its MeshCheck says that it is solid. Errors, each one sentence: those of remesh and
+/// tetrahedralise, `cancelledMessage`.
 Result<BodyModel>
 solidBody(const Mesh& surface, const SolidBodySettings& settings, const WorkControl& control = {});
 

@@ -36,15 +36,15 @@ Result<const MeshGroup*> findGroup(const std::vector<MeshGroup>& groups, std::st
 /// Reads a mesh and scales it to metres. The extension selects the format (.obj, .off, .ply, .stl,
 /// .gltf, .glb, in upper or lower case).
 /// The groups are those of "g" and "o" in OBJ, the solids of a text STL and the nodes of glTF. Axes
-/// stay as they are in the file; glTF's y, which points up, becomes z. A glTF file's scene is read with its nodes' places, its buffers
-/// from the folder of the file and the folders below.
-/// Polygons are cut into triangles inside their outline, or with a note if it crosses itself. A
-/// mesh whose faces lie more than a hundred diagonals from the origin is moved there, because
-/// objects are stored in single precision. Vertices without a face are kept; those that are no
-/// numbers or far away move to a vertex with a face. The error is one sentence with the file and
-/// its fault: cannot be opened, empty, truncated or malformed, less content than announced, no
-/// faces, a face with a vertex that is not a finite number or does not exist, or faces that reach
-/// over more than 10⁶ units. Any thread except the audio thread.
+/// stay as they are in the file; glTF's y, which points up, becomes z. A glTF file's scene is read
+/// with its nodes' places, its buffers from the folder of the file and the folders below. Polygons
+/// are cut into triangles inside their outline, or with a note if it crosses itself. A mesh whose
+/// faces lie more than a hundred diagonals from the origin is moved there, because objects are
+/// stored in single precision. Vertices without a face are kept; those that are no numbers or far
+/// away move to a vertex with a face. The error is one sentence with the file and its fault: cannot
+/// be opened, empty, truncated or malformed, less content than announced, no faces, a face with a
+/// vertex that is not a finite number or does not exist, or faces that reach over more than 10⁶
+/// units. Any thread except the audio thread.
 Result<MeshOfFile> readMeshFile(const std::filesystem::path& file, double metresPerUnit = 1);
 
 /// Returns whether the extension is one of these.

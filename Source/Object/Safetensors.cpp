@@ -97,8 +97,8 @@ Container parse(std::span<const std::byte> bytes) {
     if (headerLength > bytes.size())
         throw Fault{"it is cut off inside its header"};
 
-    const json header = parseUntrusted({reinterpret_cast<const char*>(bytes.data()),
-                                        static_cast<std::size_t>(headerLength)});
+    const json header = parseUntrusted(
+        {reinterpret_cast<const char*>(bytes.data()), static_cast<std::size_t>(headerLength)});
     if (!header.is_object())
         throw Fault{"its header is not a JSON object"};
 

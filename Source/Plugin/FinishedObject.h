@@ -8,9 +8,9 @@
 
 namespace idiophone {
 
-/// Reads a modal object (`readObject`), or fits the modes of a recording (RecordingFit). The object of a recording
-/// is a small disc that sounds as recorded wherever it is struck. The error is one sentence that
-/// names the file, or a cancellation. Takes seconds; any thread but the audio thread.
+/// Reads a modal object (`readObject`), or fits the modes of a recording (RecordingFit). The object
+/// of a recording is a small disc that sounds as recorded wherever it is struck. The error is one
+/// sentence that names the file, or a cancellation. Takes seconds; any thread but the audio thread.
 Result<ModalObject> finishedObject(const std::filesystem::path& file, const WorkControl& control);
 
 } // namespace idiophone

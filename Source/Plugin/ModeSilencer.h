@@ -1,9 +1,9 @@
 // Hands the set of silenced modes from the window to the audio thread.
 #pragma once
 
+#include "Instrument/LatestValue.h"
 #include "Instrument/Player.h"
 #include "Instrument/SilencedModes.h"
-#include "Instrument/LatestValue.h"
 
 #include <cstdint>
 

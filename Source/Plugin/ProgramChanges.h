@@ -1,8 +1,8 @@
 // Carries MIDI program changes from the audio thread to the session, and answers in return.
 #pragma once
 
-#include "Plugin/HostParameters.h"
 #include "Instrument/LatestValue.h"
+#include "Plugin/HostParameters.h"
 #include "Plugin/PendingKeys.h"
 
 #include <atomic>

@@ -1,7 +1,7 @@
 #include "Plugin/RecorderSession.h"
 
-#include "Editor/Utf8.h"
 #include "AudioFiles/AudioFileWriter.h"
+#include "Editor/Utf8.h"
 
 #include <array>
 #include <cmath>

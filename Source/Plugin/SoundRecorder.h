@@ -1,8 +1,8 @@
 // Records a rolling sound to a WAV file of any length, on a thread of its own.
 #pragma once
 
-#include "Editor/RecorderView.h"
 #include "AudioFiles/AudioFileWriter.h"
+#include "Editor/RecorderView.h"
 #include "Plugin/RollingSound.h"
 
 #include <condition_variable>
