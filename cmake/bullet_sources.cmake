@@ -4,12 +4,9 @@ idiophone_debian_source(bullet PACKAGE bullet VERSION 3.24+dfsg-2 SUITE bookworm
 FetchContent_Declare(bullet
     GIT_REPOSITORY https://github.com/bulletphysics/bullet3.git
     GIT_TAG 3.24
-    GIT_SHALLOW ON)
-# Populated, not added: its own build also makes what is left out here.
-FetchContent_GetProperties(bullet)
-if(NOT bullet_POPULATED)
-    FetchContent_Populate(bullet)
-endif()
+    GIT_SHALLOW ON
+    SOURCE_SUBDIR none) # populated, not added: its own build also makes what is left out here
+FetchContent_MakeAvailable(bullet)
 set(bullet_files "")
 foreach(library LinearMath BulletCollision BulletDynamics)
     file(STRINGS "${bullet_SOURCE_DIR}/src/bt${library}All.cpp" includes REGEX "^#include")

@@ -12,12 +12,9 @@ else()
     find_package(Boost 1.66 REQUIRED)
     # The release archive, for the repository keeps the headers in a folder for each package.
     FetchContent_Declare(CGAL
-        URL https://github.com/CGAL/cgal/releases/download/v5.5.1/CGAL-5.5.1-library.tar.xz)
-    # Populated, not added: only the headers are needed.
-    FetchContent_GetProperties(CGAL)
-    if(NOT cgal_POPULATED)
-        FetchContent_Populate(CGAL)
-    endif()
+        URL https://github.com/CGAL/cgal/releases/download/v5.5.1/CGAL-5.5.1-library.tar.xz
+        SOURCE_SUBDIR none) # populated, not added: only the headers are needed
+    FetchContent_MakeAvailable(CGAL)
     target_include_directories(idiophone_cgal SYSTEM INTERFACE "${cgal_SOURCE_DIR}/include")
     target_compile_definitions(idiophone_cgal INTERFACE CGAL_DISABLE_GMP=1)
     # CGAL's interval arithmetic changes the rounding mode.

@@ -10,11 +10,9 @@ else()
     FetchContent_Declare(cli11
         GIT_REPOSITORY https://github.com/CLIUtils/CLI11.git
         GIT_TAG v2.4.1
-        GIT_SHALLOW ON)
-    FetchContent_GetProperties(cli11)
-    if(NOT cli11_POPULATED)
-        FetchContent_Populate(cli11) # its own build knows headers with or without their code, not both
-    endif()
+        GIT_SHALLOW ON
+        SOURCE_SUBDIR none) # populated, not added: its own build knows headers with or without their code, not both
+    FetchContent_MakeAvailable(cli11)
     set(cli11_headers "${cli11_SOURCE_DIR}/include")
 endif()
 file(CONFIGURE OUTPUT "${PROJECT_BINARY_DIR}/cli11.cpp" @ONLY CONTENT

@@ -4,9 +4,6 @@ idiophone_debian_source(highway PACKAGE highway VERSION 1.2.0-2 SUITE trixie FOL
 FetchContent_Declare(highway
     GIT_REPOSITORY https://github.com/google/highway.git
     GIT_TAG 1.2.0
-    GIT_SHALLOW ON)
-# Populated, not added: its own build makes a library.
-FetchContent_GetProperties(highway)
-if(NOT highway_POPULATED)
-    FetchContent_Populate(highway)
-endif()
+    GIT_SHALLOW ON
+    SOURCE_SUBDIR none) # populated, not added: its own build makes a library
+FetchContent_MakeAvailable(highway)

@@ -7,12 +7,9 @@ idiophone_debian_source(libigl PACKAGE slic3r-prusa VERSION 2.5.0+dfsg-4 SUITE b
 FetchContent_Declare(libigl
     GIT_REPOSITORY https://github.com/libigl/libigl.git
     GIT_TAG v2.5.0
-    GIT_SHALLOW ON)
-# Populated, not added: libigl's own build fetches more than the headers need.
-FetchContent_GetProperties(libigl)
-if(NOT libigl_POPULATED)
-    FetchContent_Populate(libigl)
-endif()
+    GIT_SHALLOW ON
+    SOURCE_SUBDIR none) # populated, not added: its own build fetches more than the headers need
+FetchContent_MakeAvailable(libigl)
 find_path(LIBIGL_INCLUDE_DIR igl/read_triangle_mesh.h
     PATHS "${libigl_SOURCE_DIR}/include" "${libigl_SOURCE_DIR}/src/libigl"
     NO_DEFAULT_PATH REQUIRED)

@@ -14,11 +14,8 @@ if(mts_esp)
 else()
     FetchContent_Declare(mts_esp
         GIT_REPOSITORY https://github.com/ODDSound/MTS-ESP.git
-        GIT_TAG 9df9a9c4a1556f7206536913418f081abfba910b)
-    FetchContent_GetProperties(mts_esp)
-    if(NOT mts_esp_POPULATED)
-        FetchContent_Populate(mts_esp) # it has no build of its own
-    endif()
+        GIT_TAG 9df9a9c4a1556f7206536913418f081abfba910b) # it has no build of its own
+    FetchContent_MakeAvailable(mts_esp)
     add_library(idiophone_mts_esp STATIC "${mts_esp_SOURCE_DIR}/Client/libMTSClient.cpp")
     target_include_directories(idiophone_mts_esp SYSTEM INTERFACE "${mts_esp_SOURCE_DIR}/Client")
     target_link_libraries(idiophone_mts_esp PRIVATE ${CMAKE_DL_LIBS})

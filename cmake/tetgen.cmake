@@ -8,12 +8,9 @@ idiophone_debian_source(tetgen PACKAGE tetgen VERSION 1.5.0-5 SUITE bookworm)
 # Analysis/TetGenMesher calls.
 FetchContent_Declare(tetgen
     GIT_REPOSITORY https://github.com/libigl/tetgen.git
-    GIT_TAG a754f2485470f1ac51503e273d7e74a281c67807)
-# Populated, not added: its own build does not use our assertions.
-FetchContent_GetProperties(tetgen)
-if(NOT tetgen_POPULATED)
-    FetchContent_Populate(tetgen)
-endif()
+    GIT_TAG a754f2485470f1ac51503e273d7e74a281c67807
+    SOURCE_SUBDIR none) # populated, not added: its own build does not use our assertions
+FetchContent_MakeAvailable(tetgen)
 add_library(idiophone_tetgen STATIC
     "${tetgen_SOURCE_DIR}/tetgen.cxx" "${tetgen_SOURCE_DIR}/predicates.cxx")
 target_compile_definitions(idiophone_tetgen PRIVATE TETLIBRARY)

@@ -12,11 +12,9 @@ else()
     FetchContent_Declare(tuning_library
         GIT_REPOSITORY https://github.com/surge-synthesizer/tuning-library.git
         GIT_TAG release_1.1.0
-        GIT_SHALLOW ON)
-    FetchContent_GetProperties(tuning_library)
-    if(NOT tuning_library_POPULATED)
-        FetchContent_Populate(tuning_library) # headers alone; its own build makes its tests
-    endif()
+        GIT_SHALLOW ON
+        SOURCE_SUBDIR none) # populated, not added: its own build makes its tests
+    FetchContent_MakeAvailable(tuning_library)
     target_include_directories(idiophone_tuning_library SYSTEM INTERFACE
         "${tuning_library_SOURCE_DIR}/include")
 endif()
