@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <new>
 #include <numbers>
 #include <numeric>
 
@@ -170,6 +171,25 @@ std::string notesOn(const GltfDocument& document, const AudioRigidBodies& audio)
     return notes;
 }
 
+Result<ModalObject> firstObjectIn(const GltfDocument& document) {
+    const auto audio = audioRigidBodies(document);
+    if (!audio)
+        return failure(audio.error().message);
+    if (audio->models.empty())
+        return failure("it has no modal model (KHR_audio_rigid_bodies)");
+    GltfInstance instance;
+    for (const auto& node : audio->nodes)
+        if (node.model == 0) {
+            instance.surface = node.surface;
+            break;
+        }
+    return objectOf(document, *audio, 0, instance).map([&](ModalObject&& object) {
+        if (const auto notes = notesOn(document, *audio); !notes.empty())
+            object.provenance.notes = notes;
+        return std::move(object);
+    });
+}
+
 } // namespace
 
 Material materialOf(const GltfAcousticMaterial& given) {
@@ -216,23 +236,12 @@ Result<ModalObject> objectOf(const GltfDocument& document,
     return validated(std::move(object));
 }
 
-Result<ModalObject> firstObjectOf(const GltfDocument& document) {
-    const auto audio = audioRigidBodies(document);
-    if (!audio)
-        return failure(audio.error().message);
-    if (audio->models.empty())
-        return failure("it has no modal model (KHR_audio_rigid_bodies)");
-    GltfInstance instance;
-    for (const auto& node : audio->nodes)
-        if (node.model == 0) {
-            instance.surface = node.surface;
-            break;
-        }
-    return objectOf(document, *audio, 0, instance).map([&](ModalObject&& object) {
-        if (const auto notes = notesOn(document, *audio); !notes.empty())
-            object.provenance.notes = notes;
-        return std::move(object);
-    });
+Result<ModalObject> firstObjectOf(std::string_view bytes, const GltfBufferReader& readBuffer) {
+    try {
+        return GltfDocument::parse(bytes, readBuffer).and_then(firstObjectIn);
+    } catch (const std::bad_alloc&) {
+        return failure("it is too large for this machine's memory");
+    }
 }
 
 double roughnessOf(const GltfAcousticSurface& surface) {

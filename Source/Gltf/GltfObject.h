@@ -28,9 +28,10 @@ Result<ModalObject> objectOf(const GltfDocument& document,
                              std::size_t model,
                              const GltfInstance& instance = {});
 
-/// Returns the object of the document's first modal model, with a note about other contents. The
-/// error is the end of a sentence that begins with the file's name.
-Result<ModalObject> firstObjectOf(const GltfDocument& document);
+/// Parses a .gltf or .glb file as GltfDocument does. Returns the object of its first modal model,
+/// with a note about other contents. The error is the end of a sentence that begins with the file's
+/// name.
+Result<ModalObject> firstObjectOf(std::string_view bytes, const GltfBufferReader& readBuffer = {});
 
 /// Figures that the file leaves out are those of the library's material of that name, or of steel.
 /// Without damping in the file, the law is the library's, too.

@@ -58,23 +58,23 @@ public:
     }
 
     /// Returns the number, or `fallback` if this is missing.
-    double number(double fallback, double least, double most) const {
-        return exists() ? number(least, most) : fallback;
+    double number(double fallback, double minimum, double maximum) const {
+        return exists() ? number(minimum, maximum) : fallback;
     }
 
     /// Bounds are inclusive.
-    double number(double least = std::numeric_limits<double>::lowest(),
-                  double most = std::numeric_limits<double>::max()) const {
+    double number(double minimum = std::numeric_limits<double>::lowest(),
+                  double maximum = std::numeric_limits<double>::max()) const {
         const double number = asNumber();
         if (std::isnan(number))
             fail("is not a number");
-        if (!(number >= least && number <= most))
+        if (!(number >= minimum && number <= maximum))
             fail("is " + numberText(number) + ", which is out of range");
         return number;
     }
 
-    std::optional<double> optionalNumber(double least, double most) const {
-        return exists() ? std::optional(number(least, most)) : std::nullopt;
+    std::optional<double> optionalNumber(double minimum, double maximum) const {
+        return exists() ? std::optional(number(minimum, maximum)) : std::nullopt;
     }
 
     template <std::size_t count>

@@ -5,7 +5,6 @@
 #include "Object/ModalObjectBytes.h"
 #include "Object/OneLine.h"
 
-#include <new>
 #include <string>
 
 namespace idiophone {
@@ -14,17 +13,8 @@ Result<ModalObject> readObject(std::span<const std::byte> bytes, std::string_vie
     const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
     if (!text.starts_with("glTF"))
         return readModalObject(bytes, name);
-    const auto fail = [&](const std::string& fault) {
-        return failure(shownName(name) + ": " + fault);
-    };
-    try {
-        auto object = GltfDocument::parse(text).and_then(firstObjectOf);
-        if (!object)
-            return fail(object.error().message);
-        return object;
-    } catch (const std::bad_alloc&) {
-        return fail("it is too large for this machine's memory");
-    }
+    return firstObjectOf(text).map_error(
+        [&](const Error& fault) { return Error{shownName(name) + ": " + fault.message}; });
 }
 
 } // namespace idiophone

@@ -19,30 +19,17 @@ namespace {
 
 constexpr std::uintmax_t largestFileBytes = std::uintmax_t{2} << 30;
 
-/// Returns the document of the bytes of such a file.
-Result<GltfDocument> documentOf(std::string_view bytes, const std::filesystem::path& file) {
-    return GltfDocument::parse(withoutByteOrderMark(bytes), buffersIn(file.parent_path()));
-}
-
 } // namespace
 
 Result<ModalObject> readObject(const std::filesystem::path& file) {
     if (!isGltfFile(file))
         return readModalObject(file);
-    const auto fail = [&](const std::string& fault) {
-        return failure(shownNameOf(file) + ": " + fault);
-    };
-    try {
-        auto object =
-            readBytes(file, largestFileBytes)
-                .and_then([&](const std::string& bytes) { return documentOf(bytes, file); })
-                .and_then(firstObjectOf);
-        if (!object)
-            return fail(object.error().message);
-        return object;
-    } catch (const std::bad_alloc&) {
-        return fail("it is too large for this machine's memory");
-    }
+    return readBytes(file, largestFileBytes)
+        .and_then([&](const std::string& bytes) {
+            return firstObjectOf(withoutByteOrderMark(bytes), buffersIn(file.parent_path()));
+        })
+        .map_error(
+            [&](const Error& fault) { return Error{shownNameOf(file) + ": " + fault.message}; });
 }
 
 Result<void> writeObject(const ModalObject& object, const std::filesystem::path& file) {
@@ -68,7 +55,8 @@ bool hasModalModel(const std::filesystem::path& file) {
     const auto bytes = readBytes(file, largestFileBytes);
     if (!bytes)
         return false;
-    const auto document = documentOf(*bytes, file);
+    const auto document =
+        GltfDocument::parse(withoutByteOrderMark(*bytes), buffersIn(file.parent_path()));
     return document && hasModalModels(*document);
 }
 

@@ -64,18 +64,18 @@ public:
 
     /// Adds vectors with their bounds, which glTF wants of the positions of a mesh.
     std::size_t addPositions(const std::vector<float>& values) {
-        json least = json::array(), most = json::array();
+        json minimum = json::array(), maximum = json::array();
         for (std::size_t axis = 0; axis < 3; ++axis) {
             float low = values[axis], high = low;
             for (std::size_t k = axis; k < values.size(); k += 3) {
                 low = std::min(low, values[k]);
                 high = std::max(high, values[k]);
             }
-            least.push_back(low);
-            most.push_back(high);
+            minimum.push_back(low);
+            maximum.push_back(high);
         }
         return add(singlePrecision, "VEC3", 3, std::as_bytes(std::span(values)),
-                   {{"min", least}, {"max", most}});
+                   {{"min", minimum}, {"max", maximum}});
     }
 
     const json& views() const { return views_; }
