@@ -36,6 +36,15 @@ std::vector<KeyboardBar> rowOf(std::span<const KeyboardBar> bars, bool isBehind)
     return row;
 }
 
+Eigen::AlignedBox3f boxAround(std::span<const KeyboardBar> bars) {
+    Eigen::AlignedBox3f box;
+    for (const auto& bar : bars) {
+        box.extend(Vector(bar.middle - bar.half));
+        box.extend(Vector(bar.middle + bar.half));
+    }
+    return box;
+}
+
 /// The place where the cord passes through a bar: at its rest line towards (−1) or away from the
 /// player (1).
 Vector cordPlace(const KeyboardBar& bar, float side) {
@@ -168,11 +177,7 @@ float addKeyboardFrame(FurnitureParts& parts, std::span<const KeyboardBar> bars)
 
 float addChimeFrame(FurnitureParts& parts, std::span<const KeyboardBar> chimes) {
     const float unit = unitOf(chimes);
-    Eigen::AlignedBox3f box;
-    for (const auto& chime : chimes) {
-        box.extend(Vector(chime.middle - chime.half));
-        box.extend(Vector(chime.middle + chime.half));
-    }
+    const auto box = boxAround(chimes);
     const float beam = box.max().z() + 2 * unit, floor = box.min().z() - 3 * unit;
     constexpr int sides = 20;
     for (const bool isBehind : {false, true}) {
@@ -204,11 +209,7 @@ float addChimeFrame(FurnitureParts& parts, std::span<const KeyboardBar> chimes) 
 
 float addTineBoard(FurnitureParts& parts, std::span<const KeyboardBar> tines) {
     const float unit = unitOf(tines);
-    Eigen::AlignedBox3f box;
-    for (const auto& tine : tines) {
-        box.extend(Vector(tine.middle - tine.half));
-        box.extend(Vector(tine.middle + tine.half));
-    }
+    const auto box = boxAround(tines);
     const float length = box.sizes().y(), left = box.min().x() - 2 * unit,
                 right = box.max().x() + 2 * unit;
     // Blocks from one side to the other between two places along the tines and two heights.

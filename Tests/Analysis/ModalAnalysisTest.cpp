@@ -12,7 +12,6 @@
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
 #include <limits>
-#include <random>
 
 using namespace idiophone;
 using namespace idiophone::test;
@@ -246,13 +245,7 @@ TEST_CASE("Inputs that cannot be analysed give a one-sentence error") {
 }
 
 TEST_CASE("A soup of a million triangles is refused before the analysis") {
-    Mesh soup{Eigen::MatrixXd(3000000, 3), Eigen::MatrixXi(1000000, 3)};
-    std::mt19937 random(5);
-    for (double& coordinate : soup.vertices.reshaped())
-        coordinate = static_cast<double>(random()) / 4294967296.0;
-    for (int i = 0; i < 3000000; ++i)
-        soup.faces(i / 3, i % 3) = i;
-    CHECK_THAT(errorOf(soup, barSettings()), ContainsSubstring("simplify the mesh"));
+    CHECK_THAT(errorOf(triangleSoup(), barSettings()), ContainsSubstring("simplify the mesh"));
 }
 
 TEST_CASE("A set flag cancels the analysis") {

@@ -3,6 +3,7 @@
 #include "Geometry/ParametricMesh.h"
 #include "Geometry/TestMeshes.h"
 #include "Object/WorkControl.h"
+#include "Support/GeneratedMeshes.h"
 
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
@@ -384,13 +385,7 @@ TEST_CASE("Meshes that cannot be repaired give an error with the reason") {
 }
 
 TEST_CASE("A soup of a million separate triangles is repaired and stays separate") {
-    Mesh soup{Eigen::MatrixXd(3000000, 3), Eigen::MatrixXi(1000000, 3)};
-    std::mt19937 random(5);
-    for (double& coordinate : soup.vertices.reshaped())
-        coordinate = static_cast<double>(random()) / 4294967296.0;
-    for (int i = 0; i < 3000000; ++i)
-        soup.faces(i / 3, i % 3) = i;
-    const auto repaired = repairMesh(soup);
+    const auto repaired = repairMesh(triangleSoup());
     REQUIRE(repaired);
     CHECK(repaired->report.components > 900000);
 }

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <map>
 #include <numbers>
+#include <random>
 #include <set>
 #include <utility>
 #include <vector>
@@ -114,6 +115,17 @@ inline Mesh hollowSphereMesh(double radiusMetres, double thicknessMetres, int le
     mesh.faces << unit.faces,
         (unit.faces.rowwise().reverse().array() + static_cast<int>(count)).matrix();
     return mesh;
+}
+
+/// Returns a million triangles without common vertices in the unit cube.
+inline Mesh triangleSoup() {
+    Mesh soup{Eigen::MatrixXd(3000000, 3), Eigen::MatrixXi(1000000, 3)};
+    std::mt19937 random(5);
+    for (double& coordinate : soup.vertices.reshaped())
+        coordinate = static_cast<double>(random()) / 4294967296.0;
+    for (int i = 0; i < 3000000; ++i)
+        soup.faces(i / 3, i % 3) = i;
+    return soup;
 }
 
 } // namespace idiophone::test
