@@ -3,7 +3,7 @@
 //     node web_speed.mjs idiophone.wasm strikes
 //
 // 37 vibraphone bars ring under 40 strikes a second for 10 s, in blocks of 128 frames. `strikes` is
-// the program of Tests/Web. Prints the share of real time that one core spends, the least of five
+// the program of Tests/Web. Prints the share of real time that one core spends, the minimum of five
 // rounds; native and module take turns.
 import { execFileSync } from "node:child_process";
 import { readFileSync } from "node:fs";
@@ -25,7 +25,7 @@ for (let round = 0; round < ROUNDS; ++round) {
         [devNull, SECONDS, STRIKES_PER_SECOND, ...paths], { encoding: "utf8" })));
     spent.module.push(renderStrikes(engine, objects, SECONDS, STRIKES_PER_SECOND).processorSeconds);
 }
-const least = name => Math.min(...spent[name]) / SECONDS;
+const minimum = name => Math.min(...spent[name]) / SECONDS;
 for (const name of ["native", "module"])
-    console.log(`${name}: ${(100 * least(name)).toFixed(2)} % of one core`);
-console.log(`ratio ${(least("module") / least("native")).toFixed(2)}`);
+    console.log(`${name}: ${(100 * minimum(name)).toFixed(2)} % of one core`);
+console.log(`ratio ${(minimum("module") / minimum("native")).toFixed(2)}`);
