@@ -1,6 +1,7 @@
 #include "Browser/InstrumentText.h"
 
 #include "Instrument/FactoryContent.h"
+#include "Instrument/KeyMapFile.h"
 #include "Instrument/OwnSlots.h"
 #include "Instrument/StruckPlaces.h"
 #include "Scene/NamedContent.h"
@@ -15,40 +16,6 @@ using nlohmann::ordered_json;
 
 std::string textOf(const ordered_json& json) {
     return json.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
-}
-
-const char* nameOf(KeyMapKind kind) {
-    switch (kind) {
-    case KeyMapKind::bars:
-        return "bars";
-    case KeyMapKind::zones:
-        return "zones";
-    case KeyMapKind::scaled:
-        return "scaled";
-    case KeyMapKind::scene:
-        return "scene";
-    case KeyMapKind::kit:
-        return "kit";
-    }
-    return "";
-}
-
-const char* nameOf(ParameterScale scale) {
-    switch (scale) {
-    case ParameterScale::linear:
-        return "linear";
-    case ParameterScale::logarithmic:
-        return "logarithmic";
-    case ParameterScale::steps:
-        return "steps";
-    case ParameterScale::onOff:
-        return "onOff";
-    case ParameterScale::choice:
-        return "choice";
-    case ParameterScale::cubic:
-        return "cubic";
-    }
-    return "";
 }
 
 /// Returns each note that plays, with the index of its first object.
@@ -125,7 +92,7 @@ std::string presetsText() {
         list.push_back({{"name", preset.name},
                         {"description", preset.description},
                         {"tags", preset.tags},
-                        {"kind", nameOf(preset.keyMap.kind)}});
+                        {"kind", kindName(preset.keyMap.kind)}});
     return textOf(list);
 }
 
@@ -137,7 +104,7 @@ std::string parametersText() {
                          {"shortName", info.shortName != nullptr ? info.shortName : info.name},
                          {"group", info.group},
                          {"unit", info.unit},
-                         {"scale", nameOf(info.scale)},
+                         {"scale", scaleName(info.scale)},
                          {"minimum", info.minimum},
                          {"maximum", info.maximum},
                          {"default", info.defaultValue},
@@ -160,7 +127,7 @@ std::string instrumentText(const BrowserInstrument& played) {
         values.push_back(played.values()[info.parameter]);
     return textOf({{"name", preset.name},
                    {"description", preset.description},
-                   {"kind", nameOf(preset.keyMap.kind)},
+                   {"kind", kindName(preset.keyMap.kind)},
                    {"lowestNote", preset.keyMap.lowestNote},
                    {"highestNote", preset.keyMap.highestNote},
                    {"notes", notesOf(*played.instrument())},

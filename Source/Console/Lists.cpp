@@ -6,7 +6,6 @@
 #include "Scene/FactoryScenes.h"
 
 #include <algorithm>
-#include <array>
 #include <iostream>
 #include <string>
 
@@ -14,9 +13,6 @@ namespace idiophone {
 namespace {
 
 using nlohmann::ordered_json;
-
-constexpr std::array<const char*, 6> scaleNames{"linear", "logarithmic", "steps",
-                                                "on-off", "choice",      "cubic"};
 
 std::string rangeOf(const ParameterInfo& info) {
     if (info.scale == ParameterScale::onOff)
@@ -32,7 +28,7 @@ ordered_json describe(const ParameterInfo& info) {
                         {"group", info.group},
                         {"unit", info.unit},
                         {"physical", info.isPhysical},
-                        {"scale", scaleNames[static_cast<std::size_t>(info.scale)]},
+                        {"scale", scaleName(info.scale)},
                         {"minimum", info.minimum},
                         {"maximum", info.maximum},
                         {"default", info.defaultValue},

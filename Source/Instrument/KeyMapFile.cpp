@@ -5,8 +5,8 @@
 #include "Object/OneLine.h"
 #include "Parameters/ParameterTable.h"
 
+#include <array>
 #include <nlohmann/json.hpp>
-
 #include <utility>
 
 namespace idiophone {
@@ -24,17 +24,10 @@ constexpr std::array<std::pair<KeyMapKind, const char*>, 5> kindNames{{
 
 KeyMapKind parseKind(const JsonPlace& place) {
     const auto name = place.textOrEmpty();
-    for (const auto& [kind, kindName] : kindNames)
-        if (name == kindName)
+    for (const auto& [kind, word] : kindNames)
+        if (name == word)
             return kind;
     place.fail("is " + inQuotes(name) + " and none of bars, zones, scaled, scene and kit");
-}
-
-const char* kindName(KeyMapKind wanted) {
-    for (const auto& [kind, name] : kindNames)
-        if (kind == wanted)
-            return name;
-    return "";
 }
 
 std::vector<std::array<double, 3>> parsePath(const JsonPlace& path) {
@@ -165,6 +158,13 @@ ordered_json toJson(const KeyMap& map) {
 }
 
 } // namespace
+
+const char* kindName(KeyMapKind wanted) {
+    for (const auto& [kind, word] : kindNames)
+        if (kind == wanted)
+            return word;
+    return "";
+}
 
 KeyMap keyMapAt(const JsonPlace& place) {
     return parseKeyMap(place);

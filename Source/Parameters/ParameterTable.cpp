@@ -1,6 +1,7 @@
 #include "Parameters/ParameterTable.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace idiophone {
@@ -16,6 +17,11 @@ bool isWhole(ParameterScale scale) {
 }
 
 } // namespace
+
+const char* scaleName(ParameterScale scale) noexcept {
+    constexpr std::array names{"linear", "logarithmic", "steps", "on-off", "choice", "cubic"};
+    return names[static_cast<std::size_t>(scale)];
+}
 
 double ParameterInfo::toNormalised(double value) const {
     const double inside = clamped(value);

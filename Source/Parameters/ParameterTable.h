@@ -25,6 +25,9 @@ inline constexpr std::size_t parameterCount = static_cast<std::size_t>(Parameter
 /// a large part of the range. Values below 5e-7 of the maximum are 0.
 enum class ParameterScale { linear, logarithmic, steps, onOff, choice, cubic };
 
+/// Returns the scale's word in lists for programs.
+const char* scaleName(ParameterScale scale) noexcept;
+
 /// The maximum effect of a mutation (Instrument/Mutation.h) on a parameter. Chosen, not derived: at
 /// full strength, a damping or a hardness changes by a factor of three to six. A few mutations
 /// reach another instrument; a single one does not.

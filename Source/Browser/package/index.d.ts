@@ -14,7 +14,7 @@ export interface ParameterInfo {
     readonly group: string;
     /** Empty if the number has no unit. */
     readonly unit: string;
-    readonly scale: "linear" | "logarithmic" | "steps" | "onOff" | "choice" | "cubic";
+    readonly scale: "linear" | "logarithmic" | "steps" | "on-off" | "choice" | "cubic";
     readonly minimum: number;
     readonly maximum: number;
     readonly default: number;
