@@ -105,7 +105,7 @@ public:
     /// Returns the maximum by which tunings and wheels may lower a slot below its key in equal
     /// temperament.
     double semitonesBelowEqual() const noexcept {
-        return slotTuning.semitonesBelowEqual() + bend().maximumSemitones();
+        return slotTuning.semitonesBelowEqual() + keys.bend().maximumSemitones();
     }
 
     /// Returns whether a key without an object of its own was ever played.
@@ -114,7 +114,6 @@ public:
     /// Takes over the pedals, wheels and other controllers of another player, but not its keys.
     void takeControllersOf(const Player& former) noexcept;
     PitchBend& bend() noexcept { return keys.bend(); }
-    const PitchBend& bend() const noexcept { return keys.bend(); }
 
     /// Sets the host's tempo from the next cell on, 0 if it gives none, and the song position at
     /// the next sample, in beats, while the host plays and gives one. The position advances with
