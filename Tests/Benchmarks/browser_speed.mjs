@@ -2,10 +2,10 @@
 //
 //     browser_speed.mjs TOOLS CHROMIUM SITE CONSOLE
 //
-// TOOLS is the folder of npm's node_modules, SITE the page (both in build/web). 37 vibraphone bars ring
-// under 40 notes a second for 20 s, in blocks of 128 frames. Prints the share of real time that one
-// core spends: in the console, in an OfflineAudioContext, and as the AudioWorklet of a running
-// context reports it. Then the time from a cold start of the page to its first sound.
+// TOOLS is the folder whose node_modules has playwright-core, SITE the page. 37 vibraphone bars ring under
+// 40 notes a second for 20 s, in blocks of 128 frames. Prints the share of real time that one core
+// spends: in the console, in an OfflineAudioContext, and as the AudioWorklet of a running context
+// reports it. Then the time from a cold start of the page to its first sound.
 import { execFileSync } from "node:child_process";
 import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
