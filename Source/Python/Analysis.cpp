@@ -43,11 +43,11 @@ PythonObject analysed(const Mesh& mesh,
                       const std::variant<Material, std::string>& material,
                       const std::string& name,
                       const std::optional<std::string>& method,
-                      double thickness,
-                      double maxFrequency,
+                      double thicknessMetres,
+                      double maxFrequencyHz,
                       int elements,
                       const std::vector<std::string>& clamps,
-                      const std::optional<double>& supportResistance,
+                      const std::optional<double>& supportResistanceNsPerM,
                       bool largestPart,
                       bool allAround,
                       const std::string& radiation,
@@ -57,12 +57,12 @@ PythonObject analysed(const Mesh& mesh,
                               .source = "Python",
                               .material = materialOf(material),
                               .method = methodOf(method),
-                              .thicknessMetres = thickness,
-                              .maxFrequencyHz = maxFrequency,
+                              .thicknessMetres = thicknessMetres,
+                              .maxFrequencyHz = maxFrequencyHz,
                               .elementBudget = elements,
                               .largestComponentOnly = largestPart,
                               .threads = threads};
-    settings.support.resistanceNsPerM = supportResistance;
+    settings.support.resistanceNsPerM = supportResistanceNsPerM;
     for (const auto& clamp : clamps) {
         auto region = parseClamp(clamp);
         if (!region)
@@ -87,17 +87,17 @@ PythonObject fitted(const std::vector<std::tuple<ArrayLike, double, Place>>& rec
                     const std::string& name,
                     const std::optional<std::variant<Material, std::string>>& material,
                     const std::optional<Mesh>& mesh,
-                    const std::optional<double>& mass,
+                    const std::optional<double>& massKg,
                     std::size_t modes,
-                    double contactTime,
+                    double contactSeconds,
                     const Progress& progress) {
     std::vector<Samples> kept;
     std::vector<StrikeRecording> strikes;
     std::vector<StruckPlace> places;
-    for (const auto& [samples, rate, place] : recordings) {
+    for (const auto& [samples, rateHz, place] : recordings) {
         const auto recording = "recording " + std::to_string(strikes.size());
         kept.push_back(samplesOf(samples, recording));
-        strikes.push_back(recordingOf(kept.back(), rate, recording));
+        strikes.push_back(recordingOf(kept.back(), rateHz, recording));
         places.push_back(std::holds_alternative<double>(place)
                              ? StruckPlace(std::get<double>(place))
                              : StruckPlace(valuesOf(std::get<Numbers3>(place), "the place")));
@@ -106,31 +106,32 @@ PythonObject fitted(const std::vector<std::tuple<ArrayLike, double, Place>>& rec
                                     .source = "recordings, from Python",
                                     .material = {},
                                     .mesh = mesh,
-                                    .massKg = mass};
+                                    .massKg = massKg};
     if (material)
         settings.material = materialOf(*material);
     return held(worked(progress, [&](const WorkControl& control) {
-        return fitRecordings(strikes, {.modeCount = modes, .contactSeconds = contactTime}, control)
+        return fitRecordings(strikes, {.modeCount = modes, .contactSeconds = contactSeconds},
+                             control)
             .and_then(
                 [&](const RecordingFit& fit) { return measuredObject(fit, places, settings); });
     }));
 }
 
 std::pair<Material, std::string> recordedMaterial(const ArrayLike& given,
-                                                  double sampleRate,
+                                                  double sampleRateHz,
                                                   const std::string& name,
                                                   const std::optional<Mesh>& mesh,
                                                   const std::optional<std::string>& method,
-                                                  double thickness,
+                                                  double thicknessMetres,
                                                   const Progress& progress) {
     const auto samples = samplesOf(given, "the recording");
-    const auto recording = recordingOf(samples, sampleRate, "the recording");
+    const auto recording = recordingOf(samples, sampleRateHz, "the recording");
     std::optional<StruckObject> struck;
     if (mesh)
         struck = StruckObject{.name = "the mesh",
                               .mesh = *mesh,
                               .method = methodOf(method),
-                              .thicknessMetres = thickness};
+                              .thicknessMetres = thicknessMetres};
     const auto found = worked(progress, [&](const WorkControl& control) {
         return materialOfRecording(recording, name, struck, control);
     });

@@ -55,10 +55,11 @@ public:
             throw nb::value_error(invalid);
     }
 
-    void
-    place(std::size_t body, const Numbers3& position, const std::optional<Numbers<4>>& rotation) {
+    void place(std::size_t body,
+               const Numbers3& positionMetres,
+               const std::optional<Numbers<4>>& rotation) {
         checkBody(body);
-        WorldPose pose{.originMetres = vectorOf(position, "the position")};
+        WorldPose pose{.originMetres = vectorOf(positionMetres, "the position")};
         if (rotation) {
             const Eigen::Quaterniond turn(valuesOf(*rotation, "the rotation").data());
             if (!(std::abs(turn.norm() - 1) < 1e-3))
@@ -68,29 +69,29 @@ public:
         check(world->place(body, pose), "the position is not finite");
     }
 
-    void listen(const Numbers3& position, const Numbers3& towards, const Numbers3& up) {
-        check(world->placeListener({.positionMetres = vectorOf(position, "the position"),
-                                    .towardsMetres = vectorOf(towards, "towards"),
+    void listen(const Numbers3& positionMetres, const Numbers3& towardsMetres, const Numbers3& up) {
+        check(world->placeListener({.positionMetres = vectorOf(positionMetres, "the position"),
+                                    .towardsMetres = vectorOf(towardsMetres, "towards"),
                                     .up = vectorOf(up, "up")}),
               "the world has no listener, or a number is not finite");
     }
 
     void strike(std::size_t body,
-                const Numbers3& impulse,
-                const std::optional<Numbers3>& point,
+                const Numbers3& impulseNewtonSeconds,
+                const std::optional<Numbers3>& pointMetres,
                 const std::optional<std::int64_t>& vertex,
-                const std::optional<double>& time,
-                double contactTime) {
+                const std::optional<double>& seconds,
+                double contactSeconds) {
         checkBody(body);
-        if (point.has_value() == vertex.has_value())
+        if (pointMetres.has_value() == vertex.has_value())
             throw nb::value_error("a strike needs either a point or a vertex");
-        check(world->strike(
-                  {.body = body,
-                   .seconds = time.value_or(0),
-                   .vertex = vertex,
-                   .pointMetres = point ? vectorOf(*point, "the point") : Eigen::Vector3d::Zero(),
-                   .impulseNewtonSeconds = vectorOf(impulse, "the impulse"),
-                   .contactSeconds = contactTime}),
+        check(world->strike({.body = body,
+                             .seconds = seconds.value_or(0),
+                             .vertex = vertex,
+                             .pointMetres = pointMetres ? vectorOf(*pointMetres, "the point")
+                                                        : Eigen::Vector3d::Zero(),
+                             .impulseNewtonSeconds = vectorOf(impulseNewtonSeconds, "the impulse"),
+                             .contactSeconds = contactSeconds}),
               vertex ? "the vertex carries no shapes, or a number is out of range"
                      : "a number is out of range");
     }
@@ -103,19 +104,20 @@ public:
     }
     void touch(std::size_t number,
                std::size_t body,
-               const Numbers3& point,
-               double force,
-               const Numbers3& slide,
-               double roll,
+               const Numbers3& pointMetres,
+               double forceNewtons,
+               const Numbers3& slideMetresPerSecond,
+               double rollMetresPerSecond,
                const std::optional<std::size_t>& other) {
         checkBody(body);
         checkBody(other.value_or(body));
-        check(world->touch(number, {.body = body,
-                                    .other = other,
-                                    .pointMetres = vectorOf(point, "the point"),
-                                    .forceNewtons = force,
-                                    .slideMetresPerSecond = vectorOf(slide, "the slide"),
-                                    .rollMetresPerSecond = roll}),
+        check(world->touch(number,
+                           {.body = body,
+                            .other = other,
+                            .pointMetres = vectorOf(pointMetres, "the point"),
+                            .forceNewtons = forceNewtons,
+                            .slideMetresPerSecond = vectorOf(slideMetresPerSecond, "the slide"),
+                            .rollMetresPerSecond = rollMetresPerSecond}),
               "the touch does not exist, or a number is not finite");
     }
     void endTouch(std::size_t number) {
@@ -139,9 +141,9 @@ public:
                                  material ? std::optional(liveMaterial(*material)) : std::nullopt),
               "a figure of the material is out of range");
     }
-    void setDamping(std::size_t body, double rate) {
+    void setDamping(std::size_t body, double dampingPerSecond) {
         checkBody(body);
-        check(world->setDamping(body, rate), "the rate is negative or not finite");
+        check(world->setDamping(body, dampingPerSecond), "the rate is negative or not finite");
     }
     void setGain(double gain) { check(world->setGain(gain), "the gain is out of range"); }
 
