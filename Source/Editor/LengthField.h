@@ -16,7 +16,7 @@ public:
         field.onTextChange = [this] {
             const auto* plainUnit = isInMillimetres() ? "mm" : "cm"; // what the field showed
             if (const auto typed = parseLengthMetres(field.getText(), plainUnit, 1e-4, 20))
-                length = *typed;
+                lengthMetres = *typed;
             write();
         };
         showParts(*this, name, field);
@@ -27,10 +27,10 @@ public:
         name.setText(words, juce::dontSendNotification);
         field.setTitle(title);
         field.setTooltip(title + ", in the unit that is shown or with another");
-        length = metres;
+        lengthMetres = metres;
         write();
     }
-    double metres() const { return length; }
+    double metres() const { return lengthMetres; }
 
     void resized() override {
         auto area = getLocalBounds();
@@ -44,15 +44,15 @@ public:
     }
 
 private:
-    bool isInMillimetres() const { return length < 0.01; }
+    bool isInMillimetres() const { return lengthMetres < 0.01; }
     void write() {
-        field.setText(isInMillimetres() ? thicknessText(length) : sizeText(length),
+        field.setText(isInMillimetres() ? thicknessText(lengthMetres) : sizeText(lengthMetres),
                       juce::dontSendNotification);
     }
 
     TextLabel name;
     juce::Label field;
-    double length = 0; ///< in metres
+    double lengthMetres = 0;
 };
 
 } // namespace idiophone

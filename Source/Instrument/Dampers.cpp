@@ -77,15 +77,15 @@ void Dampers::update(const ParameterValues& values,
     for (std::size_t index = 0; index < damped.size(); ++index) {
         auto& slot = damped[index];
         const double whole = slot.releaseSeconds ? decayPerSecond(*slot.releaseSeconds) : released;
-        double damping = (slot.isHeld ? slot.pressure * slot.pressure : slot.quickness) * whole;
+        double perSecond = (slot.isHeld ? slot.pressure * slot.pressure : slot.quickness) * whole;
         if (slot.isDead)
-            damping = std::max(damping, decayPerSecond(deadStrokeSeconds));
+            perSecond = std::max(perSecond, decayPerSecond(deadStrokeSeconds));
         if (slot.isChoked)
-            damping = std::max(damping, decayPerSecond(chokingSeconds));
+            perSecond = std::max(perSecond, decayPerSecond(chokingSeconds));
         if (isSilenced)
-            damping = decayPerSecond(silencingSeconds);
-        if (std::exchange(slot.damping, damping) != damping)
-            synthesiser.setDamping(index, damping);
+            perSecond = decayPerSecond(silencingSeconds);
+        if (std::exchange(slot.dampingPerSecond, perSecond) != perSecond)
+            synthesiser.setDamping(index, perSecond);
     }
 }
 

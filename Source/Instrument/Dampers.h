@@ -56,7 +56,7 @@ private:
         float pressure = 0;                     ///< maximum of its keys
         double quickness = 1;                   ///< by the release velocity
         std::optional<double> releaseSeconds{}; ///< its own
-        double damping = 0;                     ///< set last [1/s]
+        double dampingPerSecond = 0;            ///< set last
     };
 
     void followKeys(const KeyState& keys, bool pressureDamps);

@@ -120,9 +120,10 @@ double DrivingPoint::impulseMobilityPerKg(double contactSeconds) const noexcept 
     return sum;
 }
 
-double DrivingPoint::contactSecondsOf(const Striker& striker, double speed) const noexcept {
+double DrivingPoint::contactSecondsOf(const Striker& striker,
+                                      double speedMetresPerSecond) const noexcept {
     constexpr int steps = 6;
-    double seconds = contactSeconds(striker.law, striker.massKg, speed);
+    double seconds = contactSeconds(striker.law, striker.massKg, speedMetresPerSecond);
     // The law's time is proportional to the mass to the power 1/(p + 1).
     const double rigidSeconds = seconds, share = 1 / (striker.law.exponent + 1);
     for (int step = 0; step < steps; ++step) {

@@ -66,7 +66,7 @@ private:
     };
     Yielding yieldingIn(double contactSeconds) const noexcept;
     double impulseMobilityPerKg(double contactSeconds) const noexcept;
-    double contactSecondsOf(const Striker& striker, double speed) const noexcept;
+    double contactSecondsOf(const Striker& striker, double speedMetresPerSecond) const noexcept;
 
     double rigidPerKg = 0; ///< 1/M and rotation
     std::size_t modes = 0;

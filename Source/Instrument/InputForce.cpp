@@ -54,7 +54,7 @@ InputForce::InputForce(const Instrument& played,
                        double sampleRateHz,
                        const std::array<double, 128>& newtonsOfFullScale,
                        std::size_t contactOfForce)
-    : instrument(played), sampleRate(sampleRateHz), newtonsOfKeys(newtonsOfFullScale),
+    : instrument(played), rateHz(sampleRateHz), newtonsOfKeys(newtonsOfFullScale),
       contact(contactOfForce), note(keyNearMiddleC(played)) {}
 
 void InputForce::choose(int chosen) noexcept {
@@ -91,10 +91,10 @@ void InputForce::beginCell(const ParameterValues& values) noexcept {
     const auto& slot = instrument.slots()[static_cast<std::size_t>(key.slot)];
     start = place.force();
     place.moveTo(key, aimedPlace(key.along, values), slot.sizeRatio * values[size],
-                 cellSamples / sampleRate);
+                 cellSamples / rateHz);
     end = place.force();
     const bool isOff = values[inputLowCut] <= parameterInfo(inputLowCut).minimum;
-    lowCut.tune(isOff ? 0 : values[inputLowCut], sampleRate);
+    lowCut.tune(isOff ? 0 : values[inputLowCut], rateHz);
 }
 
 void InputForce::changeKey(const ParameterValues& values) noexcept {

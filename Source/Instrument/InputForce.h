@@ -78,7 +78,7 @@ private:
     }
 
     const Instrument& instrument;
-    double sampleRate;
+    double rateHz;
     std::array<double, 128> newtonsOfKeys;
     std::size_t contact;
     int note = -1;    ///< of the chosen key; −1: none plays an object

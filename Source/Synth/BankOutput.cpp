@@ -12,7 +12,7 @@ BankOutput::BankOutput(ModalBank& ownBank,
                        double sampleRateHz,
                        SynthesisScratch& sharedScratch)
     : bank(ownBank), scratch(sharedScratch), fader(sharedScratch.fades, sampleRateHz),
-      sampleRate(sampleRateHz), secondsPerCell(cellSamples / sampleRateHz),
+      rateHz(sampleRateHz), secondsPerCell(cellSamples / sampleRateHz),
       tubeShares(std::move(sharesOfTube)) {
     tubeParts.reserve(tubeShares.size());
 }
@@ -26,7 +26,7 @@ void BankOutput::setDamping(double perSecond, std::int64_t grid) noexcept {
 void BankOutput::fadeByDamper(const ChannelOutputs& sound, std::size_t count) const noexcept {
     if (dampingPerSecond == 0)
         return;
-    const double fall = std::exp(-dampingPerSecond / sampleRate);
+    const double fall = std::exp(-dampingPerSecond / rateHz);
     double factor = 1;
     for (std::size_t k = 0; k < count; ++k) {
         for (std::size_t c = 0; c < bank.channels(); ++c)

@@ -25,7 +25,7 @@ public:
                double sampleRateHz,
                SynthesisScratch& scratch);
 
-    double sampleRateHz() const noexcept { return sampleRate; }
+    double sampleRateHz() const noexcept { return rateHz; }
     double cellSeconds() const noexcept { return secondsPerCell; }
 
     double damping() const noexcept { return dampingPerSecond; } ///< δ
@@ -88,7 +88,7 @@ private:
     ModalBank& bank;
     SynthesisScratch& scratch;
     ModeFader fader;
-    double sampleRate;
+    double rateHz;
     double secondsPerCell;
     double dampingPerSecond = 0;
     double dampingLogBase = 0;

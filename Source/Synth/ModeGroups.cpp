@@ -22,7 +22,7 @@ ModeGroups::ModeGroups(const ModalObject& modalObject,
                        std::uint32_t seed,
                        double sampleRateHz,
                        SynthesisScratch& sharedScratch)
-    : object(modalObject), scratch(sharedScratch), sampleRate(sampleRateHz),
+    : object(modalObject), scratch(sharedScratch), rateHz(sampleRateHz),
       modeWeights(std::move(weights)), count(object.modeCount()), groupStarts(count + 1),
       modeEigenvalues(object.eigenvalues), groupEigenvalues(object.eigenvalues),
       modePairs(idiophone::modePairs(object, seed)), modeDampings(object.dampings()),

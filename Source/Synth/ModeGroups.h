@@ -76,7 +76,7 @@ public:
     std::span<const ModeShare> shares() const noexcept { return scratch.groupShares; }
 
     bool inBand(std::size_t g) const noexcept {
-        return soundsAt({.stiffness = current.law.stiffness(groupEigenvalues[g])}, sampleRate);
+        return soundsAt({.stiffness = current.law.stiffness(groupEigenvalues[g])}, rateHz);
     }
     bool silenced(std::size_t g) const noexcept {
         return !silencedModes.empty() && silencedModes[index(groupStarts[g])] != 0;
@@ -103,7 +103,7 @@ private:
 
     const ModalObject& object;
     SynthesisScratch& scratch;
-    double sampleRate;
+    double rateHz;
     GroupConditions current;
     bool behind = true, outdated = true, mixesKinds = false;
     bool eigenvaluesAreBehind = false; ///< not yet computed for a new thickness or imperfection
