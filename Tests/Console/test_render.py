@@ -41,8 +41,9 @@ class Render(ConsoleTest):
         for preset in scenes:
             report, _ = self.render(song, "--seconds", 10, "--set", "limiter=0", preset=preset)
             with self.subTest(preset=preset):
-                # A single die is fainter: a roll of dice adds up.
-                delta = 4 if preset == "Dice on Rosewood" else 1.5
+                # A single die is fainter: a roll of dice adds up. A pebble's path amplifies
+                # roundings, which differ between compilers.
+                delta = {"Dice on Rosewood": 4, "Pebble in a Wok": 3.5}.get(preset, 1.5)
                 self.assertAlmostEqual(report["integrated_lufs"], -26, delta=delta)
                 self.assertLess(report["peak_dbfs"], 1)
 
