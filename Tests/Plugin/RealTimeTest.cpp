@@ -131,7 +131,7 @@ TEST_CASE("The real-time trap catches and names each waiting call even if it ret
     for (const auto& [name, wait] : waits) {
         const auto faults = faultsOf(wait);
         INFO(name);
-        CHECK(faults.locks == 1);
+        CHECK(faults.locks >= 1); // a waiting call may call others
         CHECK(faults.first.starts_with(name));
     }
     CHECK(faultsOf([] { hide(madeWhenFirstAskedFor()); }).none()); // already initialised
