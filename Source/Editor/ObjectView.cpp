@@ -155,7 +155,8 @@ void ObjectView::paint(juce::Graphics& g) {
     const bool isPlain = !renderer.works();
     if (isPlain)
         g.fillAll(colourOf(*this, LookColour::panel));
-    if (shown.scene->empty() || (isPlain && ticksWithoutContext < ticksToWait))
+    const bool waits = isShowing() && ticksWithoutContext < ticksToWait; // for OpenGL
+    if (shown.scene->empty() || (isPlain && waits))
         return;
     if (isPlain)
         paintPlainPicture(g, getLocalBounds().toFloat(), frameNow());
