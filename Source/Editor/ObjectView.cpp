@@ -14,7 +14,7 @@ namespace {
 
 constexpr int framesPerSecond = 30;
 constexpr int ticksToWait = 50; // ticks of the window's timer before OpenGL counts as missing
-constexpr float pixelsToDrag = 4;
+constexpr int pixelsToDrag = 4;
 
 } // namespace
 
