@@ -1,5 +1,7 @@
 import json
 import math
+import sys
+import unittest
 
 from console import OBJECTS, ConsoleTest, Wave, midi_file, note, run, tempo
 
@@ -179,6 +181,7 @@ class Render(ConsoleTest):
             self.refuse("render", "--preset", XYLOPHONE, "--midi", self.write("cut.mid", cut),
                         "-o", self.folder / "cut.wav", naming="cut.mid")
 
+    @unittest.skipIf(sys.platform == "win32", "permissions of POSIX")
     def test_a_file_rendered_again_keeps_its_permissions(self):
         output = self.render(self.song(note(0, 72)), "--seconds", 0.1)[1]
         output.chmod(0o640)
