@@ -19,43 +19,43 @@ constexpr int pollsBeforeYield = 50'000; // about 0.05 ms
 constexpr int yieldsBeforeSleep = 2000;  // about a millisecond
 constexpr std::size_t batchesOfThread = 32;
 
-/// Threads that wait for conditions on atomic values. Not by std::atomic::wait, which loses wakes
-/// in gcc 12's library for Windows.
-class Sleepers {
-public:
-    /// Waits for a short time without giving the core away, then lets others run between the
-    /// polls, and then sleeps.
-    template <class Condition>
-    void waitUntil(const Condition& condition) {
-        for (int poll = 0; poll < pollsBeforeYield + yieldsBeforeSleep; ++poll) {
-            if (condition())
-                return;
-            if (poll >= pollsBeforeYield)
-                std::this_thread::yield();
-        }
-        std::unique_lock lock(turn);
-        ++count;
-        woken.wait(lock, condition);
-        --count;
-    }
-
-    /// Call it after each change of a value.
-    void wake() {
-        if (count == 0)
-            return;
-        { const std::scoped_lock lock(turn); } // none is between its look and its sleep
-        woken.notify_all();
-    }
-
-private:
-    std::mutex turn;
-    std::condition_variable woken;
-    std::atomic<int> count{0};
-};
-
 } // namespace
 
 struct WorkTeam::Threads {
+    /// Threads that wait for conditions on atomic values. Not by std::atomic::wait, which loses
+    /// wakes in gcc 12's library for Windows.
+    class Sleepers {
+    public:
+        /// Waits for a short time without giving the core away, then lets others run between the
+        /// polls, and then sleeps.
+        template <class Condition>
+        void waitUntil(const Condition& condition) {
+            for (int poll = 0; poll < pollsBeforeYield + yieldsBeforeSleep; ++poll) {
+                if (condition())
+                    return;
+                if (poll >= pollsBeforeYield)
+                    std::this_thread::yield();
+            }
+            std::unique_lock lock(turn);
+            ++count;
+            woken.wait(lock, condition);
+            --count;
+        }
+
+        /// Call it after each change of a value.
+        void wake() {
+            if (count == 0)
+                return;
+            { const std::scoped_lock lock(turn); } // none is between its look and its sleep
+            woken.notify_all();
+        }
+
+    private:
+        std::mutex turn;
+        std::condition_variable woken;
+        std::atomic<int> count{0};
+    };
+
     /// Lasts from a call of `runAll` to the next.
     struct Loop {
         const Item* handle = nullptr;
