@@ -23,6 +23,7 @@ else()
         set(BUILD_${part} OFF)
     endforeach()
     set(USE_GRAPHICAL_BENCHMARK OFF)
+    set(USE_MSVC_FAST_FLOATINGPOINT OFF)
     FetchContent_Declare(bullet
         GIT_REPOSITORY https://github.com/bulletphysics/bullet3.git
         GIT_TAG 3.24

@@ -11,7 +11,8 @@ else()
     FetchContent_Declare(expected
         GIT_REPOSITORY https://github.com/TartanLlama/expected.git
         GIT_TAG v1.1.0
-        GIT_SHALLOW ON)
+        GIT_SHALLOW ON
+        SYSTEM)
     FetchContent_MakeAvailable(expected)
     target_link_libraries(idiophone_expected INTERFACE tl::expected)
 endif()

@@ -24,6 +24,7 @@ FetchContent_Declare(hwy
     GIT_REPOSITORY https://github.com/google/highway.git
     GIT_TAG 1.0.4 # the first that installs a CMake package
     GIT_SHALLOW ON
+    SYSTEM
     ${system_highway})
 FetchContent_MakeAvailable(hwy)
 unset(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME)

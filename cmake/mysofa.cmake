@@ -20,5 +20,8 @@ else()
         GIT_TAG v1.3.4
         GIT_SHALLOW ON)
     FetchContent_MakeAvailable(mysofa)
+    # With MSVC its own build looks for zlib in a folder that it does not have.
+    find_package(ZLIB REQUIRED)
+    target_link_libraries(mysofa-static LINK_PRIVATE ZLIB::ZLIB)
     target_link_libraries(idiophone_mysofa INTERFACE mysofa-static)
 endif()

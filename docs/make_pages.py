@@ -15,9 +15,9 @@ RACK = pathlib.Path(__file__).parents[1] / "Resources/Mallets/mallets.json"
 
 PARAMETERS = """# Parameters
 
-Everything that a host can automate. The name is what the window and the host show; the id is what presets, scenes and
-`idiophone render --set` take. Where the range ends with *0 to 100*, the window shows that until *Units* is on. Hosts,
-presets and the console use the units. This page is made by `./dev pages`.
+Every parameter that a host can automate. The window and the host show the name. Presets, scenes and `idiophone render
+--set` take the id. If a range ends with *0 to 100*, the window shows 0 to 100 until you press *Units*. Hosts, presets and
+the console use the units. `./dev pages` writes this page.
 """
 GROUP = """
 ## {group}
@@ -27,11 +27,11 @@ GROUP = """
 """
 PRESETS = """# Presets
 
-The factory's, by their program numbers. Many hosts show the first as 1. Keys are MIDI notes, 60 the C in the middle. Where
-each key has an object of its own, other keys from 21 to 108 play the nearest one, [resized](../presets.md#keys-without-an-object).
-The sound of a preset is six notes, or three where keys are held, at a peak of −3 dBFS.
-[Here](../presets.md) is what a preset file holds. This page is made by `./dev pages`, the sounds by
-`docs/make_preset_sounds.py`, the pictures by `docs/make_preset_pictures.sh`.
+The factory presets by program number. Many hosts show the first as 1. Keys are MIDI notes; 60 is middle C. If the keys of
+a preset have pitches, other keys from 21 to 108 play the nearest object,
+[resized](../presets.md#keys-without-an-object). Each sound is six notes, or three where keys are held, at a peak of −3 dBFS.
+[Presets](../presets.md) describes the files. `./dev pages` writes this page, `docs/make_preset_sounds.py` the sounds,
+`docs/make_preset_pictures.sh` the pictures.
 
 | program | | preset | keys | what it is |
 |---|---|---|---|---|

@@ -40,8 +40,8 @@ of the same key at velocity {velocity}. To make the page:
 python3 docs/make_realism.py build/release/Source/Console/idiophone RECORDINGS
 ```
 
-RECORDINGS is a folder with the recordings. They are not part of the project. The script renders each note at the sample
-rate and length of its recording, and measures both by the same functions.
+RECORDINGS is a folder of FLAC files with `recordings.json`, the source of each, and `measure.py`, which measures both
+sides. It is not part of the project. The script renders each note at the sample rate and length of its recording.
 
 {sources}
 

@@ -118,16 +118,14 @@ def rings(console):
     for name, values in settings:
         options = [word for value in values for word in ("--set", value)]
         performance = Performance(console, "A hundred rings", "--seconds", "2", *options)
-        figures = performance.figures
-        modes = figures["modes_mixed"]
+        modes = performance.figures["modes_mixed"]
         axes.plot(0.01 * (np.arange(len(modes)) + 0.5), modes, label=name)
-        rows.append((name, f"{np.mean(modes):.0f}", max(modes),
-                     f"{figures['audio_frames_per_second']:.0f}"))
+        rows.append((name, f"{np.mean(modes):.0f}", max(modes)))
     axes.set_xlabel("s")
     axes.set_ylabel("modes mixed")
     axes.legend(fontsize=7)
     save(figure, "rings")
-    return table(("setting", "modes mixed, mean", "at most", "audio frames a second"), rows)
+    return table(("setting", "modes mixed, mean", "at most"), rows)
 
 
 def scenes(console):
@@ -149,10 +147,8 @@ def scenes(console):
         figures = performance.figures
         rows.append((f"[{scene['name']}](images/scenes/{file.stem[3:]}.svg)",
                      f"{figures['seconds']:.1f}", figures["bodies_most"], figures["impacts"],
-                     max(figures["modes_mixed"]), f"{figures['cpu_share_sound']:.3f}",
-                     f"{figures['cpu_share_motion']:.2f}"))
-    return table(("scene", "s", "bodies", "impacts", "modes at most", "sound, of a core",
-                  "bodies, of a core"), rows)
+                     max(figures["modes_mixed"])))
+    return table(("scene", "s", "bodies", "impacts", "modes at most"), rows)
 
 
 def main():

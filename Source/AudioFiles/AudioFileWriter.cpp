@@ -19,7 +19,10 @@ std::ofstream& streamOf(void* stream) {
 }
 
 sf_count_t position(void* stream) {
-    return static_cast<sf_count_t>(streamOf(stream).tellp());
+    const auto here = streamOf(stream).tellp();
+    if (here < 0) // libc++ writes what it holds, and would forget that it could not
+        streamOf(stream).setstate(std::ios::badbit);
+    return static_cast<sf_count_t>(here);
 }
 
 sf_count_t seek(sf_count_t offset, int origin, void* stream) {

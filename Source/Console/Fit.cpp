@@ -122,10 +122,11 @@ std::vector<StrikeRecording> viewsOf(const std::vector<RecordedStrike>& strikes,
 Result<void> writeResynthesis(const RecordingFit& fit,
                               const StrikeRecording& recording,
                               const std::filesystem::path& file) {
-    constexpr int channels = 1, floatBits = 32;
+    constexpr int channels = 1;
     const auto samples = resynthesised(fit, 0, recording);
     const auto rate = static_cast<int>(std::lround(recording.sampleRateHz));
-    auto writer = AudioFileWriter::create(file, rate, channels, floatBits);
+    auto writer =
+        AudioFileWriter::create(file, rate, channels, AudioFileWriter::usualBitDepth(file));
     if (!writer)
         return tl::unexpected(writer.error());
     const float* const channel = samples.data();
@@ -245,7 +246,8 @@ void addFit(CLI::App& program, Action& chosen) {
     command
         ->add_option(
             "RECORDING@PLACE", options->strikes,
-            "WAV files of one strike each, with the struck place: X,Y,Z or a radius, in metres")
+            "WAV, FLAC or AIFF files of one strike each, with the struck place: X,Y,Z or a "
+            "radius, in metres")
         ->required();
     command->add_option("-o,--output", options->output, "The .modal file to write")
         ->type_name(writtenFile)
@@ -270,7 +272,8 @@ void addFit(CLI::App& program, Action& chosen) {
         ->check(numberBetween(1e-6, 0.1));
     command
         ->add_option("--resynthesis", options->resynthesis,
-                     "WAV file to write: what the modes alone say in the recording, at its level")
+                     "WAV or FLAC file to write: what the modes alone say in the recording, at "
+                     "its level")
         ->type_name(writtenFile);
     command->add_flag("--json", options->json, "Writes the report as JSON");
 }

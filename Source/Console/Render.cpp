@@ -177,7 +177,7 @@ Result<void> render(const RenderOptions& options) {
 
 void addRender(CLI::App& program, Action& chosen) {
     const auto [command, options] = addCommand<RenderOptions>(
-        program, chosen, "render", "Renders a MIDI file or a list of impulses to a WAV file",
+        program, chosen, "render", "Renders a MIDI file or a list of impulses to a sound file",
         render);
     auto* preset = command->add_option("--preset", options->preset,
                                        "Name of a factory preset, or a preset file");

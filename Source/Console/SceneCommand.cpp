@@ -226,7 +226,7 @@ Result<void> perform(const SceneOptions& options) {
 
 void addScene(CLI::App& program, Action& chosen) {
     const auto [command, options] = addCommand<SceneOptions>(
-        program, chosen, "scene", "Renders a scene of rigid bodies to a WAV file", perform);
+        program, chosen, "scene", "Renders a scene of rigid bodies to a sound file", perform);
     command
         ->add_option("scene", options->scene,
                      "Name of a factory scene, or a scene file (.json, .gltf, .glb)")

@@ -3,6 +3,7 @@
 
 #include "World/HeadResponses.h"
 
+#include <cstdint>
 #include <string_view>
 
 namespace idiophone {

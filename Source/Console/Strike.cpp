@@ -238,9 +238,9 @@ Result<void> strikeObject(const StrikeOptions& options) {
 
 void addStrike(CLI::App& program, Action& chosen) {
     const auto [command, options] = addCommand<StrikeOptions>(
-        program, chosen, "strike", "Renders one strike of a modal object to a WAV file",
+        program, chosen, "strike", "Renders one strike of a modal object to a sound file",
         strikeObject);
-    command->add_option("OBJECT", options->object, "A .modal file")->required();
+    command->add_option("OBJECT", options->object, "A .modal or glTF file")->required();
     auto* vertex =
         command->add_option("--vertex", options->vertex, "Number of the vertex to strike");
     command

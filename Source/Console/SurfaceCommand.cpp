@@ -81,7 +81,7 @@ void addSurface(CLI::App& program, Action& chosen) {
         fitRecording);
     command
         ->add_option("RECORDING", options->recording,
-                     "A WAV file of at least a quarter of a second")
+                     "A WAV, FLAC or AIFF file of at least a quarter of a second")
         ->required();
     command->add_option("-o,--output", options->output, "The surface file (.json) to write")
         ->type_name(writtenFile);

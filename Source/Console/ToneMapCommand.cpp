@@ -117,7 +117,7 @@ void addToneMap(CLI::App& program, Action& chosen) {
     const auto [command, options] = addCommand<ToneMapOptions>(
         program, chosen, "map",
         "Colours the surface of an object by the brightness of a strike there", mapObject);
-    command->add_option("OBJECT", options->object, "A .modal file")->required();
+    command->add_option("OBJECT", options->object, "A .modal or glTF file")->required();
     command->add_option("-o,--output", options->output, "The .ply file to write")
         ->type_name(writtenFile)
         ->required();

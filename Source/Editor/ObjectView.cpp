@@ -14,7 +14,7 @@ namespace {
 
 constexpr int framesPerSecond = 30;
 constexpr int ticksToWait = 50; // ticks of the window's timer before OpenGL counts as missing
-constexpr float pixelsToDrag = 4;
+constexpr int pixelsToDrag = 4;
 
 } // namespace
 
@@ -155,7 +155,8 @@ void ObjectView::paint(juce::Graphics& g) {
     const bool isPlain = !renderer.works();
     if (isPlain)
         g.fillAll(colourOf(*this, LookColour::panel));
-    if (shown.scene->empty() || (isPlain && ticksWithoutContext < ticksToWait))
+    const bool waits = isShowing() && ticksWithoutContext < ticksToWait; // for OpenGL
+    if (shown.scene->empty() || (isPlain && waits))
         return;
     if (isPlain)
         paintPlainPicture(g, getLocalBounds().toFloat(), frameNow());

@@ -9,6 +9,7 @@
 #include "Editor/StrikeWatch.h"
 
 #include <cmath>
+#include <juce_audio_basics/juce_audio_basics.h>
 #include <numbers>
 #include <vector>
 

@@ -16,7 +16,7 @@ bool isGltfFile(const std::filesystem::path& file) {
 GltfBufferReader buffersIn(const std::filesystem::path& folder) {
     return [folder](const std::string& name, std::uintmax_t limitBytes) -> Result<std::string> {
         const auto path = pathNamed(name);
-        if (path.empty() || path.is_absolute() || path.has_root_name() || isNetworkName(name) ||
+        if (path.empty() || path.has_root_path() || isNetworkName(name) ||
             std::ranges::find(path, std::filesystem::path("..")) != path.end())
             return failure("it is not in the folder of the file");
         return readBytes(folder / path, limitBytes);

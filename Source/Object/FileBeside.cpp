@@ -1,9 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "Object/FileBeside.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <fstream>
 #include <string>
+
+#ifdef _WIN32
+#include <fcntl.h>
+#include <io.h>
+#include <share.h>
+#include <sys/stat.h>
+#endif
 
 namespace idiophone {
 namespace {
@@ -13,11 +21,14 @@ constexpr int maximumNames = 1000;
 /// Fails if the file exists: it may belong to another program, for example an unfinished download.
 bool makeNewFile(const std::filesystem::path& file) {
 #ifdef _WIN32
-    auto* const stream = _wfopen(file.c_str(), L"wbx");
+    int number = 0; // older libraries of Windows ignore the x of fopen
+    return _wsopen_s(&number, file.c_str(), _O_WRONLY | _O_CREAT | _O_EXCL, _SH_DENYNO,
+                     _S_IREAD | _S_IWRITE) == 0 &&
+           _close(number) == 0;
 #else
     auto* const stream = std::fopen(file.c_str(), "wbx");
-#endif
     return stream != nullptr && std::fclose(stream) == 0;
+#endif
 }
 
 /// Returns whether the file is write-protected or a link to itself.
@@ -44,11 +55,12 @@ constexpr bool continues(std::filesystem::path::value_type unit) {
     return sizeof unit == 1 ? (unit & 0xc0) == 0x80 : (unit & 0xfc00) == 0xdc00;
 }
 
-/// Returns the file's name with an ending, cut to the maximum length of file systems.
+/// Returns the file's name with an ending. A long name is cut and does not become longer: file
+/// systems limit the name, and Windows the whole path.
 std::filesystem::path withEnding(const std::filesystem::path& file, const std::string& ending) {
-    constexpr std::size_t longestName = 255;
+    constexpr std::size_t shortName = 40;
     auto name = file.filename().native();
-    if (auto length = longestName - ending.size(); name.size() > length) {
+    if (auto length = std::max(name.size(), shortName) - ending.size(); name.size() > length) {
         while (length > 0 && continues(name[length]))
             --length;
         name.resize(length);

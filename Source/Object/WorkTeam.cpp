@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cfenv>
+#include <condition_variable>
 #include <cstdint>
 #include <exception>
 #include <mutex>
@@ -18,24 +19,43 @@ constexpr int pollsBeforeYield = 50'000; // about 0.05 ms
 constexpr int yieldsBeforeSleep = 2000;  // about a millisecond
 constexpr std::size_t batchesOfThread = 32;
 
-/// Waits for a short time without giving the core away, then lets others run between the polls,
-/// and then sleeps until `value` is notified.
-template <class Value, class Condition>
-void waitUntil(const std::atomic<Value>& value, const Condition& condition) {
-    for (int poll = 0;; ++poll) {
-        const Value seen = value;
-        if (condition(seen))
-            return;
-        if (poll >= pollsBeforeYield + yieldsBeforeSleep)
-            value.wait(seen);
-        else if (poll >= pollsBeforeYield)
-            std::this_thread::yield();
-    }
-}
-
 } // namespace
 
 struct WorkTeam::Threads {
+    /// Threads that wait for conditions on atomic values. Not by std::atomic::wait, which loses
+    /// wakes in gcc 12's library for Windows.
+    class Sleepers {
+    public:
+        /// Waits for a short time without giving the core away, then lets others run between the
+        /// polls, and then sleeps.
+        template <class Condition>
+        void waitUntil(const Condition& condition) {
+            for (int poll = 0; poll < pollsBeforeYield + yieldsBeforeSleep; ++poll) {
+                if (condition())
+                    return;
+                if (poll >= pollsBeforeYield)
+                    std::this_thread::yield();
+            }
+            std::unique_lock lock(turn);
+            ++count;
+            woken.wait(lock, condition);
+            --count;
+        }
+
+        /// Call it after each change of a value.
+        void wake() {
+            if (count == 0)
+                return;
+            { const std::scoped_lock lock(turn); } // none is between its look and its sleep
+            woken.notify_all();
+        }
+
+    private:
+        std::mutex turn;
+        std::condition_variable woken;
+        std::atomic<int> count{0};
+    };
+
     /// Lasts from a call of `runAll` to the next.
     struct Loop {
         const Item* handle = nullptr;
@@ -67,6 +87,7 @@ struct WorkTeam::Threads {
     std::mutex turn;
     std::atomic<std::uint32_t> wakes{0};
     std::atomic<bool> isStopping{false};
+    Sleepers sleepers;
     std::vector<std::thread> others; ///< started last
 };
 
@@ -112,7 +133,7 @@ WorkTeam::Threads::~Threads() {
 
 void WorkTeam::Threads::wake() {
     ++wakes;
-    wakes.notify_all();
+    sleepers.wake();
 }
 
 void WorkTeam::Threads::runBoth(const std::function<void()>& other,
@@ -130,7 +151,7 @@ void WorkTeam::Threads::runBoth(const std::function<void()>& other,
         if (task.exchange(nullptr) != nullptr)
             other();
         else
-            waitUntil(isTaskDone, std::identity());
+            sleepers.waitUntil([&] { return isTaskDone.load(); });
     };
     try {
         own();
@@ -156,7 +177,7 @@ void WorkTeam::Threads::runAll(std::size_t count, const Item& handle) {
         // A visitor enters before it looks whether the loop is open, so that none reads it after
         // this.
         loop.isOpen = false;
-        waitUntil(loop.visitors, [](int visitors) { return visitors == 0; });
+        sleepers.waitUntil([&] { return loop.visitors == 0; });
     }
     if (loop.fault)
         std::rethrow_exception(std::exchange(loop.fault, nullptr));
@@ -180,7 +201,7 @@ void WorkTeam::Threads::work(std::size_t thread) {
     while (!isStopping) {
         const auto before = wakes.load(); // a later wake ends the wait at once
         if (!takeTask() && !visitLoop(thread))
-            waitUntil(wakes, [&](std::uint32_t now) { return now != before; });
+            sleepers.waitUntil([&] { return wakes != before; });
     }
 }
 
@@ -191,7 +212,7 @@ bool WorkTeam::Threads::takeTask() {
     std::fesetenv(&taskMode);
     (*taken)();
     isTaskDone = true;
-    isTaskDone.notify_one();
+    sleepers.wake();
     return true;
 }
 
@@ -204,7 +225,7 @@ bool WorkTeam::Threads::visitLoop(std::size_t thread) {
         runItems(thread);
     }
     --loop.visitors;
-    loop.visitors.notify_one();
+    sleepers.wake();
     return isOpen;
 }
 

@@ -38,16 +38,14 @@ Room::Sound Tilt::process(const Room::Sound& sound, double brightness) noexcept 
         const auto tilt = [&](Channel& channel, float sample) {
             const float step = coefficient * (sample - channel.state);
             const float low = channel.state + step;
-            channel.state = low + step;
+            const float state = low + step;
+            channel.state = std::abs(state) < inaudible ? 0 : state;
             // Written so that a gain of 1 returns the sample's own bits.
             channel.tilted[i] = sample + (1 / high - 1) * low + (high - 1) * (sample - low);
         };
         tilt(left, sound.left[i]);
         tilt(right, sound.right[i]);
     }
-    for (auto& channel : channels)
-        if (std::abs(channel.state) < inaudible)
-            channel.state = 0;
     return {std::span(left.tilted).first(sound.left.size()),
             std::span(right.tilted).first(sound.left.size())};
 }

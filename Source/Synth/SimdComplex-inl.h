@@ -24,6 +24,10 @@ using HalfFloats = hn::Half<Floats>;
 
 template <class Vector>
 struct ComplexOf {
+    // Gcc compiles implicit constructors without the instructions of HWY_BEFORE_NAMESPACE.
+    HWY_INLINE ComplexOf() {}
+    HWY_INLINE ComplexOf(Vector real, Vector imaginary) : re(real), im(imaginary) {}
+
     Vector re, im;
 };
 using FloatComplex = ComplexOf<hn::Vec<Floats>>;

@@ -198,7 +198,7 @@ TEST_CASE("A free disc is within 1 dB of theory, on and off its axis") {
     }
 }
 
-TEST_CASE("An oscillating cube of 0.1 m radiates 0.73 Pa·m at 200 Hz and 14.9 Pa·m at 1 kHz") {
+TEST_CASE("An oscillating cube of 0.1 m radiates 0.73 Pa m at 200 Hz and 14.9 Pa m at 1 kHz") {
     const auto cube =
         closedSurface(boxMesh(Eigen::Vector3d::Constant(0.1), Eigen::Vector3i::Constant(8)), 0);
     REQUIRE(cube);

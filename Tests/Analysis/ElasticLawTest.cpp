@@ -14,7 +14,7 @@ using namespace idiophone;
 using namespace idiophone::test;
 using Catch::Matchers::WithinRel;
 
-TEST_CASE("The isotropic law is Lamé's law") {
+TEST_CASE("The isotropic law is Lame's law") {
     const double y = 20e9, nu = 0.3;
     const double lambda = y * nu / ((1 + nu) * (1 - 2 * nu)), mu = y / (2 * (1 + nu));
     Matrix6d lame = Matrix6d::Zero();

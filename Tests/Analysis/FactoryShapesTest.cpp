@@ -101,7 +101,8 @@ TEST_CASE("The steel plate has Kirchhoff's modes within 1 %") {
     checkFile(plate, 330000);
 }
 
-TEST_CASE("The wooden table top has Kirchhoff's modes within 2 % (theory for ν = 0.3, wood 0.25)") {
+TEST_CASE(
+    "The wooden table top has Kirchhoff's modes within 2 % (theory for nu = 0.3, wood 0.25)") {
     const auto table = stored("table");
     checkPlate(table, 0.9, 0.02);
     checkFile(table, 220000);

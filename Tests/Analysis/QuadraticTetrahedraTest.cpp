@@ -90,7 +90,8 @@ TEST_CASE("Uniform strain stores half of strain times stress, also for wood at a
                WithinRel(0.006 * strain.dot(law.stiffnessPa * strain), 1e-11));
 }
 
-TEST_CASE("Pure bending, a quadratic displacement, stores exactly E κ²/2 times the second moment") {
+TEST_CASE(
+    "Pure bending, a quadratic displacement, stores exactly E k^2/2 times the second moment") {
     const auto mesh = block();
     const double nu = 0.3, curvature = 0.8;
     const auto model = quadraticTetrahedra(mesh, elasticLaw(referenceWood(nu)), 1000);
@@ -162,7 +163,7 @@ TEST_CASE("A wooden bar rotated with its grain keeps its frequencies within 1e-8
     CHECK((before->eigenvalues.array() / after->eigenvalues.array() - 1).abs().maxCoeff() < 2e-8);
 }
 
-TEST_CASE("Frequencies scale with √(E/ρ) and inversely with size") {
+TEST_CASE("Frequencies scale with sqrt(E/rho) and inversely with size") {
     const auto at = [](double size, double youngs, double density) {
         auto mesh =
             meshOf(boxMesh(size * Eigen::Vector3d(0.3, 0.05, 0.03), {8, 2, 1}), 0.04 * size);

@@ -13,7 +13,7 @@ using namespace idiophone;
 using Catch::Matchers::WithinAbs;
 using Catch::Matchers::WithinRel;
 
-TEST_CASE("A force on a board of mass m is heard as ρ F/(2π m) at all frequencies") {
+TEST_CASE("A force on a board of mass m is heard as rho F/(2 pi m) at all frequencies") {
     constexpr double omega = 2000, forceN = 3, boardKgPerM2 = 5;
     RadiationTable table{.directions = {{0, 0, 1}, {0, 1, 0}},
                          .frequencyRatios = {1, 2},

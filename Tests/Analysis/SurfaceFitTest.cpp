@@ -45,7 +45,7 @@ std::string faultOf(const std::vector<float>& samples) {
 } // namespace
 
 TEST_CASE(
-    "A scrape's fit recovers β within 0.1, reson frequency within 5 % and damping within 20 %") {
+    "A scrape's fit recovers beta within 0.1, reson frequency within 5 % and damping within 20 %") {
     const double exponent = GENERATE(-1.66, -1.22, -0.6);
     const auto [frequencyHz, damping] =
         GENERATE(std::pair{500.0, 1000.0}, std::pair{300.0, 200.0}, std::pair{2500.0, 600.0},

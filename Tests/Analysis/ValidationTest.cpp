@@ -162,7 +162,7 @@ TEST_CASE("A free square plate remeshed like a user's has eight modes within 2 %
            inOrder(frequenciesHz(body), squarePlate030, unit));
 }
 
-TEST_CASE("A free square plate of two-layer springs has eight modes within 3 % of Ritz at ν = 1/3",
+TEST_CASE("A free square plate of two-layer springs has eight modes within 3 % of Ritz at nu = 1/3",
           "[validation]") {
     const double unit = plateUnitHz(1, 0.02, 1.0 / 3);
     const auto body = solvedShell(sheetMesh(1, 1, 1074), referenceWood(1.0 / 3), 0.02,
@@ -217,7 +217,7 @@ TEST_CASE("A circular plate of finite elements, 1/50 of its radius thick, is wit
            inOrder(frequenciesHz(body), circularPlate030, unit));
 }
 
-TEST_CASE("A free circular plate of two-layer springs is within 3 % of theory at ν = 1/3",
+TEST_CASE("A free circular plate of two-layer springs is within 3 % of theory at nu = 1/3",
           "[validation]") {
     const double unit = plateUnitHz(1, 0.04, 1.0 / 3);
     const auto body = solvedShell(discMesh(1, 18), referenceWood(1.0 / 3), 0.04,

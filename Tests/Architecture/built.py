@@ -12,7 +12,7 @@ import sys
 def sources(folder):
     """Returns the words of the folder's CMakeLists.txt outside comments."""
     lists = folder / "CMakeLists.txt"
-    return set(re.sub("#.*", "", lists.read_text()).split()) if lists.exists() else set()
+    return set(re.sub("#.*", "", lists.read_text(encoding="utf-8")).split()) if lists.exists() else set()
 
 
 def left_out(tests):

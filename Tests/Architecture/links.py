@@ -10,14 +10,14 @@ import sys
 
 def anchors(page):
     """Returns the anchors of a page's headings: lower case, hyphens for spaces."""
-    headings = re.findall(r"^#+ +(.*)$", page.read_text(), re.MULTILINE)
+    headings = re.findall(r"^#+ +(.*)$", page.read_text(encoding="utf-8"), re.MULTILINE)
     return {re.sub(r"[^\w\- ]", "", heading.lower()).replace(" ", "-") for heading in headings}
 
 
 def broken(root):
     pages = [*root.glob("*.md"), *root.glob("docs/**/*.md")]
     for page in pages:
-        for link in re.findall(r"\]\(([^)\s]+)\)", page.read_text()):
+        for link in re.findall(r"\]\(([^)\s]+)\)", page.read_text(encoding="utf-8")):
             if link.startswith(("http:", "https:", "mailto:")):
                 continue
             path, _, anchor = link.partition("#")

@@ -45,7 +45,8 @@ class ConsoleTest(unittest.TestCase):
         self.addCleanup(directory.cleanup)
         self.folder = pathlib.Path(directory.name)
         # Hide the materials of the user who runs the tests.
-        self.environment = {"XDG_CONFIG_HOME": str(self.folder / "settings")}
+        settings = str(self.folder / "settings")
+        self.environment = {"XDG_CONFIG_HOME": settings, "APPDATA": settings}  # the second for Windows
 
     def succeed(self, *arguments):
         result = run(*arguments, environment=self.environment)

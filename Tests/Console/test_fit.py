@@ -196,8 +196,11 @@ class Fit(ConsoleTest):
         energy = sum(x * x for x in clean[free:])
         difference = sum((a - b) ** 2 for a, b in zip(left[free:], clean[free:]))
         self.assertLess(10 * math.log10(difference / energy), -25)
-        text = self.succeed("fit", f"{path}@0", "-o", self.folder / "r.modal").stdout
+        flac = self.folder / "made.flac"
+        text = self.succeed("fit", f"{path}@0", "-o", self.folder / "r.modal",
+                            "--resynthesis", flac).stdout
         self.assertIn("The modes hold", text)
+        self.assertEqual(flac.read_bytes()[:4], b"fLaC")
         self.refuse("fit", f"{path}@0", f"{path}@0.1", "-o", self.folder / "r.modal",
                     "--resynthesis", made, naming="--resynthesis", saying="exactly one recording")
 

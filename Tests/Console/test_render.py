@@ -1,5 +1,7 @@
 import json
 import math
+import sys
+import unittest
 
 from console import OBJECTS, ConsoleTest, Wave, midi_file, note, run, tempo
 
@@ -41,8 +43,9 @@ class Render(ConsoleTest):
         for preset in scenes:
             report, _ = self.render(song, "--seconds", 10, "--set", "limiter=0", preset=preset)
             with self.subTest(preset=preset):
-                # A single die is fainter: a roll of dice adds up.
-                delta = 4 if preset == "Dice on Rosewood" else 1.5
+                # A single die is fainter: a roll of dice adds up. A pebble's path amplifies
+                # roundings, which differ between compilers.
+                delta = {"Dice on Rosewood": 4, "Pebble in a Wok": 3.5}.get(preset, 1.5)
                 self.assertAlmostEqual(report["integrated_lufs"], -26, delta=delta)
                 self.assertLess(report["peak_dbfs"], 1)
 
@@ -178,6 +181,7 @@ class Render(ConsoleTest):
             self.refuse("render", "--preset", XYLOPHONE, "--midi", self.write("cut.mid", cut),
                         "-o", self.folder / "cut.wav", naming="cut.mid")
 
+    @unittest.skipIf(sys.platform == "win32", "permissions of POSIX")
     def test_a_file_rendered_again_keeps_its_permissions(self):
         output = self.render(self.song(note(0, 72)), "--seconds", 0.1)[1]
         output.chmod(0o640)

@@ -152,7 +152,7 @@ TEST_CASE("The scale is logarithmic between round frequencies and contains every
         CHECK(ticks[k].at - ticks[k - 1].at >= 26);
 }
 
-TEST_CASE("Sounding modes have the accent colour, muted modes a cross, and τ a line") {
+TEST_CASE("Sounding modes have the accent colour, muted modes a cross, and tau a line") {
     Shown shown;
     const auto accent = colourOf(shown.look.scheme(), LookColour::accent);
     const auto error = colourOf(shown.look.scheme(), LookColour::error);

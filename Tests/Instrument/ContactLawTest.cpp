@@ -89,7 +89,7 @@ TEST_CASE("The contact time of any exponent agrees with the equation of motion")
     }
 }
 
-TEST_CASE("Contact times are proportional to speed^((1 − p)/(1 + p)), exactly") {
+TEST_CASE("Contact times are proportional to speed^((1 - p)/(1 + p)), exactly") {
     for (const auto& mallet : malletRack()) {
         INFO(mallet.name);
         const double slow = contactMilliseconds(mallet, "Wood", 0.1), p = mallet.forceExponent;

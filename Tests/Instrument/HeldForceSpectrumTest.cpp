@@ -61,7 +61,7 @@ TEST_CASE("The spectrum ends at the profile's highest frequency at the contact's
     CHECK(force.smoothPower(fullTurn * 6100) == 0);
 }
 
-TEST_CASE("A coupled mode takes h² + hc + c²/2 from a long note, and less from a short one") {
+TEST_CASE("A coupled mode takes h^2 + hc + c^2/2 from a long note, and less from a short one") {
     const CoupledMode mode{.frequencyHz = 1000, .dampingPerSecond = 60};
     const ContactForceSettings settings{
         .kind = ContactKind::roll, .rollDryMix = 1, .rollModalCoupling = 2};

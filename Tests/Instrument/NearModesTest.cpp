@@ -52,7 +52,7 @@ double energyBySamples(const std::vector<Mode>& modes) {
 
 } // namespace
 
-TEST_CASE("The energy of one mode is A²/4α, where A² is the mean over the channels") {
+TEST_CASE("The energy of one mode is A^2/(4 decay), with the mean of A^2 over the channels") {
     CHECK(energyByPowers({mode(6000, 20, 3, 1)}) == Approx((9 + 1) / 2.0 / (4 * 20)));
 }
 

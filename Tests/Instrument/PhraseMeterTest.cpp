@@ -94,12 +94,12 @@ TEST_CASE(
         }
 }
 
-TEST_CASE("A steady power of 1 during the notes measures −0.691 LUFS") {
+TEST_CASE("A steady power of 1 during the notes measures -0.691 LUFS") {
     PhraseMeter meter;
     meter.addSteady({1, 1, 1, 1, 1, 1, 1, 1});
     CHECK(std::abs(meter.integratedLufs() - -0.691) < 0.3);
 }
 
-TEST_CASE("Silence measures −infinity") {
+TEST_CASE("Silence measures -infinity") {
     CHECK(std::isinf(PhraseMeter().integratedLufs()));
 }

@@ -74,7 +74,8 @@ TEST_CASE("With radiation left and right differ, at the same pitch") {
     }
 }
 
-TEST_CASE("If no pitch is kept, a library material moves every frequency by the root of Y over ρ") {
+TEST_CASE(
+    "If no pitch is kept, a library material moves every frequency by the root of E over density") {
     ParameterValues parameters;
     parameters.set(ParameterId::keepPitch, 0);
     parameters.set(ParameterId::material,

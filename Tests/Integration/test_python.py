@@ -137,7 +137,7 @@ def test_an_interrupt_ends_the_work(idiophone, bar_file):
     mesh = idiophone.load_mesh(bar_file)
 
     def interrupt(done, step):
-        os.kill(os.getpid(), signal.SIGINT)
+        signal.raise_signal(signal.SIGINT)
     with pytest.raises(KeyboardInterrupt):
         idiophone.analyse(mesh, progress=interrupt)
 
@@ -197,7 +197,7 @@ def test_a_long_render_can_be_interrupted(idiophone, bar):
     def interrupt():
         while world.seconds == 0:
             pass
-        os.kill(os.getpid(), signal.SIGINT)
+        signal.raise_signal(signal.SIGINT)
     threading.Thread(target=interrupt).start()
     with pytest.raises(KeyboardInterrupt):
         world.render(2**27)

@@ -6,7 +6,7 @@
 
 using namespace idiophone;
 
-TEST_CASE("Isotropic constants are valid exactly for −1 < ν < 0.5") {
+TEST_CASE("Isotropic constants are valid exactly for -1 < nu < 0.5") {
     for (const double nu : {-0.99, -0.3, 0.0, 0.3, 0.499})
         CHECK(validated(isotropicElasticity(20e9, nu)));
     for (const double nu : {-1.01, 0.501, 0.9})

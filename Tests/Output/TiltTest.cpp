@@ -96,3 +96,15 @@ TEST_CASE("The tilt does not depend on the block size, and a change has no step"
     // Low frequencies fall from +9 to −9 dB.
     CHECK_THAT(output[4799] / output.back(), WithinAbs(std::pow(10, 18.0 / 20), 0.01));
 }
+
+TEST_CASE("A fading sound is tilted to the same bits in all blocks") {
+    auto fading = sine(997);
+    for (std::size_t i = 0; i < fading.size(); ++i)
+        fading[i] *= std::exp2(-static_cast<float>(i) / 1500); // to −190 dB
+    auto whole = prepared();
+    const auto expected = tilted(whole, fading, 50, 4096);
+    for (const std::size_t blockSize : {1, 7, 64}) {
+        auto pieces = prepared();
+        CHECK(tilted(pieces, fading, 50, blockSize) == expected);
+    }
+}

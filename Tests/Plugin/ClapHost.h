@@ -12,6 +12,7 @@
 #include <vector>
 
 #ifdef _WIN32
+#define NOMINMAX
 #include <windows.h>
 #else
 #include <dlfcn.h>
@@ -23,7 +24,8 @@ namespace idiophone {
 inline const clap_plugin_entry& clapEntry(const std::string& path) {
 #ifdef _WIN32
     const auto library = LoadLibraryA(path.c_str());
-    const void* symbol = library ? GetProcAddress(library, "clap_entry") : nullptr;
+    const void* symbol =
+        library ? reinterpret_cast<const void*>(GetProcAddress(library, "clap_entry")) : nullptr;
 #else
     void* const library = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
     const void* symbol = library ? dlsym(library, "clap_entry") : nullptr;

@@ -1,18 +1,17 @@
 // Long host sessions beyond what validators try: many notes, many instances, values that are not
 // numbers, and a changing tempo.
 #include "Support/Level.h"
+#include "Support/ResidentMemory.h"
 #include "Support/Sanitizers.h"
 #include "Support/TestSound.h"
 
 #include <atomic>
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
-#include <fstream>
 #include <limits>
 #include <memory>
 #include <random>
 #include <thread>
-#include <unistd.h>
 
 using namespace idiophone;
 using namespace idiophone::test;
@@ -49,14 +48,6 @@ public:
     }
     mutable int asked = 0, flushed = 0;
 };
-
-/// [KiB] Resident memory of this process, 0 where the system does not report it.
-double residentKibibytes() {
-    std::ifstream file("/proc/self/statm");
-    double pages = 0;
-    file >> pages >> pages;
-    return file ? pages * static_cast<double>(::sysconf(_SC_PAGESIZE)) / 1024 : 0;
-}
 
 } // namespace
 

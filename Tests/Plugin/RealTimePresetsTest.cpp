@@ -50,7 +50,7 @@ void play(WatchedHost& host, const juce::MidiBuffer& midi, int samples, int bloc
 }
 
 /// The smallest accepted peaks are low, because some presets are faint.
-constexpr float leastStruck = 0.003f, leastPressed = 1e-5f, leastOfStage = 1e-4f;
+constexpr float leastStruck = 0.003f, leastPressed = 5e-6f, leastOfStage = 1e-4f;
 
 float loudestOfBlock(WatchedHost& host) {
     host.loudestSample = 0;

@@ -4,24 +4,27 @@
 
 #include <catch2/catch_test_macros.hpp>
 #include <cstdlib>
-#include <fcntl.h>
 #include <functional>
 #include <mutex>
 #include <random>
 #include <shared_mutex>
 #include <thread>
-#include <unistd.h>
 
-// Declare the functions that the trap watches. Other systems may lack them.
+// Declare the functions that the trap watches. Other systems lack some of them.
 #if defined(__linux__) && defined(__GLIBC__)
+#include <fcntl.h>
 #include <linux/futex.h>
 #include <pthread.h>
 #include <semaphore.h>
 #include <sys/syscall.h>
+#include <unistd.h>
 #endif
 
 using namespace idiophone;
 using namespace idiophone::test;
+
+// The faults are calls of Linux, where alone the trap works.
+#if defined(__linux__) && defined(__GLIBC__)
 
 namespace {
 
@@ -80,7 +83,6 @@ TEST_CASE("The real-time trap catches every kind of planted fault in a callback"
     CHECK(plantedIn(processor, [&] { processor.view().status.takeStatus(); }).locks > 0);
 }
 
-#if defined(__linux__) && defined(__GLIBC__)
 TEST_CASE("The real-time trap catches and names each waiting call even if it returns at once") {
     if (!realTimeTrapWorks())
         SKIP("the trap needs Linux with glibc and no sanitizer");
@@ -131,7 +133,7 @@ TEST_CASE("The real-time trap catches and names each waiting call even if it ret
     for (const auto& [name, wait] : waits) {
         const auto faults = faultsOf(wait);
         INFO(name);
-        CHECK(faults.locks == 1);
+        CHECK(faults.locks >= 1); // a waiting call may call others
         CHECK(faults.first.starts_with(name));
     }
     CHECK(faultsOf([] { hide(madeWhenFirstAskedFor()); }).none()); // already initialised
@@ -140,7 +142,6 @@ TEST_CASE("The real-time trap catches and names each waiting call even if it ret
     sem_destroy(&semaphore);
     pthread_spin_destroy(&spin);
 }
-#endif
 
 TEST_CASE("The real-time trap catches planted system calls in a callback") {
     if (!systemCallTrapWorks())
@@ -157,7 +158,6 @@ TEST_CASE("The real-time trap catches planted system calls in a callback") {
     CHECK(systemCalls([] { ::close(::open("/dev/null", O_WRONLY)); }) > 0);
     std::atomic<int> number{0};
     CHECK(systemCalls([&] { number.notify_all(); }) == 0); // no thread waits, so no call
-#if defined(__linux__)
     const auto futex = [](int operation) {
         std::uint32_t word = 0;
         ::syscall(SYS_futex, &word, operation, 1, nullptr, nullptr, 0);
@@ -165,10 +165,11 @@ TEST_CASE("The real-time trap catches planted system calls in a callback") {
     CHECK(systemCalls([&] { futex(FUTEX_WAIT_PRIVATE); }) > 0);
     CHECK(systemCalls([&] { futex(FUTEX_WAKE_PRIVATE); }) == 0);
     CHECK(plantedIn(processor, [&] { futex(FUTEX_WAKE_PRIVATE); }).wakes > 0);
-#endif
     const auto written = systemCalls([] { ::write(-1, "", 0); });
     CHECK(written > 0);
 }
+
+#endif
 
 TEST_CASE("No parameter at either end makes the callback allocate, lock or call the system") {
     if (!realTimeTrapWorks())

@@ -112,7 +112,9 @@ bool dispatchSystemCalls() {
         return lockCall(function, #name, __VA_ARGS__);                                             \
     }
 
-// The executable's definitions take precedence over the C library's.
+// The executable's definitions take precedence over the C library's, also for other libraries if
+// they are visible to them.
+#pragma GCC visibility push(default)
 extern "C" {
 
 void* __libc_malloc(std::size_t);
@@ -208,6 +210,8 @@ extern "C" int __cxxabiv1::__cxa_guard_acquire(Guard guard) {
     static int (*function)(Guard) = nullptr;
     return lockCall(function, "__cxa_guard_acquire", guard);
 }
+
+#pragma GCC visibility pop
 
 namespace idiophone::test {
 

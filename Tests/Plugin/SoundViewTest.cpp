@@ -93,7 +93,7 @@ TEST_CASE("The window chooses the watched object until the instrument changes") 
     Prepared prepared;
     auto& processor = prepared.processor;
     processor.view().sound.watchObject(2);
-    CHECK(processor.view().sound.watchedObject() == 2);
+    CHECK(processor.view().sound.watchedObject() == 2u);
     CHECK(frameAfter(processor, 4800, note(69))->object == 2);
     processor.view().sound.watchObject(std::nullopt);
     CHECK(frameAfter(processor, 4800)->object == 9);

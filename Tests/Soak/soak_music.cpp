@@ -6,6 +6,7 @@
 //   soak_music LOG HOURS
 #include "Soak/MemoryLog.h"
 #include "Soak/RandomSession.h"
+#include "Support/ResidentMemory.h"
 
 #include <cmath>
 #include <cstdlib>
@@ -15,7 +16,6 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
-#include <unistd.h>
 #ifdef __GLIBC__
 #include <malloc.h>
 #endif
@@ -34,10 +34,7 @@ double residentMebibytes() {
 #ifdef __GLIBC__
     ::malloc_trim(0);
 #endif
-    std::ifstream file("/proc/self/statm");
-    double pages = 0;
-    file >> pages >> pages;
-    return file ? pages * static_cast<double>(::sysconf(_SC_PAGESIZE)) / (1 << 20) : 0;
+    return residentKibibytes() / 1024;
 }
 
 void check(bool holds, const std::string& fault) {

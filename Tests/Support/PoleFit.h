@@ -22,6 +22,8 @@ inline FittedPole fitPole(std::span<const float> signal,
                           double frameSeconds) {
     const auto frame = static_cast<std::size_t>(frameSeconds * sampleRateHz);
     const std::size_t hop = frame / 8;
+    const double turn = 2 * std::numbers::pi / static_cast<double>(frame);
+    const double hopSeconds = static_cast<double>(hop) / sampleRateHz;
     FittedPole pole{.frequencyHz = expectedHz, .decayPerSecond = 0};
     for (int round = 0; round < 4; ++round) {
         const double omega = 2 * std::numbers::pi * pole.frequencyHz / sampleRateHz;
@@ -31,7 +33,7 @@ inline FittedPole fitPole(std::span<const float> signal,
         for (std::size_t start = 0; start + frame <= signal.size(); start += hop) {
             std::complex<double> sum = 0;
             for (std::size_t i = 0; i < frame; ++i) {
-                const double hann = 1 - std::cos(2 * std::numbers::pi * i / frame);
+                const double hann = 1 - std::cos(turn * static_cast<double>(i));
                 sum += hann * signal[start + i] *
                        std::polar(1.0, -omega * static_cast<double>(start + i));
             }
@@ -41,7 +43,7 @@ inline FittedPole fitPole(std::span<const float> signal,
             }
             previous = sum;
         }
-        const auto step = std::log(product / energy) / (hop / sampleRateHz);
+        const auto step = std::log(product / energy) / hopSeconds;
         pole.frequencyHz += step.imag() / (2 * std::numbers::pi);
         pole.decayPerSecond = -step.real();
     }

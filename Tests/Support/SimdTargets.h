@@ -2,11 +2,20 @@
 #pragma once
 
 #include <cstdint>
-#include <hwy/targets.h>
+#include <hwy/highway.h>
 #include <vector>
 
 namespace idiophone::test {
 
+#ifdef HWY_COMPILE_ONLY_STATIC // there is only one
+struct TargetInTurn {
+    explicit TargetInTurn(std::int64_t) {}
+};
+
+inline std::vector<std::int64_t> targetsHere() {
+    return {HWY_STATIC_TARGET};
+}
+#else
 /// While this object lives, dispatch uses this target. Afterwards it uses the best one.
 struct TargetInTurn {
     explicit TargetInTurn(std::int64_t target) {
@@ -25,5 +34,6 @@ inline std::vector<std::int64_t> targetsHere() {
         targets.push_back(rest & -rest);
     return targets;
 }
+#endif
 
 } // namespace idiophone::test

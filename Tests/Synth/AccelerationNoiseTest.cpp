@@ -89,8 +89,7 @@ TEST_CASE("The moved air of an ellipsoid matches Lamb's formula in any orientati
     CHECK(disc[2] * 4 * pi / 3 * 0.005 / 0.1 == Approx(8.0 / 3).epsilon(0.05));
 }
 
-TEST_CASE(
-    "The click of a small sphere is ρ0 a³ ȧ / (2 c) along the impulse and follows its cosine") {
+TEST_CASE("A small sphere's click is rho a^3 jerk/(2c) along the impulse, and follows its cosine") {
     const double radius = 0.01, impulse = 0.05, contact = 1e-3;
     const auto ball = rigidBall(radius, 7000);
     const auto [seconds, pascals] = clickOf(ball, impulse, contact, {0.8f, 0, -0.6f});

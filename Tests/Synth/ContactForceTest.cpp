@@ -134,7 +134,7 @@ TEST_CASE("A roll without dry mix equals the scrape through a Butterworth low-pa
     }
 }
 
-TEST_CASE("A coupled mode raises the roll around its frequency by d/√((ω − ρ)² + d²)") {
+TEST_CASE("A coupled mode raises the roll around its frequency by d/sqrt((w - r)^2 + d^2)") {
     const double modeHz = 1500, damping = 60;
     const Surface surface{.resonFrequencyHz = 4000, .resonDampingPerSecond = 20000};
     auto scraping = contactOn(surface);

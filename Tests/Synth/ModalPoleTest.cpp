@@ -89,7 +89,8 @@ TEST_CASE("The stiffness for a damped frequency gives that frequency back") {
             }
 }
 
-TEST_CASE("Beyond a damping ratio of 1/√2 the stiffness stays at twice the squared frequency") {
+TEST_CASE(
+    "Beyond a damping ratio of 1/sqrt(2) the stiffness stays at twice the squared frequency") {
     const double omega = 1000;
     double before = omega * omega;
     for (double eta = 0; eta < 3e-3; eta += 1e-6) { // the double root is at 1/ω

@@ -39,7 +39,7 @@ double spectralSlope(const Periodogram& spectrum, double lowHz, double highHz) {
 
 } // namespace
 
-TEST_CASE("The profile's spectral slope is β within 0.05 at any speed") {
+TEST_CASE("The profile's spectral slope is beta within 0.05 at any speed") {
     const double exponent = GENERATE(-1.66, -1.22, -0.5, 0.0);
     const double speedRatio = GENERATE(1.0, 0.37);
     const SurfaceProfile profile({.spectrumExponent = exponent}, rateHz, 11);
