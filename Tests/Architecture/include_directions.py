@@ -49,7 +49,7 @@ SOURCE_ENDINGS = HEADER_ENDINGS | {".cpp", ".cc", ".mm"}
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*(?:<([^>]+)>|"([^"]+)"|(\S+))', re.MULTILINE)
 COMMENT_OR_TEXT = re.compile(r'//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"', re.DOTALL)
 # Headers without folder and extension (<vector>, <cmath>) and those of C and operating systems.
-STANDARD = re.compile(r"^[a-z_0-9]+$|^(immintrin|unistd|fcntl|malloc|signal|io|stddef|stdint|sys/\w+)\.h$")
+STANDARD = re.compile(r"^[a-z_0-9]+$|^(immintrin|unistd|fcntl|malloc|signal|io|share|stddef|stdint|sys/\w+)\.h$")
 
 
 def words(text):
