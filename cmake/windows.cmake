@@ -11,4 +11,6 @@ set(CMAKE_CROSSCOMPILING_EMULATOR wine)
 set(CMAKE_PREFIX_PATH /usr)
 set(CGAL_DIR "/usr/lib/${CMAKE_HOST_SYSTEM_PROCESSOR}-linux-gnu/cmake/CGAL")
 set(CMAKE_C_FLAGS_INIT "-idirafter /usr/include")
-set(CMAKE_CXX_FLAGS_INIT "-idirafter /usr/include")
+# Without -fno-ipa-ra, gcc expects an inline function to spare the registers that its own copy spares, while the linker
+# takes another file's copy, with other flags.
+set(CMAKE_CXX_FLAGS_INIT "-idirafter /usr/include -fno-ipa-ra")
