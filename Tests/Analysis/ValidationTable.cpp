@@ -54,6 +54,12 @@ std::pair<std::size_t, std::size_t> placeOf(const std::string& title, const std:
     return {begin, end};
 }
 
+#ifdef _WIN32
+constexpr bool onWindows = true; // TetGen makes other tetrahedra than on the page
+#else
+constexpr bool onWindows = false;
+#endif
+
 bool sameToTheDigitsShown(const std::string& shown, const std::string& now) {
     std::istringstream a(shown), b(now);
     std::string wordA, wordB;
@@ -89,10 +95,8 @@ void report(const std::string& title,
         std::ofstream(page, std::ios::binary) << text.substr(0, begin) + table + text.substr(end);
         return;
     }
-#ifndef _WIN32 // TetGen makes other tetrahedra there
     INFO("Now:\n" << table << "On the page:\n" << text.substr(begin, end - begin));
-    CHECK(sameToTheDigitsShown(text.substr(begin, end - begin), table));
-#endif
+    CHECK((sameToTheDigitsShown(text.substr(begin, end - begin), table) || onWindows));
 }
 
 std::size_t validationSections() {
