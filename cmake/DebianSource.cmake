@@ -1,24 +1,24 @@
 # idiophone_debian_source(<FetchContent name> PACKAGE p VERSION v SUITE s [FOLDER f | ORIGINAL])
-# On Debian 12 this unpacks a pinned source package once into build/dependencies and points
+# On Debian 12 and 13 this unpacks a pinned source package once into build/dependencies and points
 # FetchContent at it. Elsewhere FetchContent fetches the upstream tag. ORIGINAL leaves out Debian's changes,
 # which the mirror does not serve for every package.
 #
 # idiophone_debian_binary(<variable> PACKAGE p VERSION v SUITE s)
-# For packages whose source is not served. On Debian 12 this unpacks the binary package and sets the
+# For packages whose source is not served. On Debian 12 and 13 this unpacks the binary package and sets the
 # variable to its folder. Elsewhere it sets the variable to nothing.
 include(FetchContent)
 
 set(IDIOPHONE_DEPENDENCIES "${PROJECT_SOURCE_DIR}/build/dependencies" CACHE PATH
     "Where unpacked source packages are kept, shared by all presets")
 
-set(is_bookworm OFF)
+set(is_debian OFF)
 if(EXISTS /usr/share/keyrings/debian-archive-keyring.gpg)
     cmake_host_system_information(RESULT codename QUERY DISTRIB_VERSION_CODENAME)
-    if(codename STREQUAL "bookworm")
-        set(is_bookworm ON)
+    if(codename MATCHES "^(bookworm|trixie)$")
+        set(is_debian ON)
     endif()
 endif()
-option(IDIOPHONE_DEBIAN_SOURCES "Take pinned dependencies from Debian's packages, not from upstream repositories" ${is_bookworm})
+option(IDIOPHONE_DEBIAN_SOURCES "Take pinned dependencies from Debian's packages, not from upstream repositories" ${is_debian})
 
 # Unpacks a package into the folder unless the folder exists. Further arguments go to debian-source.sh.
 function(idiophone_unpack_debian folder package version suite)

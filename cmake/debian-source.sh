@@ -9,10 +9,11 @@ set -euo pipefail
 package=$1 version=$2 suite=$3 destination=$4 keep=${5:-}
 upstream=${version%-*}
 upstream=${upstream#*:} # names of files have no epoch
+release=$(. /etc/os-release && echo "$VERSION_CODENAME")
 # shellcheck disable=SC2016
 mirror=$(apt-get indextargets --format '$(REPO_URI) $(RELEASE)' 'Created-By: Packages' |
-    awk '$2 == "bookworm" { print $1; exit }')
-[ -n "$mirror" ] || { echo "apt knows no bookworm mirror; run apt-get update first" >&2; exit 1; }
+    awk -v release="$release" '$2 == release { print $1; exit }')
+[ -n "$mirror" ] || { echo "apt knows no mirror of $release; run apt-get update first" >&2; exit 1; }
 
 kind=deb-src lists=Sources work=$destination/apt-$suite
 [ "$keep" != --binary ] || { kind=deb lists=Packages work=$work-binary; }
