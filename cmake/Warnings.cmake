@@ -12,12 +12,9 @@ if(MSVC)
 else()
     target_compile_options(idiophone_warnings INTERFACE
         -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual)
-    # gcc 12 warns of overlaps inside its own std::string. With precompiled headers it also warns of
-    # accesses beyond the string.
-    set(is_gcc_12 $<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,13>>)
-    target_compile_options(idiophone_warnings INTERFACE
-        $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
-        $<${is_gcc_12}:-Wno-array-bounds>
-        $<${is_gcc_12}:-Wno-stringop-overflow>
-        $<${is_gcc_12}:-Wno-stringop-overread>)
+    # gcc 12 to 14 warn of overlaps and of accesses beyond the end inside their own library.
+    foreach(false_warning restrict array-bounds stringop-overflow stringop-overread)
+        target_compile_options(idiophone_warnings INTERFACE
+            $<$<CXX_COMPILER_ID:GNU>:-Wno-${false_warning}>)
+    endforeach()
 endif()
