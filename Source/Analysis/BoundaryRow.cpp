@@ -116,7 +116,7 @@ BoundaryRows::NearPair BoundaryRows::nearPair(const BoundaryPanel& target,
 
 BoundaryRows::Surroundings BoundaryRows::surroundingsOf(const BoundaryPanel& target) const {
     Surroundings result;
-    for (std::size_t source = 0; source < panels_.size(); ++source) {
+    for (int source = 0; source < std::ssize(panels_); ++source) {
         const BoundaryPanel& panel = panels_[source];
         const double edges = (panel.centroid - target.centroid).norm() / panel.longestEdgeMetres;
         if (edges < nearDistance) {
