@@ -10,6 +10,7 @@
 #include <optional>
 #include <string>
 #include <type_traits>
+#include <utility>
 
 namespace idiophone {
 namespace {
@@ -87,8 +88,9 @@ Result<void> replaceSparse(Eigen::MatrixXd& rows,
                            std::size_t componentBytes) {
     const auto& sparse = accessor.sparse;
     const auto readIndex = readerOf(sparse.indices.componentType);
-    if (readIndex == nullptr || sparse.count < 0 || sparse.indices.byteOffset < 0 ||
-        sparse.values.byteOffset < 0)
+    // Newer versions of tinygltf have unsigned offsets.
+    if (readIndex == nullptr || sparse.count < 0 || std::cmp_less(sparse.indices.byteOffset, 0) ||
+        std::cmp_less(sparse.values.byteOffset, 0))
         return failure("a sparse accessor is malformed");
     const auto count = static_cast<std::size_t>(sparse.count);
     const auto indices = partOf(model, sparse.indices.bufferView,

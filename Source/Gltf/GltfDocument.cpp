@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <exception>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -100,14 +101,26 @@ struct BufferFiles {
         return true;
     }
 
-    tinygltf::FsCallbacks callbacks() {
-        return {.FileExists = [](const std::string&, void*) { return true; },
-                .ExpandFilePath = [](const std::string& name, void*) { return name; },
-                .ReadWholeFile =
-                    [](std::vector<unsigned char>* buffer, std::string*, const std::string& name,
-                       void* self) { return static_cast<BufferFiles*>(self)->read(*buffer, name); },
-                .WriteWholeFile = nullptr,
-                .user_data = this};
+    /// A template, because tinygltf 2.9 has one more field, and ignores an incomplete set.
+    template <typename Callbacks = tinygltf::FsCallbacks>
+    Callbacks callbacks() {
+        Callbacks result{};
+        result.FileExists = [](const std::string&, void*) { return true; };
+        result.ExpandFilePath = [](const std::string& name, void*) { return name; };
+        result.ReadWholeFile = [](std::vector<unsigned char>* buffer, std::string*,
+                                  const std::string& name, void* self) {
+            return static_cast<BufferFiles*>(self)->read(*buffer, name);
+        };
+        result.WriteWholeFile = [](std::string*, const std::string&,
+                                   const std::vector<unsigned char>&, void*) { return false; };
+        if constexpr (requires { result.GetFileSizeInBytes; })
+            result.GetFileSizeInBytes = [](std::size_t* bytes, std::string*, const std::string&,
+                                           void*) {
+                *bytes = 0; // bytesOf looks at the real size
+                return true;
+            };
+        result.user_data = this;
+        return result;
     }
 };
 
