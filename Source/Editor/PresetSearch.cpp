@@ -108,7 +108,8 @@ juce::StringArray tagsOf(const std::vector<ShelvedPreset>& presets) {
     counts.erase(juce::String());
     std::vector<std::pair<juce::String, int>> sorted(counts.begin(), counts.end());
     std::ranges::stable_sort(sorted, {}, [](const auto& tag) {
-        const auto sound = std::find(soundWords.begin(), soundWords.end(), tag.first);
+        const auto sound =
+            std::ranges::find_if(soundWords, [&](const char* word) { return tag.first == word; });
         return std::pair(sound - soundWords.begin(), -tag.second);
     });
     juce::StringArray tags;
