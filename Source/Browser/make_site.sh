@@ -1,6 +1,8 @@
 #!/usr/bin/env bash
 # Makes the page, the gallery and the manual as static files: make_site.sh BUILD, the folder with
 # instrument.wasm (build/web). Writes BUILD/site, and fetches what this needs from npm into BUILD/npm.
+# The environment's SOURCE_URL is the public address of these sources. A published page links to it, as
+# section 13 of the AGPL asks.
 set -euo pipefail
 source=$(cd "$(dirname "$0")/../.." && pwd)
 build=$(cd "$1" && pwd)
@@ -15,6 +17,8 @@ rm -rf "$site"
 mkdir -p "$site/songs"
 cp -r "$source"/Source/Browser/page/. "$site"
 rm "$site"/package*.json
+[ -z "${SOURCE_URL:-}" ] ||
+    sed -i "s|.*rel=\"license\".*|&\n        <a href=\"$SOURCE_URL\">Source</a>|" "$site/index.html"
 cp -r "$build/package" "$site/idiophone"
 cp "$source"/Resources/Songs/*.mid "$site/songs"
 cp "$source"/Resources/{Materials/materials,Mallets/mallets}.json "$site"

@@ -70,6 +70,7 @@ test("No page has a broken link, anchor or picture, and links lead to each", asy
     for (const [from, to] of [["index.html", "gallery.html"], ["index.html", "manual/index.html"],
         ["manual/index.html", "manual/midi.html"]])
         assert.ok(pages[from].links.map(pathOf).includes(to), `${from} leads to ${to}`);
+    assert.ok(pages["index.html"].links.includes("https://idiophone.example/source"), "SOURCE_URL of CMakeLists.txt");
     await close();
 });
 
