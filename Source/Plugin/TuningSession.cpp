@@ -12,8 +12,8 @@ void TuningSession::openTuning(const std::filesystem::path& file) {
                            .and_then([&](const std::string& text) -> Result<void> {
                                const auto held = session.lock();
                                before = wanted = scala;
-                               (matches(file, scaleFiles) ? wanted.scale : wanted.mapping) = {
-                                   .name = fileNameOf(file), .text = text};
+                               (matches(file, scaleFiles) ? wanted.scale : wanted.mapping) =
+                                   ScalaFile{.name = fileNameOf(file), .text = text};
                                return keyTuning(wanted).transform(
                                    [&](const KeyTuning& keys) { tuneTo(wanted, keys); });
                            });
