@@ -210,7 +210,8 @@ std::optional<ModeMatch> matchModes(std::span<const MeasuredMode> measured,
     match.score = scores[best];
     double second = scores[best] - nearlyAsGood;
     for (std::ptrdiff_t i = 0; i < std::ssize(scores); ++i)
-        if (std::abs(i - best) * step > 2 * matchedWithin && scores[i] > second) {
+        if (static_cast<double>(std::abs(i - best)) * step > 2 * matchedWithin &&
+            scores[i] > second) {
             second = scores[i];
             match.other = std::exp(first + step * static_cast<double>(i));
         }

@@ -54,7 +54,7 @@ std::vector<Collocation> collocationsOf(const std::vector<BoundaryPanel>& panels
                                         const std::vector<int>& owners,
                                         Index clusters) {
     std::vector<std::vector<int>> free(clusters), fixed = free;
-    for (std::size_t orbit = 0; orbit < owners.size(); ++orbit)
+    for (int orbit = 0; orbit < std::ssize(owners); ++orbit)
         (orbits.areFixed[orbit] ? fixed : free)[owners[orbit]].push_back(orbit);
     std::vector<Collocation> result;
     for (std::size_t cluster = 0; cluster < free.size(); ++cluster) {

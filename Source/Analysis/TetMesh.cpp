@@ -168,7 +168,8 @@ Result<TetMesh> tetrahedralise(const Mesh& closedSurface, const TetMeshSettings&
     const auto solid = withoutCavities(closedSurface, std::move(*filled));
     if (!solid)
         return failure(solid.error().message);
-    auto mesh = withMidEdgeNodes(solid->points, solid->tetrahedra, closedSurface.vertexCount());
+    auto mesh = withMidEdgeNodes(solid->points, solid->tetrahedra,
+                                 static_cast<int>(closedSurface.vertexCount()));
     if (mesh.nodes.rows() > settings.maximumNodes)
         return tooMany();
     return mesh;
