@@ -1,21 +1,27 @@
-# CGAL 5.5, header only: remeshing, simplification of scans, exact predicates of triangles. The
-# predicates use Boost's integers instead of GMP and MPFR.
+# CGAL 5.5.1, header only: remeshing, simplification of scans, exact predicates of triangles. The
+# predicates use Boost's integers instead of GMP and MPFR. CGAL 6.0 remeshes some degenerate meshes for ever.
 if(TARGET idiophone_cgal)
     return()
 endif()
 add_library(idiophone_cgal INTERFACE)
 set(CGAL_DISABLE_GMP ON)
-find_package(CGAL 5.5 QUIET)
+find_package(CGAL 5.5.1 EXACT QUIET)
 if(TARGET CGAL::CGAL)
     target_link_libraries(idiophone_cgal INTERFACE CGAL::CGAL)
 else()
     find_package(Boost 1.66 REQUIRED)
-    # The release archive, for the repository keeps the headers in a folder for each package.
-    FetchContent_Declare(CGAL
-        URL https://github.com/CGAL/cgal/releases/download/v5.5.1/CGAL-5.5.1-library.tar.xz
-        SOURCE_SUBDIR none) # populated, not added: only the headers are needed
-    FetchContent_MakeAvailable(CGAL)
-    target_include_directories(idiophone_cgal SYSTEM INTERFACE "${cgal_SOURCE_DIR}/include")
+    idiophone_debian_binary(cgal PACKAGE libcgal-dev VERSION 5.5.1-2 SUITE bookworm)
+    if(cgal)
+        set(cgal_headers "${cgal}/usr/include")
+    else()
+        # The release archive, for the repository keeps the headers in a folder for each package.
+        FetchContent_Declare(CGAL
+            URL https://github.com/CGAL/cgal/releases/download/v5.5.1/CGAL-5.5.1-library.tar.xz
+            SOURCE_SUBDIR none) # populated, not added: only the headers are needed
+        FetchContent_MakeAvailable(CGAL)
+        set(cgal_headers "${cgal_SOURCE_DIR}/include")
+    endif()
+    target_include_directories(idiophone_cgal SYSTEM INTERFACE "${cgal_headers}")
     target_compile_definitions(idiophone_cgal INTERFACE CGAL_DISABLE_GMP=1)
     # CGAL's interval arithmetic changes the rounding mode.
     target_compile_options(idiophone_cgal INTERFACE
