@@ -49,15 +49,19 @@ class Ardour:
             return self.make_session(folder, midi_file, plugin_type, program, parameters, output)
         put_song(folder, midi_file)
 
-    def render(self, folder, frames):
+    def render(self, folder, frames, attempts=3):
         """Reopens the session and exports its first `frames`; returns [channels, frames]."""
         try:
             self.run(self.lua, SCRIPTS / "ardour_export.lua", folder, SESSION, frames)
         except AssertionError as error:
-            # Now and then Ardour frees one of its export channels twice when the session closes,
-            # and dies of it by one signal or another. The file is complete by then.
-            if "exported\n" not in str(error) or "ended with -" not in str(error):
+            # Now and then Ardour frees one of its export channels twice and dies of it, by one signal
+            # or another: mostly when the session closes, with a complete file, seldom before.
+            if "ended with -" not in str(error):
                 raise
+            if "exported\n" not in str(error):
+                if attempts == 1:
+                    raise
+                return self.render(folder, frames, attempts - 1)
         wave = folder / "export" / "song.wav"
         assert soundfile.info(wave).subtype == "FLOAT"
         samples, rate = soundfile.read(wave, dtype="float32", always_2d=True)
