@@ -12,6 +12,7 @@ NB_MODULE(_core, module) {
             PyErr_SetString(PyExc_MemoryError, "there is not enough memory");
         }
     });
+    module.attr("version") = IDIOPHONE_VERSION; // Debian's package has no metadata of Python's
     bindMaterials(module);
     bindMeshes(module);
     bindObjects(module);

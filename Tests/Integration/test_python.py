@@ -3,6 +3,7 @@ import json
 import os
 import pathlib
 import pickle
+import shutil
 import signal
 import subprocess
 import sys
@@ -262,6 +263,7 @@ def test_meshes_materials_and_objects_go_to_other_processes(idiophone, bar):
 PROGRAM = """
 import idiophone
 import numpy as np
+version: str = idiophone.__version__
 mesh: idiophone.Mesh = idiophone.load_mesh("bell.obj", unit="mm")
 bell = idiophone.analyse(mesh, "Brass", progress=lambda done, step: print(f"{done:.0%} {step}"))
 samples = idiophone.strike(bell, impulse=(0, 0, -0.02), point=np.zeros(3))[:, 0]
@@ -280,6 +282,16 @@ def test_type_checkers_find_the_fault_of_a_program(idiophone, tmp_path):
     said = subprocess.run([sys.executable, "-m", "mypy", "--strict", "program.py"], cwd=tmp_path,
                           env={**os.environ, "PYTHONPATH": site}, capture_output=True, text=True).stdout
     assert 'expected "int"' in said and "Found 1 error" in said, said
+
+
+def test_it_works_without_the_metadata_that_debians_package_lacks(idiophone, console, tmp_path):
+    for folder in pathlib.Path(idiophone.__file__).parents[1].glob("idiophone*"):
+        if not folder.name.endswith(".dist-info"):
+            shutil.copytree(folder, tmp_path / folder.name)
+    said = subprocess.run([sys.executable, "-c", "import idiophone; print('Idiophone', idiophone.__version__)"],
+                          cwd=tmp_path, env={**os.environ, "PYTHONPATH": str(tmp_path)}, check=True,
+                          capture_output=True, text=True).stdout
+    assert said == subprocess.run([console, "--version"], check=True, capture_output=True, text=True).stdout
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="wheels are built for Linux only")

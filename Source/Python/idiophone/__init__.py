@@ -12,18 +12,17 @@ one sentence. Meshes, materials and modal objects can be pickled.
 from __future__ import annotations
 
 from collections.abc import Iterable as _Iterable, Mapping as _Mapping, Sequence as _Sequence
-from importlib.metadata import version as _version
 from typing import Any as _Any, Optional as _Optional, Union as _Union
 
 import numpy as _numpy
 from numpy.typing import ArrayLike as _ArrayLike, NDArray as _NDArray
 
 from ._core import (Material, Mesh, ModalObject, World, analyse, fit, load, load_material, load_mesh,
-                    material_from_recording, materials)
+                    material_from_recording, materials, version as _version)
 
 __all__ = ["Material", "Mesh", "ModalObject", "World", "analyse", "fit", "load", "load_material",
            "load_mesh", "material_from_recording", "materials", "render", "strike"]
-__version__ = _version(__name__)
+__version__ = _version
 
 _Body = _Union[ModalObject, tuple[ModalObject, float]]
 
