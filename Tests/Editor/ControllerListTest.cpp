@@ -8,6 +8,9 @@
 #include "Support/TestSound.h"
 
 #include <catch2/catch_test_macros.hpp>
+#include <cstdint>
+#include <initializer_list>
+#include <utility>
 
 using namespace idiophone;
 using namespace idiophone::test;
@@ -16,7 +19,8 @@ using enum ParameterId;
 namespace {
 
 /// Assigns controllers, in the order of the test's choice.
-void assign(Processor& processor, std::initializer_list<std::pair<ParameterId, int>> wanted) {
+void assign(Processor& processor,
+            std::initializer_list<std::pair<ParameterId, std::int8_t>> wanted) {
     ControllerAssignments assignments;
     for (const auto& [parameter, number] : wanted)
         assignments[parameter] = number;

@@ -2,6 +2,8 @@
 
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
+#include <cstdint>
+#include <initializer_list>
 #include <vector>
 
 using namespace idiophone;
@@ -31,7 +33,7 @@ double semitonesAfter(const Message& bytes, std::size_t key) {
 
 TEST_CASE("Single notes of a program or of a bank's program are tuned") {
     const Message change{69, 70, 64, 0}; // a semitone and a half up
-    for (const std::uint8_t realTime : {0x7e, 0x7f})
+    for (const auto realTime : std::initializer_list<std::uint8_t>{0x7e, 0x7f})
         for (const auto& bytes : {message({{realTime, 3, 8, 2, 5, 1}, change}),
                                   message({{realTime, 3, 8, 7, 1, 5, 1}, change})}) {
             CHECK(semitonesAfter(bytes, 69) == 1.5);
