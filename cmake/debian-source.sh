@@ -9,6 +9,7 @@ set -euo pipefail
 package=$1 version=$2 suite=$3 destination=$4 keep=${5:-}
 upstream=${version%-*}
 upstream=${upstream#*:} # names of files have no epoch
+# shellcheck disable=SC1091
 release=$(. /etc/os-release && echo "$VERSION_CODENAME")
 # shellcheck disable=SC2016
 mirror=$(apt-get indextargets --format '$(REPO_URI) $(RELEASE)' 'Created-By: Packages' |
