@@ -22,11 +22,12 @@ option(IDIOPHONE_DEBIAN_SOURCES "Take pinned dependencies from Debian's packages
 
 # Unpacks a package into the folder unless the folder exists. Further arguments go to debian-source.sh.
 function(idiophone_unpack_debian folder package version suite)
+    file(MAKE_DIRECTORY "${IDIOPHONE_DEPENDENCIES}")
+    file(LOCK "${IDIOPHONE_DEPENDENCIES}/lock" GUARD FUNCTION) # two presets may be configured at once
     if(EXISTS "${folder}")
         return()
     endif()
     message(STATUS "Fetching Debian package ${package} ${version}")
-    file(MAKE_DIRECTORY "${IDIOPHONE_DEPENDENCIES}")
     execute_process(
         COMMAND "${PROJECT_SOURCE_DIR}/cmake/debian-source.sh" ${package} ${version} ${suite}
                 "${IDIOPHONE_DEPENDENCIES}" ${ARGN}

@@ -46,11 +46,15 @@ elif [ "$keep" = --binary ]; then
     mv "$package-$version.partial" "$package-$version"
     rm -f "${package%:*}_"*.deb
 else
-    rm -rf "$package-$upstream"
+    # In a folder of its own, so that an interrupted call leaves none that looks complete.
+    rm -rf "$work/unpacked"
+    mkdir "$work/unpacked"
+    cd "$work/unpacked"
     "${apt[@]}" source "$package=$version"
-    rm -f "${package}_"*
     if [ -n "$keep" ]; then
         find "$package-$upstream" -type f -not -path "*/$keep/*" -delete
         find "$package-$upstream" -type d -empty -delete
     fi
+    mv "$package-$upstream" "$destination"
+    rm -r "$work/unpacked"
 fi

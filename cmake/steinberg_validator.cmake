@@ -10,9 +10,10 @@ if(IDIOPHONE_DEBIAN_SOURCES)
     # apt has checked them against the signed index.
     set(version 3.7.10.14+~4.13.3)
     set(folder "${IDIOPHONE_DEPENDENCIES}/vst3sdk-${version}")
+    file(MAKE_DIRECTORY "${IDIOPHONE_DEPENDENCIES}")
+    file(LOCK "${IDIOPHONE_DEPENDENCIES}/lock" GUARD FILE) # two presets may be configured at once
     if(NOT EXISTS "${folder}")
         message(STATUS "Fetching Debian source package vst3sdk ${version}-4")
-        file(MAKE_DIRECTORY "${IDIOPHONE_DEPENDENCIES}")
         execute_process(
             COMMAND "${PROJECT_SOURCE_DIR}/cmake/debian-source.sh" vst3sdk ${version}-4 trixie
                     "${IDIOPHONE_DEPENDENCIES}" --archives
