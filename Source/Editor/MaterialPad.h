@@ -81,7 +81,7 @@ public:
             mix(placeAt(event.position));
     }
     void mouseDrag(const juce::MouseEvent& event) override {
-        if (editing && (mixing || event.getDistanceFromDragStart() >= reach))
+        if (editing && (mixing || static_cast<float>(event.getDistanceFromDragStart()) >= reach))
             mix(placeAt(event.position));
     }
     void mouseUp(const juce::MouseEvent&) override {

@@ -146,7 +146,7 @@ void SpectrumPicture::paint(juce::Graphics& g,
         }
         if (line.isHeardAlone) {
             g.setColour(colour(LookColour::accent));
-            g.fillEllipse(x - 3.5f, lineTop - (line.isMuted ? 17 : 9), 7, 7);
+            g.fillEllipse(x - 3.5f, lineTop - (line.isMuted ? 17.0f : 9.0f), 7, 7);
         }
     };
 
