@@ -103,6 +103,7 @@ set(CPACK_VERBATIM_VARIABLES ON)
 set(CPACK_PROJECT_CONFIG_FILE "${CMAKE_CURRENT_LIST_DIR}/SourceDate.cmake")
 if(CMAKE_SYSTEM_NAME STREQUAL "Linux")
     set(CPACK_PRE_BUILD_SCRIPTS "${CMAKE_CURRENT_LIST_DIR}/PackagedFiles.cmake")
+    set(CPACK_STRIP_PROGRAM "${CMAKE_STRIP}")
 endif()
 if(APPLE)
     # The library is left out: under the prefix / it would go where macOS lets nobody write. Nothing is
