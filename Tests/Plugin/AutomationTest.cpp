@@ -22,7 +22,6 @@ using enum ParameterId;
 
 namespace {
 
-constexpr double rateHz = 48000;
 constexpr int cellSize = 64;
 // At one turn a second the motor has closed the discs after a quarter of a second.
 constexpr int struckCell = 150, releasedCell = 160, jumpCell = 188, endCell = 260;
@@ -94,7 +93,7 @@ public:
         state.parameters.set(jump.parameter, jump.from);
         processor.setNonRealtime(true); // loudness is matched without a poll
         restore(processor, state);
-        processor.prepareToPlay(rateHz, cellSize);
+        processor.prepareToPlay(testRateHz, cellSize);
     }
 
     void moveTo(double value) {
@@ -157,7 +156,7 @@ std::complex<double> poleOf(const std::vector<float>& samples) {
     const double determinant = aa * bb - ab * ab;
     const double twiceReal = (ac * bb - bc * ab) / determinant;
     const double square = (aa * bc - ab * ac) / determinant;
-    return rateHz *
+    return testRateHz *
            std::log(std::complex(twiceReal / 2, std::sqrt(square - twiceReal * twiceReal / 4)));
 }
 
@@ -184,7 +183,7 @@ std::vector<double> distances(const Jump& jump, const Cells& moved, const Cells&
 /// its largest sample. Only a step reaches that band. The filter is a windowed sinc.
 double shareOfSteps(const Cells& moved, const Cells& still) {
     constexpr int reach = 32;
-    constexpr double pi = std::numbers::pi, corner = 14000 / rateHz;
+    constexpr double pi = std::numbers::pi, corner = 14000 / testRateHz;
     std::array<double, 2 * reach + 1> response{};
     for (int n = -reach; n <= reach; ++n) {
         const double sinc =

@@ -12,14 +12,11 @@ using namespace idiophone::test;
 
 namespace {
 
-constexpr double rateHz = 48000;
-constexpr int blockSize = 512;
-
 /// Turns the controller to `value` and returns the parameter's normalised value.
 float turned(Processor& processor, const juce::AudioProcessorParameter& parameter, int value) {
     juce::MidiBuffer midi;
     midi.addEvent(juce::MidiMessage::controllerEvent(1, 21, value), 0);
-    render(processor, blockSize, blockSize, midi);
+    render(processor, testBlockSize, testBlockSize, midi);
     return parameter.getValue();
 }
 
@@ -28,7 +25,7 @@ float turned(Processor& processor, const juce::AudioProcessorParameter& paramete
 TEST_CASE("A host's late echo of a controller change is ignored") {
     ListeningHost host(ParameterId::density);
     Processor processor;
-    processor.prepareToPlay(rateHz, blockSize);
+    processor.prepareToPlay(testRateHz, testBlockSize);
     processor.addListener(&host);
     auto& parameter = *processor.getParameters()[static_cast<int>(ParameterId::density)];
     const auto turn = [&](int value) { return turned(processor, parameter, value); };
@@ -63,7 +60,7 @@ TEST_CASE("A host's late echo of a controller change is ignored") {
 
 TEST_CASE("A controller that moves a parameter held by the mouse leaves that gesture open") {
     Processor processor;
-    processor.prepareToPlay(rateHz, blockSize);
+    processor.prepareToPlay(testRateHz, testBlockSize);
     auto& parameter = *processor.getParameters()[static_cast<int>(ParameterId::density)];
     processor.windowSession().controllers.learnController(ParameterId::density);
     turned(processor, parameter, 20);
@@ -92,7 +89,7 @@ TEST_CASE("Learning or forgetting a controller marks the project as changed in t
         int timesChanged = 0;
     } host;
     Processor processor;
-    processor.prepareToPlay(rateHz, blockSize);
+    processor.prepareToPlay(testRateHz, testBlockSize);
     processor.addListener(&host);
     auto& parameter = *processor.getParameters()[static_cast<int>(ParameterId::density)];
     processor.windowSession().controllers.learnController(ParameterId::density);
@@ -109,7 +106,7 @@ TEST_CASE("Learning or forgetting a controller marks the project as changed in t
 
 TEST_CASE("Automation during a bounce is never taken for an echo of an earlier controller change") {
     Processor processor;
-    processor.prepareToPlay(rateHz, blockSize);
+    processor.prepareToPlay(testRateHz, testBlockSize);
     auto& parameter = *processor.getParameters()[static_cast<int>(ParameterId::density)];
     processor.windowSession().controllers.learnController(ParameterId::density);
     const float sent = turned(processor, parameter, 20);
@@ -130,7 +127,7 @@ TEST_CASE(
     "A controller change is not sent to the host if something else has moved the parameter since") {
     ListeningHost host(ParameterId::density);
     Processor processor;
-    processor.prepareToPlay(rateHz, blockSize);
+    processor.prepareToPlay(testRateHz, testBlockSize);
     processor.addListener(&host);
     auto& parameter = *processor.getParameters()[static_cast<int>(ParameterId::density)];
     processor.windowSession().controllers.learnController(ParameterId::density);

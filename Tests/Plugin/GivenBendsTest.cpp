@@ -9,7 +9,6 @@ using namespace idiophone::test;
 
 namespace {
 
-constexpr double rateHz = 48000;
 constexpr int blockSize = 480;
 
 /// Sends a registered parameter. Channels count from 1, as in JUCE.
@@ -34,7 +33,7 @@ juce::MidiBuffer bentNotes() {
 struct Instance {
     explicit Instance(const State& state) {
         restore(processor, state);
-        processor.prepareToPlay(rateHz, blockSize);
+        processor.prepareToPlay(testRateHz, blockSize);
     }
     void send(const juce::MidiBuffer& midi) { render(processor, blockSize, blockSize, midi); }
     HostSound playBent() { return render(processor, 9600, blockSize, bentNotes()); }

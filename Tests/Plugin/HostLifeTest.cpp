@@ -18,9 +18,6 @@ using namespace idiophone::test;
 
 namespace {
 
-constexpr double rateHz = 48000;
-constexpr int blockSize = 512;
-
 class TempoOnly final : public juce::AudioPlayHead {
 public:
     juce::Optional<PositionInfo> getPosition() const override {
@@ -59,11 +56,11 @@ TEST_CASE(
         Processor processor;
         restore(processor, overTubes(testState()));
         processor.setPlayHead(&host);
-        processor.prepareToPlay(rateHz, blockSize);
+        processor.prepareToPlay(testRateHz, testBlockSize);
         processor.view().parameters.change(ParameterId::motorDepth, 90);
         processor.view().parameters.change(ParameterId::motorSpeed, speed);
         processor.view().parameters.change(ParameterId::motorSync, sync);
-        return render(processor, 48000, blockSize, testMusic(48000));
+        return render(processor, 48000, testBlockSize, testMusic(48000));
     };
     host.beatsPerMinute = 150;
     CHECK(played(quarter, 3) == played(freeMotor, 150.0 / 60 / 2));
@@ -96,7 +93,7 @@ TEST_CASE("A parameter that moves within a callback acts from the next one on") 
         Moving host(processor);
         restore(processor, testState());
         processor.setPlayHead(&host);
-        processor.prepareToPlay(rateHz, longBlock);
+        processor.prepareToPlay(testRateHz, longBlock);
         const auto music = testMusic(longBlock);
         render(processor, longBlock, longBlock, music);
         host.moves = moves;
@@ -111,8 +108,8 @@ TEST_CASE("A parameter that moves within a callback acts from the next one on") 
 
 TEST_CASE("Two hundred notes a second for 30 s stay bounded, and silence follows") {
     Processor processor;
-    processor.prepareToPlay(rateHz, blockSize);
-    constexpr int samples = 30 * static_cast<int>(rateHz), spacing = 240;
+    processor.prepareToPlay(testRateHz, testBlockSize);
+    constexpr int samples = 30 * static_cast<int>(testRateHz), spacing = 240;
     juce::MidiBuffer midi;
     std::mt19937 random(11);
     const auto keys = processor.view().instrument.keyRange();
@@ -122,9 +119,9 @@ TEST_CASE("Two hundred notes a second for 30 s stay bounded, and silence follows
         midi.addEvent(juce::MidiMessage::noteOn(1, note, juce::uint8{90}), stamp);
         midi.addEvent(juce::MidiMessage::noteOff(1, note), stamp + 100);
     }
-    const auto sound = render(processor, samples, blockSize, midi).left;
+    const auto sound = render(processor, samples, testBlockSize, midi).left;
     const auto levelDb = [&](int fromSecond) {
-        constexpr auto second = static_cast<std::size_t>(rateHz);
+        constexpr auto second = static_cast<std::size_t>(testRateHz);
         const auto from = static_cast<std::size_t>(fromSecond) * second;
         return 20 * std::log10(rms(std::span(sound).subspan(from, 10 * second)));
     };
@@ -135,13 +132,13 @@ TEST_CASE("Two hundred notes a second for 30 s stay bounded, and silence follows
     CHECK(std::abs(levelDb(10) - levelDb(0)) < 0.5); // no notes or memory accumulate
     CHECK(std::abs(levelDb(20) - levelDb(10)) < 0.5);
     processor.view().parameters.change(ParameterId::letRing, 0);
-    render(processor, 3 * static_cast<int>(rateHz), blockSize, {});
-    CHECK(loudest(render(processor, blockSize, blockSize, {})) == 0);
+    render(processor, 3 * static_cast<int>(testRateHz), testBlockSize, {});
+    CHECK(loudest(render(processor, testBlockSize, testBlockSize, {})) == 0);
 }
 
 TEST_CASE("Automation with NaN, infinite or extreme values leaves the sound finite") {
     Processor processor; // its channels differ
-    processor.prepareToPlay(rateHz, 64);
+    processor.prepareToPlay(testRateHz, 64);
     const auto music = testMusic(2048, 97, processor.view().instrument.keyRange());
     using Float = std::numeric_limits<float>;
     for (auto* parameter : processor.getParameters()) {
@@ -166,9 +163,9 @@ TEST_CASE("Subnormals are flushed in a callback, and the host's own mode returns
     FloatingPointWitness witness;
     Processor processor;
     processor.setPlayHead(&witness);
-    processor.prepareToPlay(rateHz, blockSize);
+    processor.prepareToPlay(testRateHz, testBlockSize);
     REQUIRE_FALSE(flushesSubnormals());
-    render(processor, 10 * blockSize, blockSize, {});
+    render(processor, 10 * testBlockSize, testBlockSize, {});
     CHECK(witness.asked == 10);
     CHECK(witness.flushed == witness.asked);
     CHECK_FALSE(flushesSubnormals());
@@ -177,14 +174,14 @@ TEST_CASE("Subnormals are flushed in a callback, and the host's own mode returns
 TEST_CASE("The faintest sound in the longest room tail ends in silence") {
     Processor processor;
     restore(processor, testState());
-    processor.prepareToPlay(rateHz, blockSize);
+    processor.prepareToPlay(testRateHz, testBlockSize);
     for (const auto parameter : {ParameterId::tau, ParameterId::level})
         processor.view().parameters.change(parameter, parameterInfo(parameter).minimum);
     for (const auto parameter : {ParameterId::room, ParameterId::roomDecay})
         processor.view().parameters.change(parameter, parameterInfo(parameter).maximum);
     juce::MidiBuffer note;
     note.addEvent(juce::MidiMessage::noteOn(1, lowestTestNote, juce::uint8{1}), 0);
-    const auto sound = render(processor, 60 * static_cast<int>(rateHz), blockSize, note);
+    const auto sound = render(processor, 60 * static_cast<int>(testRateHz), testBlockSize, note);
     CHECK(loudest(sound) > 0);
     CHECK(sound.left.back() == 0);
     CHECK(sound.right.back() == 0);
@@ -201,8 +198,9 @@ TEST_CASE("Two hundred instances play in one process and share their objects") {
         if (i == measuredFrom)
             before = residentKibibytes();
         instances.push_back(std::make_unique<Processor>());
-        instances.back()->prepareToPlay(rateHz, blockSize);
-        REQUIRE(loudest(render(*instances.back(), 2 * blockSize, blockSize, chord)) > 0.001f);
+        instances.back()->prepareToPlay(testRateHz, testBlockSize);
+        REQUIRE(loudest(render(*instances.back(), 2 * testBlockSize, testBlockSize, chord)) >
+                0.001f);
     }
     const double each = (residentKibibytes() - before) / (count - measuredFrom);
     WARN("each further instance takes " << each << " KiB");

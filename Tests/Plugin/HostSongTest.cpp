@@ -14,9 +14,8 @@ using Catch::Approx;
 
 namespace {
 
-constexpr double rateHz = 48000;
 constexpr int blockSize = 480; // not a whole number of cells
-constexpr double beatsPerMinute = 120, beatsPerBlock = blockSize * beatsPerMinute / 60 / rateHz;
+constexpr double beatsPerMinute = 120, beatsPerBlock = blockSize * beatsPerMinute / 60 / testRateHz;
 constexpr int samplesPerBeat = 24000;
 
 class Song final : public juce::AudioPlayHead {
@@ -55,7 +54,7 @@ struct PlayedSong {
         set(ParameterId::roomDecay, 0.3);
         set(ParameterId::contact, playing == Playing::scraping ? scrapeContact : strikeContact);
         processor.setPlayHead(&song);
-        processor.prepareToPlay(rateHz, blockSize);
+        processor.prepareToPlay(testRateHz, blockSize);
     }
 
     /// Plays on from the current song position.
@@ -244,7 +243,7 @@ TEST_CASE("A pass begins where the host starts or goes back, and nowhere else") 
     HostTransport transport;
     const auto beginsAt = [&](double beats) {
         song.beats = beats;
-        transport.follow(&song, blockSize, rateHz);
+        transport.follow(&song, blockSize, testRateHz);
         return transport.begins();
     };
     CHECK_FALSE(beginsAt(3)); // not playing
@@ -273,7 +272,7 @@ TEST_CASE("A pass begins where the host starts or goes back, and nowhere else") 
         CHECK_FALSE(beginsAt(none));
         CHECK_FALSE(transport.songPlace());
     }
-    transport.follow(nullptr, blockSize, rateHz);
+    transport.follow(nullptr, blockSize, testRateHz);
     CHECK(transport.tempo() == 0);
 }
 
@@ -296,7 +295,7 @@ TEST_CASE("A pass goes on through changes of tempo and block size and through em
     song.plays = true;
     const auto goesOn = [&](double beats, int samples) {
         song.beats = beats;
-        transport.follow(&song, samples, rateHz);
+        transport.follow(&song, samples, testRateHz);
         return !transport.begins();
     };
     REQUIRE_FALSE(goesOn(4, samplesPerBeat));
@@ -319,7 +318,7 @@ TEST_CASE("A song position that stands still is ignored: strikes count on, and t
     int begins = 0, places = 0;
     for (int block = 0; block < 400; ++block) {
         song.beats = std::floor(block * beatsPerBlock); // some hosts report whole beats only
-        transport.follow(&song, blockSize, rateHz);
+        transport.follow(&song, blockSize, testRateHz);
         begins += transport.begins();
         places += transport.songPlace().has_value();
     }
@@ -338,11 +337,11 @@ TEST_CASE("If a host reports no position for a block, the transport advances by 
     host.position->setBpm(beatsPerMinute);
     host.position->setIsPlaying(true);
     host.position->setPpqPosition(5.0);
-    transport.follow(&host, blockSize, rateHz);
+    transport.follow(&host, blockSize, testRateHz);
     CHECK(transport.begins());
     host.position = juce::nullopt;
     for (int block = 1; block < 10; ++block) {
-        transport.follow(&host, blockSize, rateHz);
+        transport.follow(&host, blockSize, testRateHz);
         CHECK_FALSE(transport.begins());
         CHECK(transport.tempo() == beatsPerMinute);
         REQUIRE(transport.songPlace());

@@ -18,9 +18,6 @@ using namespace idiophone::test;
 
 namespace {
 
-constexpr double rateHz = 48000;
-constexpr int blockSize = 512;
-
 /// Reports a tempo only after a call of `tell`.
 class SparingHost final : public juce::AudioPlayHead {
 public:
@@ -52,17 +49,17 @@ TEST_CASE("A tempo reported once holds until the next prepare") {
         Processor processor;
         restore(processor, overTubes(testState()));
         processor.setPlayHead(&host);
-        processor.prepareToPlay(rateHz, blockSize);
+        processor.prepareToPlay(testRateHz, testBlockSize);
         processor.view().parameters.change(ParameterId::motorDepth, 90);
         processor.view().parameters.change(ParameterId::motorSync, eighth);
         if (reports != Reports::never)
             host.tell(150);
-        render(processor, blockSize, blockSize, {});
+        render(processor, testBlockSize, testBlockSize, {});
         if (reports == Reports::once)
             host.sayNothing();
         if (preparesAgain)
-            processor.prepareToPlay(rateHz, blockSize);
-        return render(processor, 24000, blockSize, testMusic(24000));
+            processor.prepareToPlay(testRateHz, testBlockSize);
+        return render(processor, 24000, testBlockSize, testMusic(24000));
     };
     const auto once = played(Reports::once, false);
     CHECK((once == played(Reports::always, false)));
@@ -72,9 +69,9 @@ TEST_CASE("A tempo reported once holds until the next prepare") {
 
 TEST_CASE("A callback leaves the MIDI buffer empty") {
     Processor processor;
-    processor.prepareToPlay(rateHz, blockSize);
-    juce::AudioBuffer<float> sound(2, blockSize);
-    auto midi = testMusic(blockSize, 50);
+    processor.prepareToPlay(testRateHz, testBlockSize);
+    juce::AudioBuffer<float> sound(2, testBlockSize);
+    auto midi = testMusic(testBlockSize, 50);
     processor.processBlock(sound, midi);
     CHECK(midi.isEmpty());
 }
@@ -85,10 +82,10 @@ TEST_CASE("A program change in real time loads at the next poll of the message t
         int ticks = 0;
     } clock;
     Processor processor;
-    processor.prepareToPlay(rateHz, blockSize);
+    processor.prepareToPlay(testRateHz, testBlockSize);
     int program = 0;
     while (program < 4) {
-        render(processor, blockSize, blockSize, programChange(++program));
+        render(processor, testBlockSize, testBlockSize, programChange(++program));
         clock.ticks = 0;
         clock.startTimer(50);
         waitUntil([&] { return processor.getCurrentProgram() == program; },
@@ -99,13 +96,13 @@ TEST_CASE("A program change in real time loads at the next poll of the message t
 
 TEST_CASE("Offline only the callback loads the program, and in real time only the message thread") {
     Processor processor;
-    processor.prepareToPlay(rateHz, blockSize);
-    render(processor, blockSize, blockSize, programChange(2));
+    processor.prepareToPlay(testRateHz, testBlockSize);
+    render(processor, testBlockSize, testBlockSize, programChange(2));
     CHECK(processor.getCurrentProgram() == 0);
     processor.setNonRealtime(true);
     pollOften(processor);
     CHECK(processor.getCurrentProgram() == 0);
-    render(processor, blockSize, blockSize, {});
+    render(processor, testBlockSize, testBlockSize, {});
     CHECK(processor.getCurrentProgram() == 2);
 }
 
@@ -121,20 +118,20 @@ TEST_CASE(
         Processor processor;
         processor.setCurrentProgram(wok);
         processor.setNonRealtime(true);
-        processor.prepareToPlay(rateHz, blockSize);
+        processor.prepareToPlay(testRateHz, testBlockSize);
         juce::MidiBuffer midi;
         if (asksByMidi) {
             midi = programChange(vibraphone, 100);
-            midi.addEvents(struck(100), 0, blockSize, 0);
+            midi.addEvents(struck(100), 0, testBlockSize, 0);
             if (isLetGo)
                 midi.addEvent(juce::MidiMessage::noteOff(1, note), 300);
         }
-        CHECK(loudest(render(processor, blockSize, blockSize, midi)) == 0);
+        CHECK(loudest(render(processor, testBlockSize, testBlockSize, midi)) == 0);
         if (!asksByMidi)
             processor.setCurrentProgram(vibraphone);
         auto later = asksByMidi ? juce::MidiBuffer() : struck(0);
         later.addEvent(juce::MidiMessage::noteOff(1, note), 4000);
-        return render(processor, 24000, blockSize, later);
+        return render(processor, 24000, testBlockSize, later);
     };
     const auto expected = played(false, false);
     REQUIRE(loudest(expected) > 0.001f);
@@ -147,22 +144,22 @@ TEST_CASE("The last existing program that MIDI asks for is loaded, and keys wait
     REQUIRE(factoryPresets().size() <= 120);
     Processor processor;
     processor.setCurrentProgram(wok);
-    processor.prepareToPlay(rateHz, blockSize);
+    processor.prepareToPlay(testRateHz, testBlockSize);
     auto midi = programChange(vibraphone);
     midi.addEvent(juce::MidiMessage::programChange(10, 120), 10);
     midi.addEvent(juce::MidiMessage::noteOn(1, key, juce::uint8{100}), 20);
-    render(processor, blockSize, blockSize, midi);
+    render(processor, testBlockSize, testBlockSize, midi);
     processor.setCurrentProgram(wok); // by the host, before the next poll of the message thread
-    CHECK(loudest(render(processor, blockSize, blockSize, {})) == 0);
+    CHECK(loudest(render(processor, testBlockSize, testBlockSize, {})) == 0);
     processor.poll();
     REQUIRE(processor.getCurrentProgram() == vibraphone);
-    CHECK(loudest(render(processor, 4800, blockSize, {})) > 0.001f);
+    CHECK(loudest(render(processor, 4800, testBlockSize, {})) > 0.001f);
 
     // The key strikes only once: a later load without a MIDI request strikes nothing.
     processor.setCurrentProgram(vibraphone);
-    render(processor, 4800, blockSize, {}); // the old sound fades out
+    render(processor, 4800, testBlockSize, {}); // the old sound fades out
     processor.reset();
-    CHECK(loudest(render(processor, 4800, blockSize, {})) == 0);
+    CHECK(loudest(render(processor, 4800, testBlockSize, {})) == 0);
 }
 
 TEST_CASE("A VST3 has the factory presets as programs, and one for any other sound") {
@@ -213,19 +210,21 @@ TEST_CASE("Dampers do not shorten the tail, because a pedal may hold them up") {
 TEST_CASE("Clicks during a pause of the host are not heard afterwards") {
     const auto clicked = [](auto&& pause) {
         Processor processor;
-        processor.prepareToPlay(rateHz, blockSize);
-        render(processor, blockSize, blockSize, {});
+        processor.prepareToPlay(testRateHz, testBlockSize);
+        render(processor, testBlockSize, testBlockSize, {});
         for (int impact = 0; impact < 20; ++impact) {
             processor.view().instrument.playNote(72, 100);
             processor.view().instrument.strikeObject(0, {}, 100);
             processor.view().instrument.scrapeObject(0, {}, 1);
         }
         pause(processor);
-        return loudest(render(processor, 4800, blockSize, {}));
+        return loudest(render(processor, 4800, testBlockSize, {}));
     };
     CHECK(clicked([](Processor&) {}) > 0.001f);
     CHECK(clicked([](Processor& processor) { processor.reset(); }) == 0);
-    CHECK(clicked([](Processor& processor) { processor.prepareToPlay(rateHz, blockSize); }) == 0);
+    CHECK(clicked([](Processor& processor) {
+              processor.prepareToPlay(testRateHz, testBlockSize);
+          }) == 0);
 }
 
 TEST_CASE("While no callbacks come, strikes and scrapes are ignored, but releases take effect") {
@@ -233,9 +232,10 @@ TEST_CASE("While no callbacks come, strikes and scrapes are ignored, but release
     constexpr std::size_t bar = 7; // the slot of that key
     Processor processor;
     processor.setCurrentProgram(vibraphone);
-    processor.prepareToPlay(rateHz, blockSize);
+    processor.prepareToPlay(testRateHz, testBlockSize);
     const auto soundFor = [&](double seconds, const juce::MidiBuffer& midi = {}) {
-        return loudest(render(processor, static_cast<int>(seconds * rateHz), blockSize, midi));
+        return loudest(
+            render(processor, static_cast<int>(seconds * testRateHz), testBlockSize, midi));
     };
     // Another channel taps the key. The bar then rings on only if some channel holds the key.
     const auto ringsOn = [&] {
@@ -282,7 +282,7 @@ TEST_CASE("If another thread chooses a program, the message thread reports its v
         std::vector<int> valuesSentBefore;
     } host;
     Processor processor;
-    processor.prepareToPlay(rateHz, blockSize);
+    processor.prepareToPlay(testRateHz, testBlockSize);
     processor.addListener(&host);
     const auto elsewhere = [&] {
         std::thread thread([&] { processor.setCurrentProgram(3); });
@@ -319,7 +319,7 @@ TEST_CASE("A plugin made on another thread reports none of its initial values") 
 TEST_CASE("A parameter that the host moves during a program change is sent to it once more") {
     ListeningHost host(ParameterId::tau);
     Processor processor;
-    processor.prepareToPlay(rateHz, blockSize);
+    processor.prepareToPlay(testRateHz, testBlockSize);
     processor.addListener(&host);
     processor.setCurrentProgram(3);
     CHECK(host.heard.size() == 1);

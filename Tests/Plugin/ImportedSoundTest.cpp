@@ -3,6 +3,7 @@
 #include "Instrument/PhrasePrediction.h"
 #include "Instrument/StartingLevel.h"
 #include "Plugin/SessionParts.h"
+#include "Support/TestSound.h"
 
 #include <catch2/matchers/catch_matchers_string.hpp>
 #include <cmath>
@@ -12,8 +13,6 @@ using namespace idiophone::test;
 using enum ParameterId;
 
 namespace {
-
-constexpr double rateHz = 48000;
 
 /// Returns the first product of a new file.
 ObjectWorkshop::Product bowl(float gain = 0.2f) {
@@ -35,7 +34,7 @@ TEST_CASE("The first product of a file plays at the pitches of the keys, of its 
     before.parameters.set(material, customMaterial);
     before.parameters.set(thickness, 150);
     const auto product = bowl();
-    const auto sound = soundOf(product, before, rateHz);
+    const auto sound = soundOf(product, before, testRateHz);
     REQUIRE(sound);
     CHECK(plays(sound->instrument, *product.object));
     CHECK(layoutOf(sound->instrument) == KeyLayout::scaled);
@@ -49,19 +48,19 @@ TEST_CASE("The first product of a file plays at the pitches of the keys, of its 
     CHECK(sound->parameters[material] == double{ownMaterial});
     CHECK(sound->parameters[thickness] == parameterInfo(thickness).defaultValue);
     CHECK(sound->parameters[level] ==
-          startingLevel({sound->instrument, sound->preset.surface, rateHz}, sound->parameters));
+          startingLevel({sound->instrument, sound->preset.surface, testRateHz}, sound->parameters));
 }
 
 TEST_CASE("A later product keeps the keys and the material that the user has chosen meanwhile") {
     auto product = bowl();
-    auto before = soundOf(product, testSound(), rateHz).value();
+    auto before = soundOf(product, testSound(), testRateHz).value();
     before.preset.keyMap.kind = KeyMapKind::zones;
     before.preset.keyMap.lowestNote = 48;
     before.parameters.set(material, customMaterial);
     product.isFirst = false;
     product.isPreview = true;
     product.objectName = "imported/Bowl-2";
-    const auto sound = soundOf(product, before, rateHz);
+    const auto sound = soundOf(product, before, testRateHz);
     REQUIRE(sound);
     CHECK(layoutOf(sound->instrument) == KeyLayout::zones);
     CHECK(sound->preset.keyMap.lowestNote == 48);
@@ -71,32 +70,33 @@ TEST_CASE("A later product keeps the keys and the material that the user has cho
 }
 
 TEST_CASE("A louder object gets a lower level, by as much as it is predicted to be louder") {
-    auto before = soundOf(bowl(), testSound(), rateHz).value();
-    auto loud = soundOf(bowl(0.4f), testSound(), rateHz).value();
+    auto before = soundOf(bowl(), testSound(), testRateHz).value();
+    auto loud = soundOf(bowl(0.4f), testSound(), testRateHz).value();
     before.parameters.set(level, parameterInfo(level).maximum); // beyond its headroom
     loud.parameters = before.parameters;
     const auto lufs = [&](const Sound& sound) {
-        return predictedLufs({sound.instrument, sound.preset.surface, rateHz}, sound.parameters);
+        return predictedLufs({sound.instrument, sound.preset.surface, testRateHz},
+                             sound.parameters);
     };
-    const auto matched = asLoudAs(before, loud, rateHz);
+    const auto matched = asLoudAs(before, loud, testRateHz);
     const double lower = before.parameters[level] - matched.parameters[level];
     CHECK(lower > 3);
     CHECK(std::abs(lower - (lufs(loud) - lufs(before))) < 1e-9);
 }
 
 TEST_CASE("A sound within its headroom leaves the next one headroom") {
-    const auto quiet = soundOf(bowl(), testSound(), rateHz).value();
-    const auto loud = soundOf(bowl(0.4f), testSound(), rateHz).value();
-    const auto matched = asLoudAs(loud, quiet, rateHz);
+    const auto quiet = soundOf(bowl(), testSound(), testRateHz).value();
+    const auto loud = soundOf(bowl(0.4f), testSound(), testRateHz).value();
+    const auto matched = asLoudAs(loud, quiet, testRateHz);
     CHECK(matched.parameters[level] > loud.parameters[level]);
     CHECK(matched.parameters[level] <=
-          highestLevel({quiet.instrument, quiet.preset.surface, rateHz}, quiet.parameters));
+          highestLevel({quiet.instrument, quiet.preset.surface, testRateHz}, quiet.parameters));
 }
 
 TEST_CASE("Without a former instrument the level stays") {
-    const auto sound = soundOf(bowl(), testSound(), rateHz).value();
+    const auto sound = soundOf(bowl(), testSound(), testRateHz).value();
     const Sound nothing;
-    CHECK(asLoudAs(nothing, sound, rateHz) == sound);
+    CHECK(asLoudAs(nothing, sound, testRateHz) == sound);
 }
 
 TEST_CASE("A keyboard of bars has no key layout, and nothing plays without an instrument") {

@@ -20,8 +20,6 @@ using ImportStage = ImportStatus::Stage;
 
 namespace {
 
-constexpr int blockSamples = 512;
-
 void open(Processor& processor, const std::filesystem::path& file) {
     processor.view().workshop.openFile(file);
     finish(processor);
@@ -33,7 +31,7 @@ float impact(Processor& processor, int note, int velocity = 100) {
     processor.reset();
     juce::MidiBuffer midi;
     midi.addEvent(juce::MidiMessage::noteOn(1, note, static_cast<juce::uint8>(velocity)), 10);
-    return loudest(render(processor, 24000, blockSamples, midi));
+    return loudest(render(processor, 24000, testBlockSize, midi));
 }
 
 double lowestHz(const SynthesiserSlot& slot) {
@@ -48,7 +46,7 @@ std::size_t slotOf(const Instrument& instrument, int note) {
 
 TEST_CASE("A dropped mesh plays at the pitches of the keys, from the preview on") {
     Processor processor;
-    processor.prepareToPlay(48000, blockSamples);
+    processor.prepareToPlay(48000, testBlockSize);
     const auto before = processor.soundSession().instrument();
     processor.view().workshop.openFile(smallPlateFile("plate.obj", 1));
     CHECK(processor.soundSession().instrument() == before);
@@ -78,7 +76,7 @@ TEST_CASE("A dropped mesh plays at the pitches of the keys, from the preview on"
 TEST_CASE("The former sound plays until the object is ready, and nothing clicks") {
     Processor processor;
     restore(processor, testState());
-    processor.prepareToPlay(48000, blockSamples);
+    processor.prepareToPlay(48000, testBlockSize);
     juce::MidiBuffer chord;
     for (const int note : {60, 64, 67})
         chord.addEvent(juce::MidiMessage::noteOn(1, note, static_cast<juce::uint8>(100)), 0);
@@ -88,18 +86,18 @@ TEST_CASE("The former sound plays until the object is ready, and nothing clicks"
             largest = std::max(largest, std::abs(samples[i] - 2 * samples[i - 1] + samples[i - 2]));
         return largest;
     };
-    const auto ringing = render(processor, 4800, blockSamples, chord).left;
+    const auto ringing = render(processor, 4800, testBlockSize, chord).left;
     const float steepest = stepOf(ringing);
     REQUIRE(steepest > 0);
     processor.view().workshop.openFile(smallPlateFile("plate.obj", 1));
     std::vector<float> heard;
     const auto load = processor.view().instrument.instrumentNumber();
     finish(processor, [&] {
-        const auto block = render(processor, blockSamples, blockSamples, {}).left;
+        const auto block = render(processor, testBlockSize, testBlockSize, {}).left;
         if (processor.view().instrument.instrumentNumber() == load) {
             // Strike again, so that the change happens during sound.
             if (loudest(block) < 0.1f * loudest(ringing))
-                render(processor, blockSamples, blockSamples, chord);
+                render(processor, testBlockSize, testBlockSize, chord);
         } else {
             heard.insert(heard.end(), block.begin(), block.end());
         }
@@ -115,7 +113,7 @@ TEST_CASE("Dropped objects of any size and kind are audible and do not clip") {
                                                            {"coin", discMesh(0.012, 6)}};
     for (const auto& [name, mesh] : things) {
         Processor processor;
-        processor.prepareToPlay(48000, blockSamples);
+        processor.prepareToPlay(48000, testBlockSize);
         open(processor, meshFile(name + ".obj", mesh));
         for (const auto layout : {KeyLayout::scaled, KeyLayout::zones}) {
             processor.view().workshop.setKeyLayout(layout);
@@ -136,7 +134,7 @@ TEST_CASE("Dropped objects of any size and kind are audible and do not clip") {
 TEST_CASE(
     "Undo of a key layout during a preview keeps the analysis, and redo plays its final object") {
     Processor processor;
-    processor.prepareToPlay(48000, blockSamples);
+    processor.prepareToPlay(48000, testBlockSize);
     processor.view().workshop.openFile(meshFile("ball.obj", icosphereMesh(0.05, 3)));
     bool switched = false;
     finish(processor, [&] {
@@ -201,13 +199,13 @@ TEST_CASE("A state of a dropped object opens without its file, bit for bit") {
     restoreBytes(second, bytes);
     CHECK_FALSE(second.view().status.takeStatus().isError);
     CHECK(saved(second) == bytes);
-    first.prepareToPlay(48000, blockSamples);
-    second.prepareToPlay(48000, blockSamples);
+    first.prepareToPlay(48000, testBlockSize);
+    second.prepareToPlay(48000, testBlockSize);
     juce::MidiBuffer midi;
     midi.addEvent(juce::MidiMessage::noteOn(1, 50, static_cast<juce::uint8>(100)), 10);
-    const auto heard = render(first, 4800, blockSamples, midi);
+    const auto heard = render(first, 4800, testBlockSize, midi);
     CHECK(loudest(heard) > 0.001f);
-    CHECK(render(second, 4800, blockSamples, midi) == heard);
+    CHECK(render(second, 4800, testBlockSize, midi) == heard);
     CHECK(second.view().workshop.keyLayout() == KeyLayout::zones);
     // The restored object can be analysed again from its own mesh.
     REQUIRE(second.view().workshop.canAnalyseAgain());
@@ -295,7 +293,7 @@ TEST_CASE("The import status of a file is shown only while that file plays") {
 
 TEST_CASE("Keys strike along a path drawn by hand") {
     Processor processor;
-    processor.prepareToPlay(48000, blockSamples);
+    processor.prepareToPlay(48000, testBlockSize);
     open(processor, smallPlateFile("plate.obj", 1));
     const auto strikePath = [&] {
         const auto playing = processor.soundSession().instrument();
@@ -365,10 +363,10 @@ TEST_CASE("A processor can be destroyed while its workshop works, without a mess
     const auto file = meshFile("ball.obj", icosphereMesh(0.1, 4));
     for (const double progress : {0.0, 0.01, 0.1}) { // 0.1 is in the preview
         Processor processor;
-        processor.prepareToPlay(48000, blockSamples);
+        processor.prepareToPlay(48000, testBlockSize);
         processor.view().workshop.openFile(file);
         waitUntil([&] { return processor.view().workshop.importStatus().progress >= progress; });
-        CHECK(allFinite(render(processor, 4800, blockSamples, testMusic(4800))));
+        CHECK(allFinite(render(processor, 4800, testBlockSize, testMusic(4800))));
         CHECK(processor.engineReport().notFinite == 0);
         processor.releaseResources();
         processor.prepareToPlay(44100, 64);
@@ -382,7 +380,7 @@ TEST_CASE("A state that the host loads during an import is not replaced by the i
     for (int part = 0; part < 10; ++part) {
         INFO("after " << part << " tenths of the import");
         Processor processor;
-        processor.prepareToPlay(48000, blockSamples);
+        processor.prepareToPlay(48000, testBlockSize);
         processor.view().workshop.openFile(file);
         std::atomic<bool> isDue{false}, isRestored{false};
         std::thread host([&] {
@@ -411,7 +409,7 @@ TEST_CASE("A state that the host loads during an import is not replaced by the i
 
 TEST_CASE("Automated values are kept after an import, a change of keys or a mutation") {
     Processor processor;
-    processor.prepareToPlay(48000, blockSamples);
+    processor.prepareToPlay(48000, testBlockSize);
     open(processor, smallPlateFile("automated.obj", 1));
     auto* const automated = processor.getParameters()[static_cast<int>(ParameterId::tune)];
     std::atomic<bool> ends{false};
@@ -453,7 +451,7 @@ TEST_CASE("Automated values are kept after an import, a change of keys or a muta
 TEST_CASE("An object opened during an audition keeps playing, and undo returns to the auditioned "
           "preset") {
     Processor processor;
-    processor.prepareToPlay(48000, blockSamples);
+    processor.prepareToPlay(48000, testBlockSize);
     auto& shelf = processor.view().presets;
     REQUIRE(shelf.auditionPreset(factoryPresetId("Wok")));
     open(processor, smallPlateFile("auditioned.obj", 1));

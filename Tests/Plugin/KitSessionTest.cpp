@@ -18,13 +18,11 @@ using Catch::Approx;
 
 namespace {
 
-constexpr double rateHz = 48000;
-
 /// A processor with the test keyboard, 60 to 72, and its views.
 struct Rig {
     explicit Rig(bool isKit = true) {
         restore(processor, testState());
-        processor.prepareToPlay(rateHz, 512);
+        processor.prepareToPlay(testRateHz, 512);
         if (isKit)
             kit.makeKit();
     }

@@ -16,8 +16,6 @@ using namespace idiophone::test;
 
 namespace {
 
-constexpr double rateHz = 48000;
-
 std::filesystem::path cowbell() {
     auto object = syntheticObject({580, 870});
     object.name = "Cowbell";
@@ -54,7 +52,7 @@ std::shared_ptr<const ModalObject> objectOn(Processor& processor, int midiNote) 
 struct Rig {
     Rig() {
         restore(processor, testState());
-        processor.prepareToPlay(rateHz, 512);
+        processor.prepareToPlay(testRateHz, 512);
         kit.makeKit();
     }
 
@@ -76,7 +74,7 @@ struct Rig {
 
 TEST_CASE("An object dropped on a key makes a kit, and undo takes it back") {
     Processor processor;
-    processor.prepareToPlay(rateHz, 512);
+    processor.prepareToPlay(testRateHz, 512);
     choose(processor, "Marimba");
     const auto before = instrumentOf(processor);
     dropOnKey(processor, cowbell(), 30);
@@ -105,7 +103,7 @@ TEST_CASE("A saved kit opens with all its objects where the files are gone") {
     KeyMap map;
     {
         Processor processor;
-        processor.prepareToPlay(rateHz, 512);
+        processor.prepareToPlay(testRateHz, 512);
         choose(processor, "Glockenspiel");
         const auto file = cowbell();
         dropOnKey(processor, file, 40);
@@ -123,12 +121,12 @@ TEST_CASE("A saved kit opens with all its objects where the files are gone") {
 
 TEST_CASE("An object on a key is as loud as the preset's own") {
     Processor processor;
-    processor.prepareToPlay(rateHz, 512);
+    processor.prepareToPlay(testRateHz, 512);
     choose(processor, "Marimba");
     dropOnKey(processor, cowbell(), 30);
     const auto sound = processor.soundSession().loadedSound();
     const auto loudness = [&](int note) {
-        Phrase phrase(sound.instrument, sound.preset.surface, rateHz);
+        Phrase phrase(sound.instrument, sound.preset.surface, testRateHz);
         for (auto& each : phrase.notes) {
             each.midiNote = note;
             each.key = sound.instrument->key(note);
@@ -140,7 +138,7 @@ TEST_CASE("An object on a key is as loud as the preset's own") {
 
 TEST_CASE("A key of a scene takes no object") {
     Processor processor;
-    processor.prepareToPlay(rateHz, 512);
+    processor.prepareToPlay(testRateHz, 512);
     choose(processor, "Falling Rings");
     dropOnKey(processor, cowbell(), 60);
     const auto status = processor.view().status.takeStatus();

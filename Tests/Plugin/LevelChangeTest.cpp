@@ -16,7 +16,6 @@ using enum ParameterId;
 
 namespace {
 
-constexpr double rateHz = 48000;
 constexpr int blockSize = 256;
 constexpr int shortly = 20 * blockSize; // every fade is over by then
 constexpr int note = 65;
@@ -52,7 +51,7 @@ State soundOf(const std::string& folder, double levelDb, double roomPercent) {
 float aloneWhere(const std::function<void(Processor&)>& load) {
     Processor processor;
     load(processor);
-    processor.prepareToPlay(rateHz, blockSize);
+    processor.prepareToPlay(testRateHz, blockSize);
     return loudest(render(processor, shortly, blockSize, strike()));
 }
 
@@ -89,7 +88,7 @@ TEST_CASE("A change of level in either direction is never louder than the two so
 
     Processor processor;
     restore(processor, former);
-    processor.prepareToPlay(rateHz, blockSize);
+    processor.prepareToPlay(testRateHz, blockSize);
     SECTION("nothing rings") {
         render(processor, shortly, blockSize, {});
         restore(processor, next);
@@ -169,7 +168,7 @@ TEST_CASE("Many parameters that change at once make neither ringing nor struck s
     state.parameters = state.preset.parameters;
     Processor processor;
     restore(processor, state);
-    processor.prepareToPlay(rateHz, blockSize);
+    processor.prepareToPlay(testRateHz, blockSize);
     auto loud = state.parameters, soft = state.parameters;
     loud.set(malletHardness, 20000);
     loud.set(level, -40);
@@ -230,7 +229,7 @@ TEST_CASE("Factory presets tens of decibels apart are no louder in sequence than
         auto processor = std::make_unique<Processor>();
         processor->setNonRealtime(true);
         processor->setCurrentProgram(programOf(name));
-        processor->prepareToPlay(rateHz, blockSize);
+        processor->prepareToPlay(testRateHz, blockSize);
         return processor;
     };
     const auto freshly = playing(next);
@@ -267,12 +266,12 @@ TEST_CASE("A scene that rings in its room gets no louder when a preset of a high
     Processor processor;
     processor.setNonRealtime(true);
     processor.setCurrentProgram(programOf("Thrown Shells"));
-    processor.prepareToPlay(rateHz, blockSize);
+    processor.prepareToPlay(testRateHz, blockSize);
     juce::MidiBuffer thrown;
     thrown.addEvent(juce::MidiMessage::noteOn(1, processor.view().instrument.keyRange().lowest,
                                               juce::uint8{120}),
                     0);
-    const auto scene = render(processor, 2 * static_cast<int>(rateHz), blockSize, thrown);
+    const auto scene = render(processor, 2 * static_cast<int>(testRateHz), blockSize, thrown);
     const float last = atEndOf(scene);
     REQUIRE(last > 1e-3f);
     processor.setCurrentProgram(programOf("Wooden Table"));
@@ -282,7 +281,7 @@ TEST_CASE("A scene that rings in its room gets no louder when a preset of a high
 TEST_CASE("A change of values alone stops neither a scrape nor the moving bodies of a scene") {
     Processor processor;
     processor.setNonRealtime(true);
-    processor.prepareToPlay(rateHz, blockSize);
+    processor.prepareToPlay(testRateHz, blockSize);
     const auto heardAfter = [&](double levelChangeDb) {
         const int number = processor.view().instrument.instrumentNumber();
         auto values = processor.soundSession().loadedSound().parameters;
@@ -299,7 +298,7 @@ TEST_CASE("A change of values alone stops neither a scrape nor the moving bodies
         CHECK(processor.soundSession().loadedSound().parameters[level] == values[level]);
         CHECK(processor.view().instrument.instrumentNumber() == number);
         render(processor, shortly, blockSize, {});
-        return loudest(render(processor, static_cast<int>(rateHz), blockSize, {}));
+        return loudest(render(processor, static_cast<int>(testRateHz), blockSize, {}));
     };
     SECTION("scraped") {
         auto state = testState();
@@ -317,7 +316,7 @@ TEST_CASE("A change of values alone stops neither a scrape nor the moving bodies
         dropped.addEvent(juce::MidiMessage::noteOn(1, processor.view().instrument.keyRange().lowest,
                                                    juce::uint8{90}),
                          0);
-        render(processor, static_cast<int>(rateHz), blockSize, dropped);
+        render(processor, static_cast<int>(testRateHz), blockSize, dropped);
         CHECK(heardAfter(20) > 1e-4f);
     }
 }

@@ -10,7 +10,6 @@ using enum ParameterId;
 
 namespace {
 
-constexpr double rateHz = 48000;
 constexpr int key = 64, samples = 4800;
 
 /// A host that matches loudness, or does not, and changes the material.
@@ -21,7 +20,7 @@ struct MatchingHost {
         state.parameters.set(strikeSpread, 0);
         processor.setNonRealtime(isOffline);
         restore(processor, state);
-        processor.prepareToPlay(rateHz, samples);
+        processor.prepareToPlay(testRateHz, samples);
     }
 
     void choose(int material) {

@@ -17,7 +17,6 @@ using namespace idiophone::test;
 
 namespace {
 
-constexpr double rateHz = 48000;
 constexpr int blockSize = 128;
 
 /// Returns low, slowly decaying objects under a soft mallet, a smooth sound that would reveal a
@@ -94,7 +93,7 @@ void waitFor(const Listener& listener, int blocks) {
 
 float calmSharpness() {
     Processor processor;
-    processor.prepareToPlay(rateHz, blockSize);
+    processor.prepareToPlay(testRateHz, blockSize);
     restore(processor, smoothState("smooth"));
     Listener listener(processor);
     waitFor(listener, 600);
@@ -111,7 +110,7 @@ TEST_CASE("Windows, presets, dropped meshes and undo during playback make no cli
     const float calm = calmSharpness();
 
     Processor processor;
-    processor.prepareToPlay(rateHz, blockSize);
+    processor.prepareToPlay(testRateHz, blockSize);
     restore(processor, smoothState("smooth"));
     Listener listener(processor);
     const auto other = smoothState("other"), first = smoothState("smooth");
@@ -146,7 +145,7 @@ TEST_CASE("Every sample stays finite while a dropped mesh is analysed and played
     const auto mesh = testFolder() / "drop.obj";
     REQUIRE(writeMesh(sheetMesh(0.05, 0.035, 150), mesh));
     Processor processor;
-    processor.prepareToPlay(rateHz, blockSize);
+    processor.prepareToPlay(testRateHz, blockSize);
     Listener listener(processor);
     const std::unique_ptr<juce::AudioProcessorEditor> window(processor.createEditor());
     const int before = processor.view().instrument.instrumentNumber();

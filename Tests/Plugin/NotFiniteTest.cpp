@@ -9,8 +9,6 @@ using namespace idiophone::test;
 
 namespace {
 
-constexpr double rateHz = 48000;
-constexpr int blockSize = 512;
 constexpr int goodNote = 60, badNote = 61;
 
 /// Plays a constant after each note, and NaN after the bad note.
@@ -70,17 +68,17 @@ juce::MidiBuffer struck(int note) {
 TEST_CASE("A sound that is not finite becomes silence and is reported, and the next note sounds") {
     Processor processor;
     REQUIRE(processor.soundSession().playSound(breakingSound()));
-    processor.prepareToPlay(rateHz, blockSize);
-    CHECK(loudest(render(processor, 4800, blockSize, struck(goodNote))) > 0.05f);
+    processor.prepareToPlay(testRateHz, testBlockSize);
+    CHECK(loudest(render(processor, 4800, testBlockSize, struck(goodNote))) > 0.05f);
     CHECK(processor.engineReport().notFinite == 0);
     processor.poll();
     CHECK_FALSE(processor.view().status.takeStatus().isError);
 
-    CHECK(loudest(render(processor, blockSize, blockSize, struck(badNote))) == 0);
+    CHECK(loudest(render(processor, testBlockSize, testBlockSize, struck(badNote))) == 0);
     CHECK(processor.engineReport().notFinite == 1);
-    CHECK(loudest(render(processor, 4800, blockSize, {})) == 0);
+    CHECK(loudest(render(processor, 4800, testBlockSize, {})) == 0);
     CHECK(processor.engineReport().notFinite == 1); // the player has started again
-    CHECK(loudest(render(processor, 4800, blockSize, struck(goodNote))) > 0.05f);
+    CHECK(loudest(render(processor, 4800, testBlockSize, struck(goodNote))) > 0.05f);
     CHECK(processor.engineReport().notFinite == 1);
 
     processor.poll();

@@ -11,14 +11,13 @@ using namespace idiophone::test;
 
 namespace {
 
-constexpr double rateHz = 48000;
-const auto fadeSamples = static_cast<std::size_t>(PlayerCrossfade::fadeSeconds * rateHz);
+const auto fadeSamples = static_cast<std::size_t>(PlayerCrossfade::fadeSeconds * testRateHz);
 
 std::unique_ptr<Player> testPlayer(const std::string& folder = "test", double transpose = 1) {
     const auto state = testState(folder, transpose);
     auto instrument = buildInstrument(state.preset.keyMap, state.objects);
     REQUIRE(instrument);
-    return std::make_unique<Player>(*instrument, rateHz);
+    return std::make_unique<Player>(*instrument, testRateHz);
 }
 
 MidiEvent strikeNote(int note = 65) {

@@ -17,8 +17,6 @@ using namespace idiophone::test;
 
 namespace {
 
-constexpr double rateHz = 48000;
-constexpr int blockSize = 512;
 constexpr int vibraphone = 9, key = 60;
 
 juce::MidiBuffer programChange(int program) {
@@ -57,11 +55,13 @@ TEST_CASE("A key pressed while the host is notified of a new preset is struck on
     enum class Struck { afterwards, whileReported, asSoonAsLoaded };
     const auto played = [](Struck when) {
         Processor processor;
-        processor.prepareToPlay(rateHz, blockSize);
-        render(processor, blockSize, blockSize, programChange(vibraphone));
+        processor.prepareToPlay(testRateHz, testBlockSize);
+        render(processor, testBlockSize, testBlockSize, programChange(vibraphone));
         const double former = processor.view().parameters.value(ParameterId::level);
         HostSound sound;
-        const auto strike = [&] { sound = render(processor, blockSize, blockSize, struck(key)); };
+        const auto strike = [&] {
+            sound = render(processor, testBlockSize, testBlockSize, struck(key));
+        };
         BusyHost host(when == Struck::whileReported ? strike : std::function<void()>());
         processor.addListener(&host);
         if (when == Struck::asSoonAsLoaded) {
@@ -77,7 +77,7 @@ TEST_CASE("A key pressed while the host is notified of a new preset is struck on
         processor.removeListener(&host);
         if (sound.left.empty())
             strike();
-        sound.append(render(processor, 24000, blockSize, {}));
+        sound.append(render(processor, 24000, testBlockSize, {}));
         return sound;
     };
     const auto expected = played(Struck::afterwards);
@@ -106,12 +106,12 @@ TEST_CASE("Until the new sound is ready, the former one plays on with its own va
     for (const auto& load : loads) {
         const auto played = [&](bool meanwhile) {
             Processor processor;
-            processor.prepareToPlay(rateHz, 64);
+            processor.prepareToPlay(testRateHz, 64);
             const auto before = processor.soundSession().loadedSound();
             auto first = testState();
             first.parameters.set(ParameterId::level, -5);
             restore(processor, first);
-            render(processor, blockSize, 64, struck(64));
+            render(processor, testBlockSize, 64, struck(64));
             const double former = processor.view().parameters.value(ParameterId::level);
             HostSound sound;
             {
@@ -125,7 +125,7 @@ TEST_CASE("Until the new sound is ready, the former one plays on with its own va
             REQUIRE(processor.view().parameters.value(ParameterId::level) != former);
             if (sound.left.empty())
                 sound = render(processor, 64, 64, {});
-            sound.append(render(processor, blockSize, 64, {}));
+            sound.append(render(processor, testBlockSize, 64, {}));
             return sound;
         };
         const auto expected = played(false);
@@ -138,42 +138,43 @@ TEST_CASE("A key waits for its program through a reset and another preparation")
     constexpr int wok = 15, silentKey = 40; // a key that the wok lacks
     const std::function<void(Processor&)> resets[] = {
         [](Processor& processor) { processor.reset(); },
-        [](Processor& processor) { processor.prepareToPlay(rateHz, blockSize); },
+        [](Processor& processor) { processor.prepareToPlay(testRateHz, testBlockSize); },
     };
     for (const auto& reset : resets) {
         Processor processor;
         processor.setCurrentProgram(wok);
-        processor.prepareToPlay(rateHz, blockSize);
+        processor.prepareToPlay(testRateHz, testBlockSize);
         auto midi = programChange(vibraphone);
-        midi.addEvents(struck(silentKey + 5), 0, blockSize, 0);
-        render(processor, blockSize, blockSize, midi);
+        midi.addEvents(struck(silentKey + 5), 0, testBlockSize, 0);
+        render(processor, testBlockSize, testBlockSize, midi);
         reset(processor);
-        CHECK(loudest(render(processor, blockSize, blockSize, struck(silentKey))) == 0);
+        CHECK(loudest(render(processor, testBlockSize, testBlockSize, struck(silentKey))) == 0);
         pollForProgram(processor, vibraphone);
-        const auto sound = render(processor, 24000, blockSize, {});
+        const auto sound = render(processor, 24000, testBlockSize, {});
 
         Processor other;
         other.setCurrentProgram(wok);
-        other.prepareToPlay(rateHz, blockSize);
-        render(other, blockSize, blockSize, struck(silentKey + 5));
+        other.prepareToPlay(testRateHz, testBlockSize);
+        render(other, testBlockSize, testBlockSize, struck(silentKey + 5));
         reset(other);
-        render(other, blockSize, blockSize, {});
+        render(other, testBlockSize, testBlockSize, {});
         other.setCurrentProgram(vibraphone);
         CHECK(loudest(sound) > 0.001f);
-        CHECK((sound == render(other, 24000, blockSize, struck(silentKey)))); // and no other key
+        CHECK(
+            (sound == render(other, 24000, testBlockSize, struck(silentKey)))); // and no other key
     }
 }
 
 TEST_CASE("A program change that loads before a second preparation strikes no key later") {
     Processor processor;
-    processor.prepareToPlay(rateHz, blockSize);
-    render(processor, blockSize, blockSize, programChange(vibraphone));
+    processor.prepareToPlay(testRateHz, testBlockSize);
+    render(processor, testBlockSize, testBlockSize, programChange(vibraphone));
     pollForProgram(processor, vibraphone);
-    processor.prepareToPlay(rateHz, blockSize); // before a callback has taken its player
-    render(processor, 4800, blockSize, struck(key));
+    processor.prepareToPlay(testRateHz, testBlockSize); // before a callback has taken its player
+    render(processor, 4800, testBlockSize, struck(key));
     processor.setCurrentProgram(vibraphone);
-    render(processor, 96000, blockSize, {}); // the old sound and its room fade out
-    CHECK(loudest(render(processor, 4800, blockSize, {})) == 0);
+    render(processor, 96000, testBlockSize, {}); // the old sound and its room fade out
+    CHECK(loudest(render(processor, 4800, testBlockSize, {})) == 0);
 }
 
 TEST_CASE("If a program cannot be built, keys that already sound are not struck again") {
@@ -182,21 +183,21 @@ TEST_CASE("If a program cannot be built, keys that already sound are not struck 
     constexpr int note = 72;
     const auto played = [](bool asks) {
         Processor processor;
-        processor.prepareToPlay(rateHz, blockSize);
+        processor.prepareToPlay(testRateHz, testBlockSize);
         auto midi = asks ? programChange(vibraphone) : juce::MidiBuffer();
-        midi.addEvents(struck(note), 0, blockSize, 0);
-        auto sound = render(processor, blockSize, blockSize, midi);
+        midi.addEvents(struck(note), 0, testBlockSize, 0);
+        auto sound = render(processor, testBlockSize, testBlockSize, midi);
         if (asks) {
             const MemoryLimit limit(20'000);
             processor.poll();
             CHECK(processor.view().status.takeStatus().isError);
             CHECK(processor.getCurrentProgram() == 0);
         }
-        sound.append(render(processor, 24000, blockSize, {}));
+        sound.append(render(processor, 24000, testBlockSize, {}));
         if (asks) { // a failed program is not loaded later either
             processor.setCurrentProgram(vibraphone);
-            render(processor, 96000, blockSize, {}); // the room rings on
-            CHECK(loudest(render(processor, 4800, blockSize, {})) == 0);
+            render(processor, 96000, testBlockSize, {}); // the room rings on
+            CHECK(loudest(render(processor, 4800, testBlockSize, {})) == 0);
         }
         return sound;
     };
@@ -215,22 +216,22 @@ TEST_CASE("After a reset, loudness is matched as after a preparation with the sa
     Processor fresh;
     restore(fresh, state);
     change(fresh);
-    fresh.prepareToPlay(rateHz, blockSize);
-    const auto expected = render(fresh, 24000, blockSize, testMusic(24000));
+    fresh.prepareToPlay(testRateHz, testBlockSize);
+    const auto expected = render(fresh, 24000, testBlockSize, testMusic(24000));
     REQUIRE(loudest(expected) > 0);
 
     for (const bool isOffline : {false, true}) {
         Processor processor;
         processor.setNonRealtime(isOffline);
         restore(processor, state);
-        processor.prepareToPlay(rateHz, blockSize);
-        render(processor, 24000, blockSize, testMusic(24000));
+        processor.prepareToPlay(testRateHz, testBlockSize);
+        render(processor, 24000, testBlockSize, testMusic(24000));
         change(processor);
-        render(processor, 24000, blockSize, testMusic(24000));
+        render(processor, 24000, testBlockSize, testMusic(24000));
         if (!isOffline)
             processor.poll();
         processor.reset();
-        CHECK((render(processor, 24000, blockSize, testMusic(24000)) == expected));
+        CHECK((render(processor, 24000, testBlockSize, testMusic(24000)) == expected));
     }
 }
 
@@ -241,12 +242,12 @@ TEST_CASE("A sound loaded with the modulation wheel up keeps its loudness from t
     const auto played = [&](bool matches) {
         state.parameters.set(ParameterId::matchLoudness, matches ? 1 : 0);
         Processor processor;
-        processor.prepareToPlay(rateHz, blockSize);
+        processor.prepareToPlay(testRateHz, testBlockSize);
         juce::MidiBuffer wheel;
         wheel.addEvent(juce::MidiMessage::controllerEvent(1, 1, 120), 0);
-        render(processor, blockSize, blockSize, wheel);
+        render(processor, testBlockSize, testBlockSize, wheel);
         restore(processor, state);
-        return render(processor, 48000, blockSize, struck(64)).left;
+        return render(processor, 48000, testBlockSize, struck(64)).left;
     };
     const auto plain = played(false), matched = played(true);
     const auto loudestFrom = [](const std::vector<float>& sound, int from) {
@@ -261,14 +262,14 @@ TEST_CASE("A sound loaded with the modulation wheel up keeps its loudness from t
 
 TEST_CASE("A state restored after a MIDI program change is the one that plays") {
     Processor processor;
-    processor.prepareToPlay(rateHz, blockSize);
-    render(processor, blockSize, blockSize, programChange(9));
+    processor.prepareToPlay(testRateHz, testBlockSize);
+    render(processor, testBlockSize, testBlockSize, programChange(9));
     restore(processor, testState());
     const auto name = processor.soundSession().loadedSound().preset.name;
     for (int polls = 0; polls < 6; ++polls)
         processor.poll();
     CHECK(processor.soundSession().loadedSound().preset.name == name);
-    render(processor, blockSize, blockSize, programChange(9)); // a new request still works
+    render(processor, testBlockSize, testBlockSize, programChange(9)); // a new request still works
     pollForProgram(processor, 9);
 }
 
@@ -277,7 +278,7 @@ TEST_CASE("A room silenced by All Sound Off stays silent when another sound is r
     state.parameters.set(ParameterId::room, 100);
     Processor processor;
     restore(processor, state);
-    processor.prepareToPlay(rateHz, 64);
+    processor.prepareToPlay(testRateHz, 64);
     juce::MidiBuffer chord, off;
     chord.addEvent(juce::MidiMessage::noteOn(1, 60, juce::uint8{120}), 0);
     off.addEvent(juce::MidiMessage::allSoundOff(1), 0);
@@ -313,7 +314,7 @@ TEST_CASE("Parameters moved after a program change keep their values, in a bounc
         const auto levelAfter = [&](bool offline, bool wasThere) {
             Processor processor;
             processor.setNonRealtime(offline);
-            processor.prepareToPlay(rateHz, blockSize);
+            processor.prepareToPlay(testRateHz, testBlockSize);
             ControllerAssignments assignments;
             assignments[level] = volumeControl;
             processor.windowSession().controllers.assign(assignments);
@@ -321,7 +322,7 @@ TEST_CASE("Parameters moved after a program change keep their values, in a bounc
                 juce::MidiBuffer midi;
                 for (const auto& message : messages)
                     midi.addEvent(message, static_cast<int>(message.getTimeStamp()));
-                render(processor, blockSize, blockSize, midi);
+                render(processor, testBlockSize, testBlockSize, midi);
             };
             if (wasThere)
                 block({moved(100, 0)});
@@ -346,14 +347,14 @@ TEST_CASE("Parameters moved after a program change keep their values, in a bounc
 TEST_CASE("Values of another sound loaded while a program is pending do not change the program") {
     constexpr int program = 3;
     Processor processor;
-    processor.prepareToPlay(rateHz, blockSize);
+    processor.prepareToPlay(testRateHz, testBlockSize);
     auto other = processor.soundSession().loadedSound(); // the same player with other values
     other.parameters.set(ParameterId::malletSpeed, 4.5);
     const std::function<void()> loads[] = {[&] { processor.setCurrentProgram(vibraphone); },
                                            [&] { processor.soundSession().playSound(other); }};
     for (const auto& load : loads) {
         processor.setCurrentProgram(0);
-        render(processor, blockSize, blockSize, programChange(program));
+        render(processor, testBlockSize, testBlockSize, programChange(program));
         load();
         pollForProgram(processor, program);
         CHECK(processor.soundSession().loadedSound().parameters ==
@@ -370,15 +371,15 @@ TEST_CASE(
     overtaking.addEvent(juce::MidiMessage::controllerEvent(1, volumeControl, 100), 1);
     const auto loaded = [&](int overtakenAt, int last) {
         Processor processor;
-        processor.prepareToPlay(rateHz, blockSize);
+        processor.prepareToPlay(testRateHz, testBlockSize);
         ControllerAssignments assignments;
         assignments[ParameterId::level] = volumeControl;
         processor.windowSession().controllers.assign(assignments);
-        render(processor, blockSize, blockSize, programChange(vibraphone));
+        render(processor, testBlockSize, testBlockSize, programChange(vibraphone));
         int allocations = 0;
         const AtAllocations look([&] {
             if (++allocations == overtakenAt)
-                render(processor, blockSize, blockSize, overtaking);
+                render(processor, testBlockSize, testBlockSize, overtaking);
         });
         pollForProgram(processor, last);
         return std::pair(allocations, processor.view().parameters.value(ParameterId::level));
@@ -394,14 +395,14 @@ TEST_CASE(
     "Undo after a program change restores the values from before the change, not later ones") {
     constexpr int volumeControl = 7, program = 3;
     Processor processor;
-    processor.prepareToPlay(rateHz, blockSize);
+    processor.prepareToPlay(testRateHz, testBlockSize);
     ControllerAssignments assignments;
     assignments[ParameterId::level] = volumeControl;
     processor.windowSession().controllers.assign(assignments);
     const auto before = processor.soundSession().loadedSound().parameters;
     auto midi = programChange(program);
     midi.addEvent(juce::MidiMessage::controllerEvent(1, volumeControl, 20), 1);
-    render(processor, blockSize, blockSize, midi);
+    render(processor, testBlockSize, testBlockSize, midi);
     pollForProgram(processor, program);
     CHECK(processor.view().parameters.value(ParameterId::level) != before[ParameterId::level]);
     REQUIRE(processor.windowSession().history.canUndo());

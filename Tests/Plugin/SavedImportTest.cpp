@@ -15,16 +15,10 @@ using namespace idiophone;
 using namespace idiophone::test;
 using Catch::Matchers::ContainsSubstring;
 
-namespace {
-
-constexpr int blockSamples = 512;
-
-} // namespace
-
 TEST_CASE("A preview cannot be saved in place of the final object") {
     const UserSettings user;
     Processor processor;
-    processor.prepareToPlay(48000, blockSamples);
+    processor.prepareToPlay(48000, testBlockSize);
     processor.view().workshop.openFile(
         meshFile("block.obj", boxMesh({0.3, 0.2, 0.1}, {24, 16, 8})));
     waitUntil([&] { return processor.view().workshop.playsPreview(); },
@@ -47,7 +41,7 @@ TEST_CASE("An object with a very long name is saved in a state that opens again"
     auto object = *ObjectLibrary::shared().find("wok").value();
     object.name = std::string(5000, 'w');
     Processor processor;
-    processor.prepareToPlay(48000, blockSamples);
+    processor.prepareToPlay(48000, testBlockSize);
     const auto file = testFolder() / "long.modal";
     REQUIRE(writeModalObject(object, file));
     processor.view().workshop.openFile(file);

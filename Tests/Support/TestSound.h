@@ -16,6 +16,8 @@
 namespace idiophone::test {
 
 constexpr int lowestTestNote = 60, highestTestNote = 72;
+constexpr double testRateHz = 48000;
+constexpr int testBlockSize = 512;
 
 /// Returns a state of twelve modes a key, played by MIDI notes 60 to 72. `folder` distinguishes
 /// sounds.
