@@ -186,6 +186,7 @@ TEST_CASE("Open, non-manifold and separate meshes are analysed") {
 
 TEST_CASE("A shell thicker than its mesh is wide gets a warning") {
     auto settings = barSettings();
+    settings.maxFrequencyHz = 2000; // only the notes are read
     auto sheet = sheetMesh(0.4, 0.05, 100);
     if (GENERATE(false, true)) {
         const Eigen::Vector3d axis = Eigen::Vector3d(1, 2, 3).normalized();
