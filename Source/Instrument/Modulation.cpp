@@ -13,6 +13,7 @@ namespace {
 using enum ParameterId;
 
 constexpr double roundingSeconds = 0.003; // for 63 % of a step
+constexpr double smallestTuneStep = 1e-6; // share of the range; a smaller step is not heard
 constexpr double middleKey = 60, farthestKeys = 60;
 
 std::size_t indexOf(int note) {
@@ -37,6 +38,10 @@ void Modulation::noteOn(int number, int velocity) noexcept {
     for (std::size_t i = 0; i < lfos.size(); ++i)
         note.swingsAtStart[i] = lfos[i].swings();
     note.envelope.start();
+    if (number != hand && hostShifts != nullptr) {
+        tuneShifts[indexOf(number)] = hostShifts->of(tune, number);
+        hasTuneShifts = hasTuneShifts || tuneShifts[indexOf(number)] != 0;
+    }
     lastNote = number;
     handIsDown = handIsDown || number == hand;
 }
@@ -44,6 +49,8 @@ void Modulation::noteOn(int number, int velocity) noexcept {
 void Modulation::beginCell(double beatsPerMinute, std::optional<double> beats) noexcept {
     routes = ActiveRoutes(glide.values());
     beginLfos(beatsPerMinute, beats);
+    if (hasTuneShifts || hostMoves(tune))
+        glideTuneShifts();
     if (routes.empty())
         return;
     roundInputs();
@@ -75,6 +82,28 @@ void Modulation::advanceEnvelopes() noexcept {
     for (std::size_t note = 0; note < held.size(); ++note)
         notes[note].envelope.advance(steps, held[note]);
     notes[hand].envelope.advance(steps, handIsDown);
+}
+
+void Modulation::glideTuneShifts() noexcept {
+    hasTuneShifts = false;
+    for (std::size_t note = 0; note < tuneShifts.size(); ++note) {
+        const double goal = hostShifts->of(tune, static_cast<int>(note));
+        auto& shift = tuneShifts[note];
+        const double step = roundingShare * (goal - shift);
+        shift = std::abs(step) > smallestTuneStep ? shift + step : goal;
+        hasTuneShifts = hasTuneShifts || shift != 0;
+    }
+}
+
+bool Modulation::hostMoves(ParameterId target) const noexcept {
+    return (target == tune && hasTuneShifts) ||
+           (hostShifts != nullptr && hostShifts->moves(target));
+}
+
+double Modulation::hostShift(ParameterId target, int note) const noexcept {
+    if (note == hand || hostShifts == nullptr)
+        return 0;
+    return target == tune ? tuneShifts[indexOf(note)] : hostShifts->of(target, note);
 }
 
 double Modulation::lfoOf(std::size_t lfo, const Note& note) const noexcept {
@@ -137,12 +166,22 @@ const ParameterValues& Modulation::values() noexcept {
 }
 
 const ParameterValues& Modulation::valuesOf(int note) noexcept {
-    return routes.empty() ? glide.values() : moved(inputsOf(note));
+    const bool isShifted = std::ranges::any_of(
+        noteTargets(), [&](ParameterId target) { return hostShift(target, note) != 0; });
+    if (routes.empty() && !isShifted)
+        return glide.values();
+    moved(inputsOf(note));
+    if (isShifted)
+        for (const auto target : noteTargets())
+            if (target != tune)
+                result.set(target, valueOf(target, note));
+    return result;
 }
 
 double Modulation::valueOf(ParameterId target, int note) const noexcept {
     const double base = glide.values()[target];
-    return routes.moves(target) ? routes.moved(target, base, inputsOf(note)) : base;
+    return moves(target) ? routes.moved(target, base, inputsOf(note), hostShift(target, note))
+                         : base;
 }
 
 void Modulation::reset() noexcept {
@@ -150,6 +189,8 @@ void Modulation::reset() noexcept {
         lfo.reset();
     notes = {};
     sharedInputs = {};
+    tuneShifts = {};
+    hasTuneShifts = false;
     lastNote = hand;
     isFresh = true;
     countFrom(0);

@@ -5,6 +5,7 @@
 #include "Instrument/KeyState.h"
 #include "Instrument/Lfo.h"
 #include "Instrument/NoteEnvelope.h"
+#include "Instrument/NoteShifts.h"
 #include "Instrument/ParameterGlide.h"
 #include "Parameters/ModulationTable.h"
 
@@ -27,6 +28,10 @@ public:
                double secondsPerCell,
                std::uint64_t seed);
 
+    /// Moves single notes too, as a host does; the shifts must outlive its use. Ringing notes glide
+    /// to another pitch within some milliseconds.
+    void follow(const NoteShifts& shifts) noexcept { hostShifts = &shifts; }
+
     /// Starts a note, 0 to 127 or `hand`, with a velocity of 1 to 127.
     void noteOn(int note, int velocity) noexcept;
     void liftHand() noexcept { handIsDown = false; }
@@ -35,7 +40,9 @@ public:
     /// point; the tempo is 0 if there is none.
     void beginCell(double beatsPerMinute, std::optional<double> beats) noexcept;
 
-    bool moves(ParameterId target) const noexcept { return routes.moves(target); }
+    bool moves(ParameterId target) const noexcept {
+        return routes.moves(target) || hostMoves(target);
+    }
     /// Returns the glide's values as modulated for all notes: sources of notes are those of the
     /// last one, and steps of sources are rounded within some milliseconds. Leaves out `tune`,
     /// which acts on slots. Valid until the next call or a change of the glide.
@@ -63,6 +70,9 @@ private:
         NoteEnvelope envelope;
     };
 
+    bool hostMoves(ParameterId target) const noexcept;
+    double hostShift(ParameterId target, int note) const noexcept;
+    void glideTuneShifts() noexcept;
     double sourceOf(const ActiveRoute& route, int note) const noexcept;
     double lfoOf(std::size_t lfo, const Note& note) const noexcept;
     ActiveRoutes::Inputs inputsOf(int note) const noexcept;
@@ -82,6 +92,9 @@ private:
     bool isFresh = true;
     ActiveRoutes routes;                 ///< of the newest cell
     ActiveRoutes::Inputs sharedInputs{}; ///< of all notes, in the newest cell
+    const NoteShifts* hostShifts = nullptr;
+    std::array<double, hand> tuneShifts{}; ///< gliding towards the host's
+    bool hasTuneShifts = false;            ///< any of them is not 0
     ParameterValues result;
 };
 

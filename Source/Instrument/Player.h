@@ -93,6 +93,14 @@ public:
     /// that this instrument does not have.
     void scrapeSurface(const SurfaceTouch& touch);
 
+    /// Moves parameters of single notes, on top of all else that moves them. The shifts must
+    /// outlive the last block.
+    void follow(const NoteShifts& shifts) noexcept { modulation.follow(shifts); }
+    /// Returns whether something that the note was the last to play rings, or is about to.
+    bool sounds(int note) const noexcept {
+        return !scheduler.silent() || slotModulation.sounds(note, synthesiser().status());
+    }
+
     /// Lifts all hands from all surfaces.
     void liftHands() { renderer.liftHands(); }
 

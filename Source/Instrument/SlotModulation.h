@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -20,6 +21,13 @@ public:
 
     /// Sets which note, or Modulation::hand, plays the slot now.
     void play(std::size_t slot, int note) noexcept { notes[slot] = note; }
+    /// Returns whether a slot that the note plays rings.
+    bool sounds(int note, std::span<const SlotStatus> status) const noexcept {
+        for (std::size_t slot = 0; slot < notes.size(); ++slot)
+            if (notes[slot] == note && status[slot].modesRinging > 0)
+                return true;
+        return false;
+    }
     /// Gives each slot the values of its own note. Call it before tuning and dampers are applied.
     void apply(const Modulation& modulation, SlotTuning& tuning, Dampers& dampers) noexcept {
         using enum ParameterId;

@@ -51,6 +51,8 @@ constexpr std::array targets{hardness,
                              modulation7Amount,
                              modulation8Amount};
 
+static_assert(targets[noteTargetCount - 1] == releaseTime);
+
 constexpr std::array<double, 11> syncLengths{0, 16,      8,   4,       2,   4.0 / 3,
                                              1, 2.0 / 3, 0.5, 1.0 / 3, 0.25};
 
@@ -113,8 +115,11 @@ double ActiveRoutes::amountOf(const ActiveRoute& route, const Inputs& inputs) co
     return std::clamp(amount, -1.0, 1.0);
 }
 
-double ActiveRoutes::moved(ParameterId target, double base, const Inputs& inputs) const noexcept {
-    double offset = 0;
+double ActiveRoutes::moved(ParameterId target,
+                           double base,
+                           const Inputs& inputs,
+                           double shift) const noexcept {
+    double offset = shift;
     for (const auto& route : all())
         if (route.target == target)
             offset += amountOf(route, inputs) * inputs[route.number];

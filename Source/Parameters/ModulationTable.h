@@ -66,6 +66,11 @@ inline constexpr std::array<ModulationRoute, routeCount> modulationRoutes{{
 std::span<const ParameterId> modulationTargets() noexcept;
 /// Returns the choice of a target, or 0 if modulation cannot move the parameter.
 int modulationTargetChoice(ParameterId parameter) noexcept;
+/// The first of the targets, which every note has for itself.
+inline constexpr std::size_t noteTargetCount = 13;
+inline std::span<const ParameterId> noteTargets() noexcept {
+    return modulationTargets().first(noteTargetCount);
+}
 
 /// A route with a source and a target. Its amount is a share of the target's range, −1 to 1.
 struct ActiveRoute {
@@ -90,10 +95,11 @@ public:
     bool moves(ParameterId target) const noexcept;
     bool uses(ModulationSource source) const noexcept;
 
-    /// Returns the value to which the routes move `base`: by the sum of each amount times its
-    /// input, on the parameter's own scale, within its range. First, routes to the amounts of
-    /// others move these.
-    double moved(ParameterId target, double base, const Inputs& inputs) const noexcept;
+    /// Returns the value to which the routes move `base`: by `shift` and the sum of each amount
+    /// times its input, shares of the range on the parameter's own scale, within its range. First,
+    /// routes to the amounts of others move these.
+    double
+    moved(ParameterId target, double base, const Inputs& inputs, double shift = 0) const noexcept;
 
 private:
     double amountOf(const ActiveRoute& route, const Inputs& inputs) const noexcept;

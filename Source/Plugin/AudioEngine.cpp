@@ -89,6 +89,7 @@ void AudioEngine::takeSettings(bool isOffline) noexcept {
     if (messages.forgetsGivenBends.exchange(false))
         player->bend().forgetGiven();
     player->setOffline(isOffline);
+    player->follow(shifts);
     auto& stage = player->stage();
     stage.pause(messages.stagePaused);
     if (messages.stageReset.exchange(false))

@@ -49,6 +49,14 @@ public:
                  const juce::AudioPlayHead* playHead,
                  bool isOffline) noexcept;
 
+    /// [audio thread] Moves single notes of all players.
+    NoteShifts& noteShifts() noexcept { return shifts; }
+    /// [audio thread] Returns whether the note, 0 to 127, rings.
+    bool sounds(int note) const noexcept {
+        const auto* player = sound.player();
+        return player != nullptr && player->sounds(note);
+    }
+
     /// [any thread, between two callbacks] See PlayedStage::waitForSimulation.
     void waitForSimulation() noexcept {
         if (auto* player = sound.player())
@@ -80,6 +88,7 @@ private:
     std::atomic<bool> prepared{false};
 
     ParameterValues values; ///< of this callback
+    NoteShifts shifts;
     PlayerCrossfade sound;
     HostTransport transport;
     BlockPieces pieces;

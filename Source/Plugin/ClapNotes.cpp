@@ -12,19 +12,10 @@ namespace {
 constexpr int firstMember = 1, lastMember = 15; // of the zone that the parameter "MPE" gives
 constexpr int placeAtRest = 64;
 constexpr std::size_t reservedBytes = 65536; // some 7000 events
+constexpr std::size_t reservedEnds = 4096;
 
 int sevenBits(double share) {
     return share > 0 ? static_cast<int>(std::lround(127 * std::min(share, 1.0))) : 0;
-}
-
-/// A host may leave any of these open with -1.
-template <class Event>
-auto addressedBy(const Event& event) {
-    return [&event](const auto& note) {
-        return (event.note_id < 0 || event.note_id == note.id) &&
-               (event.channel < 0 || event.channel == note.channel) &&
-               (event.key < 0 || event.key == note.key);
-    };
 }
 
 } // namespace
@@ -32,6 +23,7 @@ auto addressedBy(const Event& event) {
 ClapNotes::ClapNotes() {
     added.ensureSize(reservedBytes);
     merged.ensureSize(reservedBytes);
+    ends.reserve(reservedEnds);
 }
 
 bool ClapNotes::handles(std::uint16_t type) noexcept {
@@ -39,15 +31,17 @@ bool ClapNotes::handles(std::uint16_t type) noexcept {
            type == CLAP_EVENT_NOTE_CHOKE || type == CLAP_EVENT_NOTE_EXPRESSION;
 }
 
-void ClapNotes::follow(const clap_event_header& event, int sampleOffset, const Mpe& mpe) {
+std::optional<int>
+ClapNotes::follow(const clap_event_header& event, int sampleOffset, const Mpe& mpe) {
     sample = static_cast<int>(event.time) - sampleOffset;
-    if (event.type == CLAP_EVENT_NOTE_EXPRESSION)
-        return express(reinterpret_cast<const clap_event_note_expression&>(event), mpe);
     const auto& note = reinterpret_cast<const clap_event_note&>(event);
     if (event.type == CLAP_EVENT_NOTE_ON)
-        begin(note, mpe);
+        return begin(note, mpe);
+    if (event.type == CLAP_EVENT_NOTE_EXPRESSION)
+        express(reinterpret_cast<const clap_event_note_expression&>(event), mpe);
     else
         end(note, event.type == CLAP_EVENT_NOTE_CHOKE ? 1 : note.velocity);
+    return std::nullopt;
 }
 
 juce::MidiBuffer& ClapNotes::takeWith(const juce::MidiBuffer& others) {
@@ -58,13 +52,52 @@ juce::MidiBuffer& ClapNotes::takeWith(const juce::MidiBuffer& others) {
     return merged;
 }
 
+void ClapNotes::endSilent(const std::function<bool(int key)>& sounds, int atSample) {
+    endKnown([&](const Note& note) { return !note.isHeld && !sounds(note.key); },
+             std::max(atSample, 0));
+}
+
+/// Ends the known notes that are over.
+void ClapNotes::endKnown(const std::function<bool(const Note&)>& isOver, int atSample) {
+    const auto isEnded = [&](const Note& note) {
+        if (!isOver(note))
+            return false;
+        ends.push_back({.header = {.size = sizeof(clap_event_note),
+                                   .time = static_cast<std::uint32_t>(atSample),
+                                   .space_id = CLAP_CORE_EVENT_SPACE_ID,
+                                   .type = CLAP_EVENT_NOTE_END,
+                                   .flags = 0},
+                        .note_id = note.id,
+                        .port_index = 0,
+                        .channel = note.channel,
+                        .key = note.key,
+                        .velocity = 0});
+        return true;
+    };
+    noteCount -= std::ranges::remove_if(known(), isEnded).size();
+}
+
+void ClapNotes::sendEnds(const clap_output_events& events, int sampleOffset) {
+    for (auto& end : ends) {
+        end.header.time += static_cast<std::uint32_t>(sampleOffset);
+        events.try_push(&events, &end.header);
+    }
+    ends.clear();
+}
+
+bool ClapNotes::has(int key) const noexcept {
+    return std::ranges::count(std::span(notes).first(noteCount), key, &Note::key) > 0;
+}
+
 void ClapNotes::reset() noexcept {
     noteCount = 0;
     added.clear();
+    ends.clear();
 }
 
 int ClapNotes::usersOf(int midiChannel) noexcept {
-    return static_cast<int>(std::ranges::count(held(), midiChannel, &Note::midiChannel));
+    return static_cast<int>(std::ranges::count_if(
+        known(), [&](const Note& note) { return note.isHeld && note.midiChannel == midiChannel; }));
 }
 
 /// Among the channels with the fewest notes, the one used longest ago, whose last note has rung
@@ -81,13 +114,12 @@ int ClapNotes::freestMember() noexcept {
     return freest;
 }
 
-void ClapNotes::begin(const clap_event_note& event, const Mpe& mpe) {
+std::optional<int> ClapNotes::begin(const clap_event_note& event, const Mpe& mpe) {
     if (event.key < 0 || event.key > 127 || event.channel < 0 || event.channel > 15)
-        return;
-    if (noteCount == notes.size()) { // the host never ended the oldest
-        std::shift_left(notes.begin(), notes.end(), 1);
-        --noteCount;
-    }
+        return std::nullopt;
+    endKnown([&](const Note& note) { return !note.isHeld && note.key == event.key; }, sample);
+    if (noteCount == notes.size()) // the host never released the oldest
+        endKnown([this](const Note& note) { return &note == notes.data(); }, sample);
     const int midiChannel = mpe.isOn ? freestMember() : event.channel;
     if (mpe.isOn && usersOf(midiChannel) == 0) {
         bend(midiChannel, 0);
@@ -100,22 +132,22 @@ void ClapNotes::begin(const clap_event_note& event, const Mpe& mpe) {
                           .ownsChannel = mpe.isOn};
     lastUse[static_cast<std::size_t>(midiChannel)] = ++uses;
     add(0x90, midiChannel, event.key, std::max(1, sevenBits(event.velocity)));
+    return event.key;
 }
 
 void ClapNotes::end(const clap_event_note& event, double velocity) {
-    const auto isEnded = addressedBy(event);
-    for (const Note& note : held()) {
-        if (!isEnded(note))
+    for (Note& note : known()) {
+        if (!note.isHeld || !isAddressed(note, event))
             continue;
+        note.isHeld = false;
         lastUse[static_cast<std::size_t>(note.midiChannel)] = ++uses;
         add(0x80, note.midiChannel, note.key, sevenBits(velocity));
     }
-    noteCount -= std::ranges::remove_if(held(), isEnded).size();
 }
 
 void ClapNotes::express(const clap_event_note_expression& event, const Mpe& mpe) {
-    for (const Note& note : held()) {
-        if (!addressedBy(event)(note))
+    for (const Note& note : known()) {
+        if (!note.isHeld || !isAddressed(note, event))
             continue;
         if (event.expression_id == CLAP_NOTE_EXPRESSION_PRESSURE)
             add(0xa0, note.midiChannel, note.key, sevenBits(event.value));

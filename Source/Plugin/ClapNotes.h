@@ -1,13 +1,16 @@
 // Turns the notes of a CLAP host and their expressions into MIDI, with an MPE channel for each
-// note.
+// note, and tells the host when they end.
 #pragma once
 
 #include <array>
 #include <clap/events.h>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <juce_audio_basics/juce_audio_basics.h>
+#include <optional>
 #include <span>
+#include <vector>
 
 namespace idiophone {
 
@@ -26,12 +29,28 @@ public:
     /// Returns whether `follow` handles events of this type of CLAP's own name space.
     static bool handles(std::uint16_t type) noexcept;
     /// Adds the event's MIDI at the sample `event.time - sampleOffset`. A choke is the fastest
-    /// release.
-    void follow(const clap_event_header& event, int sampleOffset, const Mpe& mpe);
+    /// release. Returns the key of a note that begins.
+    std::optional<int> follow(const clap_event_header& event, int sampleOffset, const Mpe& mpe);
 
     /// Returns `others` and all MIDI added since the last call. At equal samples `others` come
     /// first, so that a pedal catches a note that ends with it. Valid until the next call.
     juce::MidiBuffer& takeWith(const juce::MidiBuffer& others);
+    /// Ends the released notes whose keys are silent, at this sample. Those whose keys have been
+    /// struck again have ended already.
+    void endSilent(const std::function<bool(int key)>& sounds, int atSample);
+    /// Sends all ends since the last call. Their samples move by `sampleOffset`.
+    void sendEnds(const clap_output_events& events, int sampleOffset);
+
+    /// Returns whether a note of the key is held or rings.
+    bool has(int key) const noexcept;
+    /// Calls `act(key)` for each of these notes that the event addresses.
+    template <class Event, class Act>
+    void forAddressed(const Event& event, Act act) const {
+        for (const Note& note : std::span(notes).first(noteCount))
+            if (isAddressed(note, event))
+                act(int{note.key});
+    }
+
     /// Forgets all notes and MIDI.
     void reset() noexcept;
 
@@ -42,23 +61,34 @@ private:
         std::int16_t key = 0;
         int midiChannel = 0; ///< 0 to 15
         bool ownsChannel = false;
+        bool isHeld = true;
     };
 
-    std::span<Note> held() noexcept { return std::span(notes).first(noteCount); }
+    /// A host may leave any of these open with -1.
+    template <class Event>
+    static bool isAddressed(const Note& note, const Event& event) noexcept {
+        return (event.note_id < 0 || event.note_id == note.id) &&
+               (event.channel < 0 || event.channel == note.channel) &&
+               (event.key < 0 || event.key == note.key);
+    }
+
+    std::span<Note> known() noexcept { return std::span(notes).first(noteCount); }
+    void endKnown(const std::function<bool(const Note&)>& isOver, int atSample);
     int usersOf(int midiChannel) noexcept;
     int freestMember() noexcept;
-    void begin(const clap_event_note& event, const Mpe& mpe);
+    std::optional<int> begin(const clap_event_note& event, const Mpe& mpe);
     void end(const clap_event_note& event, double velocity);
     void express(const clap_event_note_expression& event, const Mpe& mpe);
     void add(int kind, int midiChannel, int first, int second);
     void bend(int midiChannel, double share);
 
-    std::array<Note, 128> notes; ///< the held ones in the order of their starts, then unused ones
+    std::array<Note, 256> notes; ///< the known ones in the order of their starts, then unused ones
     std::size_t noteCount = 0;
     std::array<std::uint64_t, 16> lastUse{}; ///< [MIDI channel] number of the last use; 0: never
     std::uint64_t uses = 0;
     int sample = 0; ///< of the event that is followed
     juce::MidiBuffer added, merged;
+    std::vector<clap_event_note> ends; ///< not yet sent
 };
 
 } // namespace idiophone

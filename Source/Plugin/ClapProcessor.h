@@ -1,6 +1,8 @@
-// The processor in a CLAP host, which also sends expressions of single notes.
+// The processor in a CLAP host, which also sends expressions of single notes, modulates parameters,
+// and wants to know when notes end.
 #pragma once
 
+#include "Plugin/ClapModulation.h"
 #include "Plugin/ClapNotes.h"
 #include "Plugin/Processor.h"
 
@@ -16,17 +18,31 @@ public:
 
     bool supportsNoteExpressions() override { return true; }
     bool supportsDirectEvent(std::uint16_t space, std::uint16_t type) override {
-        return space == CLAP_CORE_EVENT_SPACE_ID && ClapNotes::handles(type);
+        return space == CLAP_CORE_EVENT_SPACE_ID &&
+               (ClapNotes::handles(type) || type == CLAP_EVENT_PARAM_MOD);
     }
     /// [audio thread] The next `processBlock` plays the event.
     void handleDirectEvent(const clap_event_header_t* event, int sampleOffset) override;
+
+    bool supportsOutboundEvents() override { return true; }
+    /// [audio thread] Sends the ends of notes.
+    void addOutboundEventsToQueue(const clap_output_events* events,
+                                  const juce::MidiBuffer& midi,
+                                  int sampleOffset) override;
+
+    /// Each key is a voice.
+    bool supportsVoiceInfo() override { return true; }
+    bool voiceInfoGet(clap_voice_info* info) override;
 
     void processBlock(juce::AudioBuffer<float>& buffer, juce::MidiBuffer& midi) override;
     using Processor::processBlock;
     void reset() override;
 
 private:
+    void modulate(const clap_event_param_mod& event);
+
     ClapNotes notes;
+    ClapModulation modulation;
 };
 
 } // namespace idiophone

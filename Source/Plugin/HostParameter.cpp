@@ -35,6 +35,14 @@ void HostParameter::setExactValue(double value) noexcept {
     ++timesSet;
 }
 
+double HostParameter::modulatedValue() const noexcept {
+    return modulation == 0 ? exactValue() : row.fromNormalised(modulatedPlace());
+}
+
+double HostParameter::placeAt(double share) const noexcept {
+    return std::clamp(row.toNormalised(exactValue()) + share, 0.0, 1.0);
+}
+
 void HostParameter::moveByController(double value) noexcept {
     setExactValue(value);
     movedByController = true;

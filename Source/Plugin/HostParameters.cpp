@@ -1,12 +1,10 @@
 #include "Plugin/HostParameters.h"
 
-#include <memory>
-
 namespace idiophone {
 
-HostParameters::HostParameters(juce::AudioProcessor& processor) {
+HostParameters::HostParameters(juce::AudioProcessor& processor, Make make) {
     for (const auto& info : parameterTable()) {
-        auto parameter = std::make_unique<HostParameter>(info);
+        auto parameter = make(info);
         parameters[static_cast<std::size_t>(info.parameter)] = parameter.get();
         processor.addParameter(parameter.release());
     }
@@ -16,6 +14,13 @@ ParameterValues HostParameters::values() const noexcept {
     ParameterValues result;
     for (const auto* parameter : parameters)
         result.set(parameter->info().parameter, parameter->exactValue());
+    return result;
+}
+
+ParameterValues HostParameters::modulatedValues() const noexcept {
+    ParameterValues result;
+    for (const auto* parameter : parameters)
+        result.set(parameter->info().parameter, parameter->modulatedValue());
     return result;
 }
 
@@ -78,7 +83,7 @@ void HostParameters::forgetLastSent() const noexcept {
 
 void HostParameters::read(ParameterValues& current) const noexcept {
     const auto before = loads.load();
-    const auto fresh = values();
+    const auto fresh = modulatedValues();
     if (before % 2 == 0 && loads.load() == before)
         current = fresh;
 }

@@ -7,13 +7,19 @@
 #include <array>
 #include <atomic>
 #include <cstdint>
+#include <memory>
 
 namespace idiophone {
 
 class HostParameters {
 public:
-    /// Adds a parameter for every row to the processor, which then owns them.
-    explicit HostParameters(juce::AudioProcessor& processor);
+    using Make = std::unique_ptr<HostParameter> (*)(const ParameterInfo& info);
+    static std::unique_ptr<HostParameter> makePlain(const ParameterInfo& info) {
+        return std::make_unique<HostParameter>(info);
+    }
+
+    /// Makes a parameter for every row and adds it to the processor, which then owns it.
+    explicit HostParameters(juce::AudioProcessor& processor, Make make = makePlain);
 
     HostParameter& operator[](ParameterId parameter) const {
         return *parameters[static_cast<std::size_t>(parameter)];
@@ -21,6 +27,8 @@ public:
 
     /// [any thread]
     ParameterValues values() const noexcept;
+    /// [any thread] Returns what is heard; see HostParameter::modulatedValue.
+    ParameterValues modulatedValues() const noexcept;
 
     /// [message side, one at a time] Sets all values; a snapshot sees all of them or none.
     void load(const ParameterValues& values) noexcept;
@@ -48,7 +56,8 @@ public:
     /// [any thread] Calls `forgetLastSent` on every parameter.
     void forgetLastSent() const noexcept;
 
-    /// [audio thread] Brings the values up to date, or leaves them unchanged during a `load`.
+    /// [audio thread] Brings the modulated values up to date, or leaves them unchanged during a
+    /// `load`.
     void read(ParameterValues& values) const noexcept;
 
 private:

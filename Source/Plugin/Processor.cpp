@@ -31,13 +31,15 @@ juce::AudioProcessor::BusesProperties Processor::busesOf(PluginKind kind) {
     return buses;
 }
 
-Processor::Processor(PluginKind kindOfPlugin)
-    : AudioProcessor(busesOf(kindOfPlugin)), kind(kindOfPlugin), shared(*this,
-                                                                        presetCount(),
-                                                                        [this] {
-                                                                            if (polls)
-                                                                                polls->callSoon();
-                                                                        }),
+Processor::Processor(PluginKind kindOfPlugin, HostParameters::Make make)
+    : AudioProcessor(busesOf(kindOfPlugin)), kind(kindOfPlugin), shared(
+                                                                     *this,
+                                                                     presetCount(),
+                                                                     [this] {
+                                                                         if (polls)
+                                                                             polls->callSoon();
+                                                                     },
+                                                                     make),
       engine(shared.parameters, shared.messages, shared.programs, shared.report), session(shared),
       window(shared, session), host(shared, session, window.tuning) {
     shared.reporter.vst3().hasMainInput = kind == PluginKind::resonator;
@@ -123,7 +125,7 @@ juce::AudioProcessorParameter* Processor::getBypassParameter() const {
 }
 
 double Processor::getTailLengthSeconds() const {
-    return shared.tail.seconds(shared.parameters.values(), shared.report);
+    return shared.tail.seconds(shared.parameters.modulatedValues(), shared.report);
 }
 
 // A VST3 host cannot choose the current program again. So its last program stands for any sound

@@ -23,7 +23,9 @@ enum class PluginKind {
 /// timer some 50 ms later. In an offline render the callback loads it between two blocks.
 class Processor : public juce::AudioProcessor {
 public:
-    explicit Processor(PluginKind kind = PluginKind::instrument);
+    /// `make` makes each of the parameters.
+    explicit Processor(PluginKind kind = PluginKind::instrument,
+                       HostParameters::Make make = HostParameters::makePlain);
 
     const juce::String getName() const override {
         return kind == PluginKind::resonator ? "Idiophone Resonator" : "Idiophone";
@@ -72,6 +74,10 @@ public:
     static constexpr int pollMilliseconds = 50;
     /// [any thread, between two callbacks] See PlayedStage::waitForSimulation.
     void waitForSimulation() noexcept { engine.waitForSimulation(); }
+
+protected:
+    /// [audio thread] For formats that move single notes.
+    AudioEngine& audioEngine() noexcept { return engine; }
 
 private:
     bool isVst3() const noexcept { return wrapperType == wrapperType_VST3; }

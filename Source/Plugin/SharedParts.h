@@ -12,9 +12,13 @@ namespace idiophone {
 
 /// Each part says its threads.
 struct SharedParts {
-    /// `pollSoon` is for the HostReporter, `programCount` for the ProgramChanges.
-    SharedParts(juce::AudioProcessor& processor, int programCount, std::function<void()> pollSoon)
-        : plugin(processor), parameters(processor), programs(programCount),
+    /// `programCount` is for the ProgramChanges, `pollSoon` for the HostReporter, `make` for the
+    /// HostParameters.
+    SharedParts(juce::AudioProcessor& processor,
+                int programCount,
+                std::function<void()> pollSoon,
+                HostParameters::Make make = HostParameters::makePlain)
+        : plugin(processor), parameters(processor, make), programs(programCount),
           reporter(processor, parameters, std::move(pollSoon)) {}
 
     const juce::AudioProcessor& plugin;

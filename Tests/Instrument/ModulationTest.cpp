@@ -244,3 +244,47 @@ TEST_CASE("A reset restarts LFOs, envelopes and random values") {
     CHECK(rig.modulation.values() == fresh.modulation.values());
     CHECK(rig.modulation.valuesOf(62) == fresh.modulation.valuesOf(62));
 }
+
+TEST_CASE("A host's shifts move single notes, on top of routes") {
+    Rig rig(routed(0, ModulationSource::velocity, hardness, 10));
+    NoteShifts shifts;
+    rig.modulation.follow(shifts);
+    rig.play(noteOn(60, 127));
+    rig.play(noteOn(62, 127));
+    rig.cells(1);
+    NoteShifts::Shares shares{};
+    shares[0] = 0.2; // hardness
+    shifts.set(60, shares);
+    CHECK(noteTargets().front() == hardness);
+    CHECK(rig.moved(hardness, 60) == Approx(0.3));
+    CHECK(rig.moved(hardness, 62) == Approx(0.1));
+    CHECK(rig.modulation.valuesOf(60)[hardness] == rig.modulation.valueOf(hardness, 60));
+    CHECK(rig.moved(hardness) == Approx(0.1));
+    CHECK(rig.moved(hardness, Modulation::hand) == Approx(0));
+    shifts.set(60, {});
+    CHECK(rig.moved(hardness, 60) == Approx(0.1));
+    CHECK_FALSE(shifts.moves(hardness));
+}
+
+TEST_CASE("A host's shift of the pitch glides, and a new note has it at once") {
+    Rig rig({});
+    NoteShifts shifts;
+    rig.modulation.follow(shifts);
+    rig.play(noteOn(60, 100));
+    rig.cells(1);
+    NoteShifts::Shares shares{};
+    shares[static_cast<std::size_t>(modulationTargetChoice(tune)) - 1] = 0.1;
+    shifts.set(60, shares);
+    CHECK(rig.modulation.moves(tune));
+    CHECK(rig.moved(tune, 60) == 0);
+    rig.cells(2);
+    CHECK(rig.moved(tune, 60) > 0.05);
+    CHECK(rig.moved(tune, 60) < 0.09);
+    rig.play(noteOn(60, 100));
+    CHECK(rig.moved(tune, 60) == Approx(0.1));
+    shifts.set(60, {});
+    CHECK(rig.modulation.moves(tune));
+    rig.cells(30);
+    CHECK_FALSE(rig.modulation.moves(tune));
+    CHECK(rig.moved(tune, 60) == 0);
+}

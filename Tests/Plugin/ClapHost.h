@@ -40,6 +40,7 @@ union ClapEvent {
     clap_event_note note;
     clap_event_note_expression expression;
     clap_event_param_value parameter;
+    clap_event_param_mod modulation;
     clap_event_midi midi;
 };
 
@@ -80,6 +81,22 @@ inline ClapEvent parameterEvent(const clap_param_info& parameter, double value) 
                           .channel = -1,
                           .key = -1,
                           .value = value}};
+}
+
+/// Modulates the note by its number alone; -1: all notes.
+inline ClapEvent modulationEvent(std::uint32_t sample,
+                                 const clap_param_info& parameter,
+                                 double amount,
+                                 int id = -1) {
+    return {.modulation = {.header = {sizeof(clap_event_param_mod), sample,
+                                      CLAP_CORE_EVENT_SPACE_ID, CLAP_EVENT_PARAM_MOD, 0},
+                           .param_id = parameter.id,
+                           .cookie = parameter.cookie,
+                           .note_id = id,
+                           .port_index = -1,
+                           .channel = -1,
+                           .key = -1,
+                           .amount = amount}};
 }
 
 /// One instance at 48 kHz that renders offline.
@@ -167,6 +184,7 @@ public:
                               std::size_t blocks,
                               const std::vector<float>& input = {}) const {
         std::vector<float> rendered;
+        ended.clear();
         for (std::size_t block = 0; block < blocks; ++block) {
             std::vector<ClapEvent> now;
             const auto start = static_cast<std::uint32_t>(block) * blockSamples;
@@ -178,10 +196,22 @@ public:
             std::array<std::array<float, blockSamples>, 2> heard{}, played{};
             for (std::size_t k = 0; k < blockSamples && start + k < input.size(); ++k)
                 heard[0][k] = heard[1][k] = input[start + k];
+            const auto before = ended.size();
             process(now, heard, played);
+            for (auto end = before; end < ended.size(); ++end)
+                ended[end].header.time += start;
             rendered.insert(rendered.end(), played[0].begin(), played[0].end());
         }
         return rendered;
+    }
+
+    /// Returns the ends of notes that the plugin sent in the last `render`, at its samples.
+    const std::vector<clap_event_note>& noteEnds() const { return ended; }
+
+    clap_voice_info voices() const {
+        clap_voice_info info{};
+        REQUIRE(extension<clap_plugin_voice_info>(CLAP_EXT_VOICE_INFO).get(plugin, &info));
+        return info;
     }
 
 private:
@@ -198,7 +228,12 @@ private:
                 return &(*static_cast<std::vector<ClapEvent>*>(list->ctx))[index].header;
             }};
         const clap_output_events out{
-            nullptr, [](const clap_output_events*, const clap_event_header*) { return true; }};
+            &ended, [](const clap_output_events* list, const clap_event_header* event) {
+                if (event->type == CLAP_EVENT_NOTE_END)
+                    static_cast<std::vector<clap_event_note>*>(list->ctx)->push_back(
+                        *reinterpret_cast<const clap_event_note*>(event));
+                return true;
+            }};
         std::array<float*, 2> heardChannels{heard[0].data(), heard[1].data()};
         std::array<float*, 2> playedChannels{played[0].data(), played[1].data()};
         clap_audio_buffer input{heardChannels.data(), nullptr, 2, 0, 0};
@@ -222,6 +257,7 @@ private:
                    [](const clap_host*) {},
                    [](const clap_host*) {}};
     const clap_plugin* plugin = nullptr;
+    mutable std::vector<clap_event_note> ended;
 };
 
 } // namespace idiophone

@@ -135,6 +135,104 @@ TEST_CASE("A CLAP choke releases a note faster than a note-off") {
     CHECK(after(CLAP_EVENT_NOTE_CHOKE) < after(CLAP_EVENT_NOTE_OFF));
 }
 
+TEST_CASE("A CLAP says which parameters a host may modulate, and how many voices it has") {
+    const ClapInstance plugin(instrument);
+    const auto modulates = [&](const char* name, std::uint32_t how) {
+        return (plugin.parameter(name).flags & how) == how;
+    };
+    const std::uint32_t all = CLAP_PARAM_IS_MODULATABLE,
+                        perNote = all | CLAP_PARAM_IS_MODULATABLE_PER_NOTE_ID;
+    CHECK(modulates("Volume", all));
+    CHECK_FALSE(modulates("Volume", perNote));
+    CHECK_FALSE(modulates("Material", all));
+    CHECK_FALSE(modulates("MPE", all));
+    CHECK(modulates("Tune", perNote));
+    CHECK(modulates("Mallet hardness", perNote));
+    CHECK(plugin.voices().voice_count == 128);
+}
+
+TEST_CASE("A CLAP host modulates a parameter of all notes and leaves its value") {
+    const ClapInstance plugin(instrument);
+    const auto volume = plugin.parameter("Volume");
+    const auto state = plugin.save();
+    const auto level = [&](double amount) {
+        return levelOf(plugin.render({modulationEvent(0, volume, amount), noteOn(0, 72, 1),
+                                      noteEvent(CLAP_EVENT_NOTE_CHOKE, 12000, 72, 1, 0)},
+                                     100));
+    };
+    const double loud = level(0);
+    CHECK(level(-10.0 / 72) == Catch::Approx(loud * std::pow(10, -0.5)).epsilon(0.1));
+    CHECK(plugin.value(volume) == Catch::Approx(60.0 / 72));
+    CHECK(plugin.save() == state);
+    CHECK(level(0) == Catch::Approx(loud).epsilon(0.1));
+}
+
+TEST_CASE("A CLAP host modulates one note alone") {
+    const ClapInstance plugin(instrument);
+    const auto tune = plugin.parameter("Tune");
+    const auto low = loudestHz(played({noteOn(0, 72, 1)}));
+    const auto high = loudestHz(played({noteOn(0, 79, 2)}));
+    const std::vector<ClapEvent> both{noteOn(0, 72, 1), noteOn(0, 79, 2)};
+    auto moved = both;
+    moved.push_back(modulationEvent(0, tune, 0.0625, 2)); // of 2400 cents
+    const auto straight = played(both), shifted = plugin.render(moved, 50);
+    CHECK(amplitudeAt(shifted, low) == Catch::Approx(amplitudeAt(straight, low)).epsilon(0.1));
+    CHECK(amplitudeAt(shifted, high) < 0.1 * amplitudeAt(straight, high));
+    CHECK(amplitudeAt(shifted, high * std::exp2(1.5 / 12)) > 0.5 * amplitudeAt(straight, high));
+    // A new note of the key has none of it.
+    const auto next = plugin.render({noteOn(0, 79, 3)}, 50);
+    CHECK(loudestHz(next) == Catch::Approx(high).margin(2));
+}
+
+TEST_CASE("The amount of one CLAP note replaces that of all notes") {
+    const ClapInstance plugin(instrument);
+    const auto tune = plugin.parameter("Tune");
+    const auto straight = loudestHz(played({noteOn(0, 72, 1)}));
+    const auto moved = plugin.render(
+        {modulationEvent(0, tune, 0.125), noteOn(0, 72, 1), modulationEvent(0, tune, 0.0625, 1)},
+        50);
+    CHECK(loudestHz(moved) == Catch::Approx(straight * std::exp2(1.5 / 12)).margin(2));
+}
+
+TEST_CASE("A CLAP note strikes as the host modulates it") {
+    const auto softened = [](int id) {
+        const ClapInstance plugin(instrument);
+        const auto hardness = plugin.parameter("Hardness");
+        return plugin.render({noteOn(0, 72, 1), modulationEvent(0, hardness, -0.5, id)}, 50);
+    };
+    const auto brightness = [](const std::vector<float>& sound) {
+        std::vector<float> steps;
+        for (std::size_t k = 1; k < sound.size(); ++k)
+            steps.push_back(sound[k] - sound[k - 1]);
+        return levelOf(steps) / levelOf(sound);
+    };
+    CHECK(brightness(softened(1)) < 0.8 * brightness(softened(2)));
+}
+
+TEST_CASE("A CLAP note ends when its key is up and its object silent, or struck again") {
+    const ClapInstance plugin(instrument);
+    plugin.render({parameterEvent(plugin.parameter("Let ring"), 0)}, 1);
+    plugin.render({noteOn(0, 72, 1), noteOn(0, 74, 2)}, 20);
+    CHECK(plugin.noteEnds().empty());
+    plugin.render({noteEvent(CLAP_EVENT_NOTE_OFF, 100, 72, 1, 0)}, 500);
+    REQUIRE(plugin.noteEnds().size() == 1);
+    const auto& first = plugin.noteEnds()[0];
+    CHECK(first.note_id == 1);
+    CHECK(first.key == 72);
+    CHECK(first.header.time > 480);
+    plugin.render({noteEvent(CLAP_EVENT_NOTE_OFF, 0, 74, 2, 0), noteOn(300, 74, 3)}, 1);
+    REQUIRE(plugin.noteEnds().size() == 1);
+    CHECK(plugin.noteEnds()[0].note_id == 2);
+    CHECK(plugin.noteEnds()[0].header.time == 300);
+}
+
+TEST_CASE("A CLAP note that plays nothing ends with its key") {
+    const ClapInstance plugin(instrument);
+    plugin.render({noteOn(0, 0, 1), noteEvent(CLAP_EVENT_NOTE_OFF, 100, 0, 1, 0)}, 1);
+    REQUIRE(plugin.noteEnds().size() == 1);
+    CHECK(plugin.noteEnds()[0].header.time == ClapInstance::blockSamples - 1);
+}
+
 TEST_CASE("A CLAP resonator rings after its input") {
     const ClapInstance effect(resonator);
     std::vector<float> click(480, 0.0f);

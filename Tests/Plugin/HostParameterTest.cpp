@@ -3,12 +3,14 @@
 #include "Plugin/BareHost.h"
 #include "Support/TestSound.h"
 
+#include <catch2/catch_approx.hpp>
 #include <catch2/catch_test_macros.hpp>
 #include <limits>
 #include <thread>
 
 using namespace idiophone;
 using namespace idiophone::test;
+using Catch::Approx;
 
 namespace {
 
@@ -109,6 +111,26 @@ TEST_CASE("Steps, switches and choices are discrete with the right number of ste
     CHECK(materials[2] == "Rosewood");
     for (const auto& name : materials)
         CHECK(name.isNotEmpty());
+}
+
+TEST_CASE("A modulation moves what is heard, within the range, and no value") {
+    BareHost host;
+    HostParameters parameters(host);
+    auto& volume = parameters[ParameterId::volume]; // -60 to 12 dB
+    volume.setExactValue(0);
+    volume.setModulation(-0.25);
+    CHECK(volume.exactValue() == 0);
+    CHECK(parameters.values() == ParameterValues());
+    CHECK(volume.modulatedValue() == Approx(-18));
+    ParameterValues heard;
+    parameters.read(heard);
+    CHECK(heard[ParameterId::volume] == Approx(-18));
+    CHECK(parameters.modulatedValues() == heard);
+    volume.setModulation(1);
+    CHECK(volume.modulatedValue() == Approx(12));
+    CHECK(volume.placeAt(-1) == 0);
+    volume.setModulation(0);
+    CHECK(volume.modulatedValue() == 0);
 }
 
 TEST_CASE("The host's bypass is the parameter of the table") {
