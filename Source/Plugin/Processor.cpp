@@ -32,14 +32,9 @@ juce::AudioProcessor::BusesProperties Processor::busesOf(PluginKind kind) {
 }
 
 Processor::Processor(PluginKind kindOfPlugin, HostParameters::Make make)
-    : AudioProcessor(busesOf(kindOfPlugin)), kind(kindOfPlugin), shared(
-                                                                     *this,
-                                                                     presetCount(),
-                                                                     [this] {
-                                                                         if (polls)
-                                                                             polls->callSoon();
-                                                                     },
-                                                                     make),
+    : AudioProcessor(busesOf(kindOfPlugin)), kind(kindOfPlugin),
+      shared(
+          *this, presetCount(), [this] { pollSoon(); }, make),
       engine(shared.parameters, shared.messages, shared.programs, shared.report), session(shared),
       window(shared, session), host(shared, session, window.tuning) {
     shared.reporter.vst3().hasMainInput = kind == PluginKind::resonator;

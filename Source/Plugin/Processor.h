@@ -82,6 +82,10 @@ protected:
 private:
     bool isVst3() const noexcept { return wrapperType == wrapperType_VST3; }
 
+    void pollSoon() {
+        if (polls)
+            polls->callSoon();
+    }
     static BusesProperties busesOf(PluginKind kind);
     std::array<int, maximumOutputs> outputChannels() const noexcept;
 
