@@ -14,6 +14,7 @@ using enum ParameterId;
 
 constexpr double roundingSeconds = 0.003; // for 63 % of a step
 constexpr double smallestTuneStep = 1e-6; // share of the range; a smaller step is not heard
+constexpr NoteShifts noShifts;
 constexpr double middleKey = 60, farthestKeys = 60;
 
 std::size_t indexOf(int note) {
@@ -28,8 +29,10 @@ Modulation::Modulation(const ParameterGlide& gliding,
                        std::uint64_t seed)
     : glide(gliding), keys(played), cellSeconds(secondsPerCell),
       roundingShare(-std::expm1(-secondsPerCell / roundingSeconds)),
+      glideShare(ParameterGlide::fractionPerCell(secondsPerCell)),
       firstNumber(distantNumber(seed - 1)),
-      noteCount(firstNumber), lfos{Lfo(secondsPerCell), Lfo(secondsPerCell)} {}
+      noteCount(firstNumber), lfos{Lfo(secondsPerCell), Lfo(secondsPerCell)},
+      hostShifts(&noShifts) {}
 
 void Modulation::noteOn(int number, int velocity) noexcept {
     auto& note = notes[indexOf(number)];
@@ -38,9 +41,9 @@ void Modulation::noteOn(int number, int velocity) noexcept {
     for (std::size_t i = 0; i < lfos.size(); ++i)
         note.swingsAtStart[i] = lfos[i].swings();
     note.envelope.start();
-    if (number != hand && hostShifts != nullptr) {
-        tuneShifts[indexOf(number)] = hostShifts->of(tune, number);
-        hasTuneShifts = hasTuneShifts || tuneShifts[indexOf(number)] != 0;
+    if (number != hand) {
+        tuneShares[indexOf(number)] = hostShifts->share(tune, number);
+        hasTuneShares = hasTuneShares || tuneShares[indexOf(number)] != 0;
     }
     lastNote = number;
     handIsDown = handIsDown || number == hand;
@@ -49,8 +52,8 @@ void Modulation::noteOn(int number, int velocity) noexcept {
 void Modulation::beginCell(double beatsPerMinute, std::optional<double> beats) noexcept {
     routes = ActiveRoutes(glide.values());
     beginLfos(beatsPerMinute, beats);
-    if (hasTuneShifts || hostMoves(tune))
-        glideTuneShifts();
+    if (hostMoves(tune))
+        glideTuneShares();
     if (routes.empty())
         return;
     roundInputs();
@@ -84,26 +87,27 @@ void Modulation::advanceEnvelopes() noexcept {
     notes[hand].envelope.advance(steps, handIsDown);
 }
 
-void Modulation::glideTuneShifts() noexcept {
-    hasTuneShifts = false;
-    for (std::size_t note = 0; note < tuneShifts.size(); ++note) {
-        const double goal = hostShifts->of(tune, static_cast<int>(note));
-        auto& shift = tuneShifts[note];
-        const double step = roundingShare * (goal - shift);
-        shift = std::abs(step) > smallestTuneStep ? shift + step : goal;
-        hasTuneShifts = hasTuneShifts || shift != 0;
+/// As the parameter glides, so that a note keeps its pitch if its own share makes up for a step of
+/// the parameter.
+void Modulation::glideTuneShares() noexcept {
+    hasTuneShares = false;
+    for (std::size_t note = 0; note < tuneShares.size(); ++note) {
+        const double goal = hostShifts->share(tune, static_cast<int>(note));
+        auto& share = tuneShares[note];
+        const double step = glideShare * (goal - share);
+        share = std::abs(step) > smallestTuneStep ? share + step : goal;
+        hasTuneShares = hasTuneShares || share != 0;
     }
 }
 
 bool Modulation::hostMoves(ParameterId target) const noexcept {
-    return (target == tune && hasTuneShifts) ||
-           (hostShifts != nullptr && hostShifts->moves(target));
+    return hostShifts->moves(target) || (target == tune && hasTuneShares);
 }
 
-double Modulation::hostShift(ParameterId target, int note) const noexcept {
-    if (note == hand || hostShifts == nullptr)
+double Modulation::hostShare(ParameterId target, int note) const noexcept {
+    if (note == hand)
         return 0;
-    return target == tune ? tuneShifts[indexOf(note)] : hostShifts->of(target, note);
+    return target == tune ? tuneShares[indexOf(note)] : hostShifts->share(target, note);
 }
 
 double Modulation::lfoOf(std::size_t lfo, const Note& note) const noexcept {
@@ -167,7 +171,7 @@ const ParameterValues& Modulation::values() noexcept {
 
 const ParameterValues& Modulation::valuesOf(int note) noexcept {
     const bool isShifted = std::ranges::any_of(
-        noteTargets(), [&](ParameterId target) { return hostShift(target, note) != 0; });
+        noteTargets(), [&](ParameterId target) { return hostShare(target, note) != 0; });
     if (routes.empty() && !isShifted)
         return glide.values();
     moved(inputsOf(note));
@@ -180,7 +184,7 @@ const ParameterValues& Modulation::valuesOf(int note) noexcept {
 
 double Modulation::valueOf(ParameterId target, int note) const noexcept {
     const double base = glide.values()[target];
-    return moves(target) ? routes.moved(target, base, inputsOf(note), hostShift(target, note))
+    return moves(target) ? routes.moved(target, base, inputsOf(note), hostShare(target, note))
                          : base;
 }
 
@@ -189,8 +193,8 @@ void Modulation::reset() noexcept {
         lfo.reset();
     notes = {};
     sharedInputs = {};
-    tuneShifts = {};
-    hasTuneShifts = false;
+    tuneShares = {};
+    hasTuneShares = false;
     lastNote = hand;
     isFresh = true;
     countFrom(0);

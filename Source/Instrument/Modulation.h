@@ -28,8 +28,8 @@ public:
                double secondsPerCell,
                std::uint64_t seed);
 
-    /// Moves single notes too, as a host does; the shifts must outlive its use. Ringing notes glide
-    /// to another pitch within some milliseconds.
+    /// Moves single notes too; the shifts must outlive its use. Ringing notes glide to another
+    /// pitch as the parameter does.
     void follow(const NoteShifts& shifts) noexcept { hostShifts = &shifts; }
 
     /// Starts a note, 0 to 127 or `hand`, with a velocity of 1 to 127.
@@ -71,8 +71,8 @@ private:
     };
 
     bool hostMoves(ParameterId target) const noexcept;
-    double hostShift(ParameterId target, int note) const noexcept;
-    void glideTuneShifts() noexcept;
+    double hostShare(ParameterId target, int note) const noexcept;
+    void glideTuneShares() noexcept;
     double sourceOf(const ActiveRoute& route, int note) const noexcept;
     double lfoOf(std::size_t lfo, const Note& note) const noexcept;
     ActiveRoutes::Inputs inputsOf(int note) const noexcept;
@@ -83,7 +83,7 @@ private:
 
     const ParameterGlide& glide;
     const KeyState& keys;
-    double cellSeconds, roundingShare;
+    double cellSeconds, roundingShare, glideShare;
     std::uint32_t firstNumber, noteCount;
     std::array<Lfo, 2> lfos;
     std::array<Note, hand + 1> notes;
@@ -92,9 +92,9 @@ private:
     bool isFresh = true;
     ActiveRoutes routes;                 ///< of the newest cell
     ActiveRoutes::Inputs sharedInputs{}; ///< of all notes, in the newest cell
-    const NoteShifts* hostShifts = nullptr;
-    std::array<double, hand> tuneShifts{}; ///< gliding towards the host's
-    bool hasTuneShifts = false;            ///< any of them is not 0
+    const NoteShifts* hostShifts;
+    std::array<double, hand> tuneShares{}; ///< gliding towards the host's
+    bool hasTuneShares = false;            ///< any of them is not 0
     ParameterValues result;
 };
 

@@ -21,25 +21,20 @@ public:
             movedNotes[i] += (shares[i] != 0) - (former[i] != 0);
         former = shares;
     }
-    /// Returns the share of the target's range, 0 for one that notes do not have for themselves.
-    double of(ParameterId target, int note) const noexcept {
-        const auto index = indexOf(target);
-        return index < noteTargetCount ? ofNotes[static_cast<std::size_t>(note)][index] : 0;
+    /// Returns the share of a note, or 0 if notes do not have the target for themselves.
+    double share(ParameterId target, int note) const noexcept {
+        const auto index = noteTargetIndex(target);
+        return index ? ofNotes[static_cast<std::size_t>(note)][*index] : 0;
     }
-    /// Returns whether it moves any note.
+    /// Returns whether any note is moved.
     bool moves(ParameterId target) const noexcept {
-        const auto index = indexOf(target);
-        return index < noteTargetCount && movedNotes[index] > 0;
+        const auto index = noteTargetIndex(target);
+        return index && movedNotes[*index] > 0;
     }
 
 private:
-    /// Wraps round for the choice 0, none.
-    static std::size_t indexOf(ParameterId target) noexcept {
-        return static_cast<std::size_t>(modulationTargetChoice(target)) - 1;
-    }
-
     std::array<Shares, 128> ofNotes{};
-    std::array<int, noteTargetCount> movedNotes{}; ///< their number
+    std::array<int, noteTargetCount> movedNotes{}; ///< number of notes with a share that is not 0
 };
 
 } // namespace idiophone

@@ -96,9 +96,12 @@ public:
     /// Moves parameters of single notes, on top of all else that moves them. The shifts must
     /// outlive the last block.
     void follow(const NoteShifts& shifts) noexcept { modulation.follow(shifts); }
-    /// Returns whether something that the note was the last to play rings, or is about to.
+    /// Returns whether an object that the note was the last to play rings. True while strikes are
+    /// pending or bodies move.
     bool sounds(int note) const noexcept {
-        return !scheduler.silent() || slotModulation.sounds(note, synthesiser().status());
+        return !scheduler.silent() || !lateNotes.empty() ||
+               (performance && !performance->silent()) ||
+               slotModulation.sounds(note, synthesiser());
     }
 
     /// Lifts all hands from all surfaces.

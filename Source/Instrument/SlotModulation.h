@@ -7,7 +7,6 @@
 
 #include <cstddef>
 #include <optional>
-#include <span>
 #include <utility>
 #include <vector>
 
@@ -22,9 +21,9 @@ public:
     /// Sets which note, or Modulation::hand, plays the slot now.
     void play(std::size_t slot, int note) noexcept { notes[slot] = note; }
     /// Returns whether a slot that the note plays rings.
-    bool sounds(int note, std::span<const SlotStatus> status) const noexcept {
+    bool sounds(int note, const Synthesiser& synthesiser) const noexcept {
         for (std::size_t slot = 0; slot < notes.size(); ++slot)
-            if (notes[slot] == note && status[slot].modesRinging > 0)
+            if (notes[slot] == note && !synthesiser.silent(slot))
                 return true;
         return false;
     }

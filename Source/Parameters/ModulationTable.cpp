@@ -77,6 +77,14 @@ int modulationTargetChoice(ParameterId parameter) noexcept {
     return found == targets.end() ? 0 : static_cast<int>(found - targets.begin()) + 1;
 }
 
+std::optional<std::size_t> noteTargetIndex(ParameterId parameter) noexcept {
+    const auto ofNotes = noteTargets();
+    const auto found = std::ranges::find(ofNotes, parameter);
+    return found == ofNotes.end()
+               ? std::nullopt
+               : std::optional(static_cast<std::size_t>(found - ofNotes.begin()));
+}
+
 ActiveRoutes::ActiveRoutes(const ParameterValues& values) noexcept {
     for (std::size_t number = 0; number < routeCount; ++number) {
         const auto& route = modulationRoutes[number];
@@ -118,8 +126,8 @@ double ActiveRoutes::amountOf(const ActiveRoute& route, const Inputs& inputs) co
 double ActiveRoutes::moved(ParameterId target,
                            double base,
                            const Inputs& inputs,
-                           double shift) const noexcept {
-    double offset = shift;
+                           double share) const noexcept {
+    double offset = share;
     for (const auto& route : all())
         if (route.target == target)
             offset += amountOf(route, inputs) * inputs[route.number];

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <span>
 
 namespace idiophone {
@@ -71,6 +72,8 @@ inline constexpr std::size_t noteTargetCount = 13;
 inline std::span<const ParameterId> noteTargets() noexcept {
     return modulationTargets().first(noteTargetCount);
 }
+/// Returns the index of a parameter in noteTargets().
+std::optional<std::size_t> noteTargetIndex(ParameterId parameter) noexcept;
 
 /// A route with a source and a target. Its amount is a share of the target's range, −1 to 1.
 struct ActiveRoute {
@@ -95,11 +98,11 @@ public:
     bool moves(ParameterId target) const noexcept;
     bool uses(ModulationSource source) const noexcept;
 
-    /// Returns the value to which the routes move `base`: by `shift` and the sum of each amount
-    /// times its input, shares of the range on the parameter's own scale, within its range. First,
+    /// Returns the value to which the routes move `base`: by the sum of each amount times its
+    /// input, and by `share` of the range, on the parameter's own scale, within its range. First,
     /// routes to the amounts of others move these.
     double
-    moved(ParameterId target, double base, const Inputs& inputs, double shift = 0) const noexcept;
+    moved(ParameterId target, double base, const Inputs& inputs, double share = 0) const noexcept;
 
 private:
     double amountOf(const ActiveRoute& route, const Inputs& inputs) const noexcept;

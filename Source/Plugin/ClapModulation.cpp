@@ -9,12 +9,10 @@ void ClapModulation::follow(const clap_event_param_mod& event,
                             const ClapNotes& notes) noexcept {
     if (event.note_id < 0 && event.channel < 0 && event.key < 0)
         return parameter.setModulation(event.amount);
-    const auto targets = noteTargets();
-    const auto target = std::ranges::find(targets, parameter.info().parameter);
-    if (target != targets.end())
+    if (const auto target = noteTargetIndex(parameter.info().parameter))
         notes.forAddressed(event, [&](int key) {
             const auto index = static_cast<std::size_t>(key);
-            amounts[index][static_cast<std::size_t>(target - targets.begin())] = event.amount;
+            amounts[index][*target] = event.amount;
             moved[index] = true;
         });
 }
@@ -39,7 +37,7 @@ NoteShifts::Shares ClapModulation::sharesOf(const Amounts& ofNote) const noexcep
     for (std::size_t i = 0; i < shares.size(); ++i)
         if (const auto amount = ofNote[i]) {
             const auto& parameter = parameters[noteTargets()[i]];
-            shares[i] = parameter.placeAt(*amount) - parameter.modulatedPlace();
+            shares[i] = parameter.normalisedWith(*amount) - parameter.modulatedNormalised();
         }
     return shares;
 }

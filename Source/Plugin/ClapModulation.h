@@ -18,7 +18,7 @@ public:
     explicit ClapModulation(const HostParameters& hostParameters) : parameters(hostParameters) {}
 
     /// Amounts are shares of the range on the parameter's own scale. Those of single notes replace
-    /// those of all, and reach the notes that `notes` knows.
+    /// those of all, and reach the newest note of each key that `notes` knows.
     void follow(const clap_event_param_mod& event,
                 HostParameter& parameter,
                 const ClapNotes& notes) noexcept;

@@ -52,18 +52,22 @@ juce::MidiBuffer& ClapNotes::takeWith(const juce::MidiBuffer& others) {
     return merged;
 }
 
-void ClapNotes::endSilent(const std::function<bool(int key)>& sounds, int atSample) {
-    endKnown([&](const Note& note) { return !note.isHeld && !sounds(note.key); },
-             std::max(atSample, 0));
+bool ClapNotes::isNewest(std::size_t index) const noexcept {
+    return std::ranges::count(known().subspan(index + 1), notes[index].key, &Note::key) == 0;
 }
 
-/// Ends the known notes that are over.
-void ClapNotes::endKnown(const std::function<bool(const Note&)>& isOver, int atSample) {
-    const auto isEnded = [&](const Note& note) {
-        if (!isOver(note))
-            return false;
+/// Does not tell the host if another note has the same address, because that one goes on.
+void ClapNotes::forget(std::size_t index, int atSample) {
+    const Note note = notes[index];
+    std::shift_left(known().begin() + static_cast<std::ptrdiff_t>(index), known().end(), 1);
+    --noteCount;
+    const bool isShared = std::ranges::any_of(known(), [&](const Note& other) {
+        return other.channel == note.channel && other.key == note.key &&
+               (other.id < 0 || note.id < 0 || other.id == note.id);
+    });
+    if (!isShared)
         ends.push_back({.header = {.size = sizeof(clap_event_note),
-                                   .time = static_cast<std::uint32_t>(atSample),
+                                   .time = static_cast<std::uint32_t>(std::max(atSample, 0)),
                                    .space_id = CLAP_CORE_EVENT_SPACE_ID,
                                    .type = CLAP_EVENT_NOTE_END,
                                    .flags = 0},
@@ -72,9 +76,17 @@ void ClapNotes::endKnown(const std::function<bool(const Note&)>& isOver, int atS
                         .channel = note.channel,
                         .key = note.key,
                         .velocity = 0});
-        return true;
-    };
-    noteCount -= std::ranges::remove_if(known(), isEnded).size();
+}
+
+/// Forgets the oldest released note, or else the oldest one.
+void ClapNotes::makeRoom() {
+    if (noteCount < notes.size())
+        return;
+    const auto released = std::ranges::find(known(), false, &Note::isHeld);
+    const auto oldest = released != known().end() ? released : known().begin();
+    if (oldest->isHeld)
+        release(*oldest, 0);
+    forget(static_cast<std::size_t>(oldest - known().begin()), sample);
 }
 
 void ClapNotes::sendEnds(const clap_output_events& events, int sampleOffset) {
@@ -86,7 +98,7 @@ void ClapNotes::sendEnds(const clap_output_events& events, int sampleOffset) {
 }
 
 bool ClapNotes::has(int key) const noexcept {
-    return std::ranges::count(std::span(notes).first(noteCount), key, &Note::key) > 0;
+    return std::ranges::count(known(), key, &Note::key) > 0;
 }
 
 void ClapNotes::reset() noexcept {
@@ -117,9 +129,7 @@ int ClapNotes::freestMember() noexcept {
 std::optional<int> ClapNotes::begin(const clap_event_note& event, const Mpe& mpe) {
     if (event.key < 0 || event.key > 127 || event.channel < 0 || event.channel > 15)
         return std::nullopt;
-    endKnown([&](const Note& note) { return !note.isHeld && note.key == event.key; }, sample);
-    if (noteCount == notes.size()) // the host never released the oldest
-        endKnown([this](const Note& note) { return &note == notes.data(); }, sample);
+    makeRoom();
     const int midiChannel = mpe.isOn ? freestMember() : event.channel;
     if (mpe.isOn && usersOf(midiChannel) == 0) {
         bend(midiChannel, 0);
@@ -132,17 +142,20 @@ std::optional<int> ClapNotes::begin(const clap_event_note& event, const Mpe& mpe
                           .ownsChannel = mpe.isOn};
     lastUse[static_cast<std::size_t>(midiChannel)] = ++uses;
     add(0x90, midiChannel, event.key, std::max(1, sevenBits(event.velocity)));
+    endReleased([&](const Note& note) { return note.key == event.key; }, sample);
     return event.key;
 }
 
 void ClapNotes::end(const clap_event_note& event, double velocity) {
-    for (Note& note : known()) {
-        if (!note.isHeld || !isAddressed(note, event))
-            continue;
-        note.isHeld = false;
-        lastUse[static_cast<std::size_t>(note.midiChannel)] = ++uses;
-        add(0x80, note.midiChannel, note.key, sevenBits(velocity));
-    }
+    for (Note& note : known())
+        if (note.isHeld && isAddressed(note, event))
+            release(note, velocity);
+}
+
+void ClapNotes::release(Note& note, double velocity) {
+    note.isHeld = false;
+    lastUse[static_cast<std::size_t>(note.midiChannel)] = ++uses;
+    add(0x80, note.midiChannel, note.key, sevenBits(velocity));
 }
 
 void ClapNotes::express(const clap_event_note_expression& event, const Mpe& mpe) {

@@ -6,10 +6,10 @@
 #include <clap/events.h>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <juce_audio_basics/juce_audio_basics.h>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace idiophone {
@@ -35,20 +35,23 @@ public:
     /// Returns `others` and all MIDI added since the last call. At equal samples `others` come
     /// first, so that a pedal catches a note that ends with it. Valid until the next call.
     juce::MidiBuffer& takeWith(const juce::MidiBuffer& others);
-    /// Ends the released notes whose keys are silent, at this sample. Those whose keys have been
-    /// struck again have ended already.
-    void endSilent(const std::function<bool(int key)>& sounds, int atSample);
+    /// Ends the released notes whose keys are silent, at this sample; `sounds(key)` says which.
+    /// Those whose keys have been struck again have ended already.
+    template <class Sounds>
+    void endSilent(Sounds sounds, int atSample) {
+        endReleased([&](const Note& note) { return !sounds(int{note.key}); }, atSample);
+    }
     /// Sends all ends since the last call. Their samples move by `sampleOffset`.
     void sendEnds(const clap_output_events& events, int sampleOffset);
 
     /// Returns whether a note of the key is held or rings.
     bool has(int key) const noexcept;
-    /// Calls `act(key)` for each of these notes that the event addresses.
+    /// Calls `act(key)` for each key whose newest note the event addresses.
     template <class Event, class Act>
     void forAddressed(const Event& event, Act act) const {
-        for (const Note& note : std::span(notes).first(noteCount))
-            if (isAddressed(note, event))
-                act(int{note.key});
+        for (std::size_t i = 0; i < noteCount; ++i)
+            if (isAddressed(notes[i], event) && isNewest(i))
+                act(int{notes[i].key});
     }
 
     /// Forgets all notes and MIDI.
@@ -72,17 +75,29 @@ private:
                (event.key < 0 || event.key == note.key);
     }
 
+    /// Those that are held, or ring.
     std::span<Note> known() noexcept { return std::span(notes).first(noteCount); }
-    void endKnown(const std::function<bool(const Note&)>& isOver, int atSample);
+    std::span<const Note> known() const noexcept { return std::span(notes).first(noteCount); }
+    bool isNewest(std::size_t index) const noexcept;
+
+    template <class IsOver>
+    void endReleased(IsOver isOver, int atSample) {
+        for (std::size_t i = noteCount; i-- > 0;)
+            if (!notes[i].isHeld && isOver(std::as_const(notes[i])))
+                forget(i, atSample);
+    }
+    void forget(std::size_t index, int atSample);
+    void makeRoom();
     int usersOf(int midiChannel) noexcept;
     int freestMember() noexcept;
     std::optional<int> begin(const clap_event_note& event, const Mpe& mpe);
     void end(const clap_event_note& event, double velocity);
+    void release(Note& note, double velocity);
     void express(const clap_event_note_expression& event, const Mpe& mpe);
     void add(int kind, int midiChannel, int first, int second);
     void bend(int midiChannel, double share);
 
-    std::array<Note, 256> notes; ///< the known ones in the order of their starts, then unused ones
+    std::array<Note, 256> notes; ///< those known in the order of their starts, then unused ones
     std::size_t noteCount = 0;
     std::array<std::uint64_t, 16> lastUse{}; ///< [MIDI channel] number of the last use; 0: never
     std::uint64_t uses = 0;

@@ -4,7 +4,6 @@
 #include "Parameters/ModulationTable.h"
 #include "Plugin/HostParameter.h"
 
-#include <algorithm>
 #include <clap-juce-extensions/clap-juce-extensions.h>
 
 namespace idiophone {
@@ -17,7 +16,7 @@ public:
 
     bool supportsMonophonicModulation() override { return !isDiscrete(); }
     bool supportsPolyphonicModulation() override {
-        return std::ranges::count(noteTargets(), info().parameter) > 0;
+        return noteTargetIndex(info().parameter).has_value();
     }
 };
 

@@ -28,8 +28,9 @@ void ClapProcessor::modulate(const clap_event_param_mod& event) {
     const auto* given = static_cast<const JUCEParameterVariant*>(event.cookie);
     if (given == nullptr) // a host may leave it out
         given = findParameterByParameterId(event.param_id);
-    if (auto* parameter =
-            given != nullptr ? dynamic_cast<HostParameter*>(given->processorParam) : nullptr)
+    auto* const parameter =
+        given != nullptr ? dynamic_cast<ClapParameter*>(given->processorParam) : nullptr;
+    if (parameter != nullptr && parameter->supportsMonophonicModulation())
         modulation.follow(event, *parameter, notes);
 }
 
@@ -51,10 +52,19 @@ void ClapProcessor::processBlock(juce::AudioBuffer<float>& buffer, juce::MidiBuf
     notes.endSilent([&engine](int key) { return engine.sounds(key); }, buffer.getNumSamples() - 1);
 }
 
+void ClapProcessor::prepareToPlay(double sampleRateHz, int maximumBlockSize) {
+    forgetNotes(); // the new player has none
+    Processor::prepareToPlay(sampleRateHz, maximumBlockSize);
+}
+
 void ClapProcessor::reset() {
+    forgetNotes();
+    Processor::reset();
+}
+
+void ClapProcessor::forgetNotes() {
     notes.reset();
     modulation.reset();
-    Processor::reset();
 }
 
 } // namespace idiophone

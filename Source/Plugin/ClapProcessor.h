@@ -34,12 +34,14 @@ public:
     bool supportsVoiceInfo() override { return true; }
     bool voiceInfoGet(clap_voice_info* info) override;
 
+    void prepareToPlay(double sampleRateHz, int maximumBlockSize) override;
     void processBlock(juce::AudioBuffer<float>& buffer, juce::MidiBuffer& midi) override;
     using Processor::processBlock;
     void reset() override;
 
 private:
     void modulate(const clap_event_param_mod& event);
+    void forgetNotes();
 
     ClapNotes notes;
     ClapModulation modulation;

@@ -36,10 +36,10 @@ void HostParameter::setExactValue(double value) noexcept {
 }
 
 double HostParameter::modulatedValue() const noexcept {
-    return modulation == 0 ? exactValue() : row.fromNormalised(modulatedPlace());
+    return modulationShare == 0 ? exactValue() : row.fromNormalised(modulatedNormalised());
 }
 
-double HostParameter::placeAt(double share) const noexcept {
+double HostParameter::normalisedWith(double share) const noexcept {
     return std::clamp(row.toNormalised(exactValue()) + share, 0.0, 1.0);
 }
 

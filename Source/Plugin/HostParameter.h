@@ -19,16 +19,15 @@ public:
     double exactValue() const noexcept { return exact.load(); }
     void setExactValue(double value) noexcept;
 
-    /// [audio thread] Moves what is heard by a share of the range on the parameter's own scale, −1
-    /// to 1. Nobody but the engine notices: value, window and state stay.
-    void setModulation(double share) noexcept { modulation = share; }
-    /// [any thread] Returns the value that is heard.
+    /// [audio thread] Moves the heard value by a share of the range on the parameter's own scale,
+    /// −1 to 1. Only the engine reads it: value, window and state do not change.
+    void setModulation(double share) noexcept { modulationShare = share; }
+    /// [any thread] Returns the heard value in the unit of the table.
     double modulatedValue() const noexcept;
-    /// [any thread] Returns where a modulation would put the value on the parameter's own scale, 0
-    /// to 1.
-    double placeAt(double share) const noexcept;
-    /// [any thread] Returns where it is heard.
-    double modulatedPlace() const noexcept { return placeAt(modulation); }
+    /// [any thread] Returns it normalised.
+    double modulatedNormalised() const noexcept { return normalisedWith(modulationShare); }
+    /// [any thread] Returns the normalised value that another share would give.
+    double normalisedWith(double share) const noexcept;
 
     /// [any thread] Returns how often the value was set, also to the same value.
     std::uint32_t moves() const noexcept { return timesSet; }
@@ -74,7 +73,7 @@ public:
 private:
     const ParameterInfo& row;
     std::atomic<double> exact;
-    std::atomic<double> modulation{0};
+    std::atomic<double> modulationShare{0};
     std::atomic<bool> movedByController{
         false};                      ///< was the last to set it, and the host does not know yet
     std::atomic<float> lastSent{-1}; ///< last value sent to the host, normalised; −1: none

@@ -2,7 +2,7 @@
 
 namespace idiophone {
 
-HostParameters::HostParameters(juce::AudioProcessor& processor, Make make) {
+HostParameters::HostParameters(juce::AudioProcessor& processor, MakeParameter make) {
     for (const auto& info : parameterTable()) {
         auto parameter = make(info);
         parameters[static_cast<std::size_t>(info.parameter)] = parameter.get();

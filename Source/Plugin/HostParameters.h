@@ -13,13 +13,13 @@ namespace idiophone {
 
 class HostParameters {
 public:
-    using Make = std::unique_ptr<HostParameter> (*)(const ParameterInfo& info);
+    using MakeParameter = std::unique_ptr<HostParameter> (*)(const ParameterInfo& info);
     static std::unique_ptr<HostParameter> makePlain(const ParameterInfo& info) {
         return std::make_unique<HostParameter>(info);
     }
 
     /// Makes a parameter for every row and adds it to the processor, which then owns it.
-    explicit HostParameters(juce::AudioProcessor& processor, Make make = makePlain);
+    explicit HostParameters(juce::AudioProcessor& processor, MakeParameter make = makePlain);
 
     HostParameter& operator[](ParameterId parameter) const {
         return *parameters[static_cast<std::size_t>(parameter)];

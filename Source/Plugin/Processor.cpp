@@ -31,7 +31,7 @@ juce::AudioProcessor::BusesProperties Processor::busesOf(PluginKind kind) {
     return buses;
 }
 
-Processor::Processor(PluginKind kindOfPlugin, HostParameters::Make make)
+Processor::Processor(PluginKind kindOfPlugin, HostParameters::MakeParameter make)
     : AudioProcessor(busesOf(kindOfPlugin)), kind(kindOfPlugin),
       shared(
           *this, presetCount(), [this] { pollSoon(); }, make),

@@ -25,7 +25,7 @@ class Processor : public juce::AudioProcessor {
 public:
     /// `make` makes each of the parameters.
     explicit Processor(PluginKind kind = PluginKind::instrument,
-                       HostParameters::Make make = HostParameters::makePlain);
+                       HostParameters::MakeParameter make = HostParameters::makePlain);
 
     const juce::String getName() const override {
         return kind == PluginKind::resonator ? "Idiophone Resonator" : "Idiophone";

@@ -17,7 +17,7 @@ struct SharedParts {
     SharedParts(juce::AudioProcessor& processor,
                 int programCount,
                 std::function<void()> pollSoon,
-                HostParameters::Make make = HostParameters::makePlain)
+                HostParameters::MakeParameter make = HostParameters::makePlain)
         : plugin(processor), parameters(processor, make), programs(programCount),
           reporter(processor, parameters, std::move(pollSoon)) {}
 

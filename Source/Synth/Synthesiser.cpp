@@ -283,6 +283,10 @@ bool Synthesiser::silent() const noexcept {
     return std::ranges::all_of(implementation->objects, &ModalResonator::silent);
 }
 
+bool Synthesiser::silent(std::size_t slot) const noexcept {
+    return slot >= slotCount() || implementation->objects[slot].silent();
+}
+
 double Synthesiser::sampleRateHz() const noexcept {
     return implementation->sampleRate;
 }

@@ -130,7 +130,8 @@ public:
     /// nothing if the slot does not exist.
     void report(std::size_t slot, SoundingGroups& groups) const noexcept;
     const SynthesisSettings& settings() const noexcept;
-    bool silent() const noexcept; ///< nothing rings and no contact is under way
+    bool silent() const noexcept;                 ///< nothing rings and no contact is under way
+    bool silent(std::size_t slot) const noexcept; ///< in this slot, or it does not exist
 
     double sampleRateHz() const noexcept;
     std::size_t slotCount() const noexcept;

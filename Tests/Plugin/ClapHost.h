@@ -115,17 +115,20 @@ public:
         REQUIRE(plugin);
         REQUIRE(plugin->init(plugin));
         REQUIRE(extension<clap_plugin_render>(CLAP_EXT_RENDER).set(plugin, CLAP_RENDER_OFFLINE));
-        REQUIRE(plugin->activate(plugin, 48000, 1, blockSamples));
-        REQUIRE(plugin->start_processing(plugin));
+        activate();
     }
     ~ClapInstance() {
-        plugin->stop_processing(plugin);
-        plugin->deactivate(plugin);
+        deactivate();
         plugin->destroy(plugin);
         entry.deinit();
     }
     ClapInstance(const ClapInstance&) = delete;
     ClapInstance& operator=(const ClapInstance&) = delete;
+
+    void activateAnew() const {
+        deactivate();
+        activate();
+    }
 
     const clap_plugin_descriptor& descriptor() const { return *plugin->desc; }
 
@@ -215,6 +218,15 @@ public:
     }
 
 private:
+    void activate() const {
+        REQUIRE(plugin->activate(plugin, 48000, 1, blockSamples));
+        REQUIRE(plugin->start_processing(plugin));
+    }
+    void deactivate() const {
+        plugin->stop_processing(plugin);
+        plugin->deactivate(plugin);
+    }
+
     using Stereo = std::array<std::array<float, blockSamples>, 2>;
 
     void process(std::vector<ClapEvent>& events, Stereo& heard, Stereo& played) const {

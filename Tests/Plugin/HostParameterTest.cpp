@@ -128,7 +128,7 @@ TEST_CASE("A modulation moves what is heard, within the range, and no value") {
     CHECK(parameters.modulatedValues() == heard);
     volume.setModulation(1);
     CHECK(volume.modulatedValue() == Approx(12));
-    CHECK(volume.placeAt(-1) == 0);
+    CHECK(volume.normalisedWith(-1) == 0);
     volume.setModulation(0);
     CHECK(volume.modulatedValue() == 0);
 }
