@@ -46,10 +46,10 @@ bool ClapProcessor::voiceInfoGet(clap_voice_info* info) {
 }
 
 void ClapProcessor::processBlock(juce::AudioBuffer<float>& buffer, juce::MidiBuffer& midi) {
-    auto& engine = audioEngine();
-    modulation.apply(notes, engine.noteShifts());
+    modulation.apply(notes, audioEngine().noteShifts());
     Processor::processBlock(buffer, notes.takeWith(midi));
-    notes.endSilent([&engine](int key) { return engine.sounds(key); }, buffer.getNumSamples() - 1);
+    notes.endSilent([this](int key) { return audioEngine().sounds(key); },
+                    buffer.getNumSamples() - 1);
 }
 
 void ClapProcessor::prepareToPlay(double sampleRateHz, int maximumBlockSize) {
