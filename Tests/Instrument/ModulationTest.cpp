@@ -273,18 +273,18 @@ TEST_CASE("A host's shift of the pitch glides, and a new note has it at once") {
     rig.play(noteOn(60, 100));
     rig.cells(1);
     NoteShifts::Shares shares{};
-    shares[static_cast<std::size_t>(modulationTargetChoice(tune)) - 1] = 0.1;
+    shares[*noteTargetIndex(tune)] = 0.1;
     shifts.set(60, shares);
     CHECK(rig.modulation.moves(tune));
     CHECK(rig.moved(tune, 60) == 0);
-    rig.cells(2);
+    rig.cells(5); // 10 ms: 63 %
     CHECK(rig.moved(tune, 60) > 0.05);
     CHECK(rig.moved(tune, 60) < 0.09);
     rig.play(noteOn(60, 100));
     CHECK(rig.moved(tune, 60) == Approx(0.1));
     shifts.set(60, {});
     CHECK(rig.modulation.moves(tune));
-    rig.cells(30);
+    rig.cells(100);
     CHECK_FALSE(rig.modulation.moves(tune));
     CHECK(rig.moved(tune, 60) == 0);
 }

@@ -148,3 +148,14 @@ TEST_CASE("A click on an object has its own velocity as a source") {
     renderStereo(player, {}, 480, 480, parameters);
     CHECK(12 * std::log2(player.synthesiser().frequencyRatio(slotOf69)) == Approx(2.4));
 }
+
+TEST_CASE("A note sounds until its objects are silent or another note plays them") {
+    const auto parameters = with(with(ParameterValues(), letRing, 0), releaseTime, 0.01);
+    Player player(bars(), sampleRateHz);
+    CHECK_FALSE(player.sounds(69));
+    renderStereo(player, {midi(470, 0x90, 69, 100), midi(475, 0x80, 69, 0)}, 480, 480, parameters);
+    CHECK(player.sounds(69));
+    CHECK_FALSE(player.sounds(72));
+    renderStereo(player, {}, 24000, 480, parameters);
+    CHECK_FALSE(player.sounds(69));
+}

@@ -232,7 +232,7 @@ TEST_CASE("A CLAP host modulates the release time of one note, until it ends") {
     const auto after = [](double amount) {
         const ClapInstance plugin(instrument);
         plugin.render({parameterEvent(plugin.parameter("Let ring"), 0)}, 1);
-        const auto release = plugin.parameter("Release");
+        const auto release = plugin.parameter("Release time");
         return levelOf(plugin.render({noteOn(0, 72, 1), modulationEvent(960, release, amount, 1),
                                       noteEvent(CLAP_EVENT_NOTE_OFF, 4800, 72, 1, 0)},
                                      50),

@@ -174,6 +174,7 @@ TEST_CASE("Keys of a scene without notes restart the scene") {
     CHECK(onsetSeconds(sound) > 0.5 * delay);
     CHECK(onsetSeconds(sound) < delay + 0.3);
     CHECK_FALSE(player.silent());
+    CHECK(player.sounds(60));
 }
 
 TEST_CASE("A note beyond the maximum replaces the oldest simulation, and All Sound Off ends all") {
