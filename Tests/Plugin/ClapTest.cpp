@@ -228,7 +228,7 @@ TEST_CASE("A CLAP note strikes as the host modulates it") {
     CHECK(brightness(softened(1)) < 0.8 * brightness(softened(2)));
 }
 
-TEST_CASE("A CLAP host modulates the release time of one note, until it ends") {
+TEST_CASE("A CLAP host modulates the release time of one note") {
     const auto after = [](double amount) {
         const ClapInstance plugin(instrument);
         plugin.render({parameterEvent(plugin.parameter("Let ring"), 0)}, 1);
@@ -238,7 +238,7 @@ TEST_CASE("A CLAP host modulates the release time of one note, until it ends") {
                                      50),
                        9600);
     };
-    CHECK(after(0.2) > 2 * after(0));
+    CHECK(after(-0.3) < 0.7 * after(0));
 }
 
 TEST_CASE("A CLAP note ends when its key is up and its object silent, or struck again") {
