@@ -87,8 +87,8 @@ void Modulation::advanceEnvelopes() noexcept {
     notes[hand].envelope.advance(steps, handIsDown);
 }
 
-/// As the parameter glides, so that a note keeps its pitch if its own share makes up for a step of
-/// the parameter.
+/// Moves the shares as the parameter glides. A note keeps its pitch if its share makes up for a
+/// step of the parameter.
 void Modulation::glideTuneShares() noexcept {
     hasTuneShares = false;
     for (std::size_t note = 0; note < tuneShares.size(); ++note) {
