@@ -12,6 +12,7 @@ import tempfile
 import unittest
 
 PROGRAM = os.environ["IDIOPHONE"]
+ON_QEMU = "qemu" in os.environ.get("IDIOPHONE_EMULATOR", "")
 OBJECTS = pathlib.Path(__file__).resolve().parents[2] / "Resources" / "Objects"
 
 
