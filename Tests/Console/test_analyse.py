@@ -234,7 +234,7 @@ class Analyse(ConsoleTest):
         self.assertGreater(of_ply["mode_count"], 3)
         self.assertEqual(of_ply["modes"], of_obj["modes"])
 
-    @unittest.skipUnless(sys.platform == "linux" and not ON_QEMU, "the handlers are read from /proc")
+    @unittest.skipUnless(sys.platform == "linux" and not ON_QEMU, "its own handlers are read from /proc")
     def test_a_signal_ends_it_with_a_sentence_and_no_file(self):
         plate = self.mesh("plate", "--length", 0.5, "--width", 0.4, "--vertices", 8000)
         output = self.folder / "plate.modal"
@@ -250,7 +250,7 @@ class Analyse(ConsoleTest):
                 self.assertEqual(complaint, "idiophone: The analysis was cancelled.\n")
                 self.assertEqual(list(self.folder.glob("plate.modal*")), [])
 
-    @unittest.skipUnless(sys.platform == "linux" and not ON_QEMU, "the handlers are read from /proc")
+    @unittest.skipUnless(sys.platform == "linux" and not ON_QEMU, "its own handlers are read from /proc")
     def test_a_run_without_a_terminal_ignores_a_closed_one(self):
         plate = self.mesh("plate", "--length", 0.5, "--width", 0.4, "--vertices", 8000)
         process = subprocess.Popen(["nohup", PROGRAM, "analyse", plate, "-o", self.folder / "p.modal"],

@@ -85,7 +85,7 @@ class Scenes(ConsoleTest):
         self.assertGreater(max(report["modes_mixed"]), 50)
         self.assertGreater(report["audio_frames_per_second"], 0)
 
-    @unittest.skipIf(ON_QEMU, "it starts no program for this processor, and a head is read by one")
+    @unittest.skipIf(ON_QEMU, "qemu starts no second program, and one reads the head")
     def test_a_measured_sphere_sounds_like_the_modelled_one(self):
         # The ball is left of the listener, who looks along y.
         scene = self.scene(listener={"at": [0.4, -0.2, 0.0], "towards": [0.4, 1, 0.0]})
@@ -103,7 +103,7 @@ class Scenes(ConsoleTest):
                       for side in measured.channels]
             self.assertGreater(onsets[1] - onsets[0], 0.0003 * rate)
 
-    @unittest.skipIf(ON_QEMU, "it starts no program for this processor, and a head is read by one")
+    @unittest.skipIf(ON_QEMU, "qemu starts no second program, and one reads the head")
     def test_a_file_that_is_no_head_gets_one_sentence(self):
         scene = self.scene()
         no_head = self.write("-text.sofa", "RIFF and so on")

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <numeric>
 
 namespace idiophone {
 namespace {
@@ -228,11 +229,10 @@ TEST_CASE("A CLAP note strikes as the host modulates it") {
         const auto hardness = plugin.parameter("Hardness");
         return plugin.render({noteOn(0, 72, 1), modulationEvent(0, hardness, -0.5, id)}, 50);
     };
-    const auto brightness = [](const std::vector<float>& sound) {
-        std::vector<float> steps;
-        for (std::size_t k = 1; k < sound.size(); ++k)
-            steps.push_back(sound[k] - sound[k - 1]);
-        return levelOf(steps) / levelOf(sound);
+    const auto brightness = [](std::vector<float> sound) {
+        const double level = levelOf(sound);
+        std::adjacent_difference(sound.begin(), sound.end(), sound.begin());
+        return levelOf(sound) / level;
     };
     CHECK(brightness(softened(1)) < 0.8 * brightness(softened(2)));
 }

@@ -174,6 +174,14 @@ TEST_CASE("Keys of a scene without notes restart the scene") {
     CHECK(onsetSeconds(sound) > 0.5 * delay);
     CHECK(onsetSeconds(sound) < delay + 0.3);
     CHECK_FALSE(player.silent());
+}
+
+TEST_CASE("A note of a scene counts as sounding before its bodies hit anything") {
+    const auto instrument = sceneInstrument("Cylinder off a table");
+    Player player(instrument, rate);
+    player.stage().setOffline(true);
+    CHECK_FALSE(player.sounds(60));
+    play(player, {{0, 60, 64}}, 0.25 * instrument->stage()->delaySeconds(), 256);
     CHECK(player.sounds(60));
 }
 
