@@ -23,5 +23,6 @@ else()
     # With MSVC its own build looks for zlib in a folder that it does not have.
     find_package(ZLIB REQUIRED)
     target_link_libraries(mysofa-static LINK_PRIVATE ZLIB::ZLIB)
+    target_include_directories(idiophone_mysofa SYSTEM INTERFACE "${mysofa_BINARY_DIR}/src") # mysofa_export.h
     target_link_libraries(idiophone_mysofa INTERFACE mysofa-static)
 endif()

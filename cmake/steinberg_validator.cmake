@@ -49,7 +49,11 @@ else()
 endif()
 
 set(vst3sdk_build "${PROJECT_BINARY_DIR}/steinberg_validator")
-set(STEINBERG_VALIDATOR "${vst3sdk_build}/bin/Release/validator${CMAKE_EXECUTABLE_SUFFIX}")
+if(WIN32)
+    set(STEINBERG_VALIDATOR "${vst3sdk_build}/bin/validator.exe")
+else()
+    set(STEINBERG_VALIDATOR "${vst3sdk_build}/bin/Release/validator")
+endif()
 ExternalProject_Add(steinberg_validator
     ${vst3sdk_source}
     UPDATE_COMMAND ""
