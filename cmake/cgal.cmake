@@ -30,5 +30,10 @@ else()
     target_link_libraries(idiophone_cgal INTERFACE Boost::headers)
 endif()
 target_link_libraries(idiophone_cgal INTERFACE Eigen3::Eigen)
+# CGAL 5.5 uses these without including them; Boost 1.90's other headers no longer bring them.
+foreach(header boost/mpl/if.hpp boost/next_prior.hpp)
+    target_compile_options(idiophone_cgal INTERFACE
+        "$<IF:$<CXX_COMPILER_ID:MSVC>,/FI${header},SHELL:-include ${header}>")
+endforeach()
 # Its assertions check the whole mesh after every collapse of an edge: quadratic time.
 target_compile_definitions(idiophone_cgal INTERFACE CGAL_NDEBUG CGAL_EIGEN3_ENABLED)
