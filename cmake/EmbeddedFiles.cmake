@@ -36,6 +36,9 @@ std::span<const EmbeddedFile> @function@() {
 endif()
 
 add_executable(idiophone_embed_files "${CMAKE_CURRENT_LIST_DIR}/embed_files.cpp")
+if(MSVC)
+    target_sources(idiophone_embed_files PRIVATE "${PROJECT_SOURCE_DIR}/Source/Console/utf8.manifest")
+endif()
 
 function(idiophone_embed_files variable function)
     set(source "${CMAKE_CURRENT_BINARY_DIR}/${function}.cpp")
