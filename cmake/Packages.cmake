@@ -17,6 +17,30 @@ function(install_claps destination)
     endif()
 endfunction()
 
+# Has macOS's installer write the bundles to these paths. Else it replaces other bundles of the same
+# identifier, such as those in a build folder.
+function(keep_in_place component) # PATH...
+    set(entries "")
+    foreach(path ${ARGN})
+        string(APPEND entries "    <dict>
+        <key>RootRelativeBundlePath</key><string>${path}</string>
+        <key>BundleHasStrictIdentifier</key><true/>
+        <key>BundleIsRelocatable</key><false/>
+        <key>BundleIsVersionChecked</key><false/>
+        <key>BundleOverwriteAction</key><string>upgrade</string>
+    </dict>\n")
+    endforeach()
+    set(list "${CMAKE_CURRENT_BINARY_DIR}/${component}.plist")
+    file(CONFIGURE OUTPUT "${list}" CONTENT "<?xml version=\"1.0\" encoding=\"UTF-8\"?>
+<plist version=\"1.0\">
+<array>
+${entries}</array>
+</plist>
+" @ONLY)
+    string(TOUPPER "CPACK_COMPONENT_${component}_PLIST" variable)
+    set(${variable} "${list}" PARENT_SCOPE)
+endfunction()
+
 # The branches for macOS and Windows have not been run yet.
 if(APPLE)
     set(audio "Library/Audio/Plug-Ins")
@@ -28,6 +52,14 @@ if(APPLE)
     install_claps("${audio}/CLAP")
     install(TARGETS Idiophone_Standalone BUNDLE DESTINATION Applications COMPONENT standalone)
     install(TARGETS idiophone_console RUNTIME DESTINATION usr/local/bin COMPONENT console)
+    keep_in_place(standalone Applications/Idiophone.app)
+    foreach(name "Idiophone" "Idiophone Resonator")
+        list(APPEND bundles "${audio}/VST3/${name}.vst3" "${audio}/Components/${name}.component")
+        if(IDIOPHONE_CLAP)
+            list(APPEND bundles "${audio}/CLAP/${name}.clap")
+        endif()
+    endforeach()
+    keep_in_place(plugin ${bundles})
     foreach(component plugin standalone console)
         install(FILES LICENSE THIRD-PARTY DESTINATION usr/local/share/doc/idiophone
             COMPONENT ${component})
