@@ -4,11 +4,11 @@
 #include "Editor/PresetPictures.h"
 #include "Editor/WindowParts.h"
 #include "Instrument/FactoryContent.h"
+#include "Support/HomeFolder.h"
 #include "Support/TestSound.h"
 #include "Support/UserSettings.h"
 
 #include <catch2/catch_test_macros.hpp>
-#include <cstdlib>
 
 using namespace idiophone;
 using namespace idiophone::test;
@@ -293,14 +293,12 @@ TEST_CASE("Only the user's presets can be renamed and deleted") {
     CHECK(b.shelf.playingPreset().id == "Ours.json");
     CHECK(b.list().selected()->name == "Ours");
 #if JUCE_LINUX
-    const std::string home = std::getenv("HOME") != nullptr ? std::getenv("HOME") : "";
-    setenv("HOME", (testFolder() / "home").string().c_str(), 1);
+    const HomeFolder home;
     b.click("Delete");
     b.click("Cancel");
     CHECK(b.rows() == factoryCount + 1);
     b.click("Delete");
     find<juce::TextButton>(b.browser, "Delete preset")->onClick();
-    setenv("HOME", home.c_str(), 1);
     CHECK(b.rows() == factoryCount);
     CHECK(b.shelf.playingPreset().id.empty());
 #endif
@@ -328,10 +326,8 @@ TEST_CASE("Confirming a deletion never deletes a preset selected later") {
     b.click("Delete");
     b.type("");
     CHECK(b.list().selected()->name == "Mine");
-    const std::string home = std::getenv("HOME") != nullptr ? std::getenv("HOME") : "";
-    setenv("HOME", (testFolder() / "home").string().c_str(), 1);
+    const HomeFolder home;
     find<juce::TextButton>(b.browser, "Delete preset")->onClick();
-    setenv("HOME", home.c_str(), 1);
     CHECK(b.rows() == factoryCount + 1);
     CHECK(b.shelf.playingPreset().id == "Mine.json");
 }

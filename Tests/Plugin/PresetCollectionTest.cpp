@@ -4,6 +4,7 @@
 #include "Instrument/FactoryContent.h"
 #include "Plugin/FactoryPrograms.h"
 #include "Plugin/PresetsAtHand.h"
+#include "Support/HomeFolder.h"
 #include "Support/TestSound.h"
 #include "Support/UserSettings.h"
 
@@ -323,15 +324,13 @@ TEST_CASE("Favourites stay with the machine and follow a renamed preset") {
 #if JUCE_LINUX
 TEST_CASE("A deleted preset plays on, goes to the bin and is no longer a favourite") {
     const UserSettings user;
-    const std::string home = std::getenv("HOME") != nullptr ? std::getenv("HOME") : "";
-    setenv("HOME", (testFolder() / "home").string().c_str(), 1);
+    const HomeFolder home; // and so the bin
     Processor processor;
     auto& shelf = processor.view().presets;
     REQUIRE(shelf.savePreset(called("One"), false));
     REQUIRE(shelf.setFavourite("One.json", true));
     const auto instrument = processor.soundSession().instrument();
     REQUIRE(shelf.deletePreset("One.json"));
-    setenv("HOME", home.c_str(), 1);
     CHECK(find(shelf, "One") == nullptr);
     CHECK(processor.soundSession().instrument() == instrument);
     CHECK(shelf.playingPreset().id.empty());

@@ -12,16 +12,24 @@
 
 namespace idiophone::test {
 
+/// On macOS JUCE asks CoreFoundation, which does not read HOME.
+inline void setHome(const std::string& folder) {
+    setenv("HOME", folder.c_str(), 1);
+#ifdef __APPLE__
+    setenv("CFFIXED_USER_HOME", folder.c_str(), 1);
+#endif
+}
+
 class HomeFolder {
 public:
     HomeFolder() {
         std::filesystem::remove_all(folder);
         std::filesystem::create_directories(folder);
-        setenv("HOME", folder.string().c_str(), 1);
+        setHome(folder.string());
     }
     HomeFolder(const HomeFolder&) = delete;
     HomeFolder& operator=(const HomeFolder&) = delete;
-    ~HomeFolder() { setenv("HOME", before.c_str(), 1); }
+    ~HomeFolder() { setHome(before); }
 
     /// Returns the folder of the recordings.
     std::filesystem::path music() const { return folder / "Music" / "Idiophone"; }

@@ -1,5 +1,6 @@
 // Runs tests of the plugin with JUCE's message manager, without a display, and with a user folder
 // of their own.
+#include "Support/HomeFolder.h"
 #include "Support/TestFolder.h"
 
 #include <catch2/catch_session.hpp>
@@ -10,7 +11,7 @@ int main(int argumentCount, char* arguments[]) {
 #if defined(_WIN32)
     _putenv_s("APPDATA", idiophone::test::testFolder().string().c_str());
 #elif defined(__APPLE__)
-    setenv("HOME", idiophone::test::testFolder().c_str(), 1);
+    idiophone::test::setHome(idiophone::test::testFolder().string());
 #else
     setenv("XDG_CONFIG_HOME", idiophone::test::testFolder().c_str(), 1);
     unsetenv("DISPLAY"); // a view without OpenGL paints its picture itself
