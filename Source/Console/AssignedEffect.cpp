@@ -7,6 +7,7 @@
 #include <array>
 #include <iostream>
 #include <string_view>
+#include <vector>
 
 namespace idiophone {
 namespace {
@@ -20,12 +21,12 @@ bool hasRadiation(const Played& played) {
 
 /// Parameters that act only under a condition on other values or on what is played.
 struct Condition {
-    std::initializer_list<ParameterId> parameters;
+    std::vector<ParameterId> parameters;
     const char* saying; ///< why they do not act, or which values they need
     bool (*isMet)(const ParameterValues&, const Played&);
 };
 
-constexpr Condition conditions[]{
+const Condition conditions[]{
     {{hardness, strikeSpread, malletHardness, malletMass, malletRadius, malletExponent,
       malletFollow, malletSpeed, velocityCurve, mallet, chatter, modalPulse},
      "it needs contact=Strike",

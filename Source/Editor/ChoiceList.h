@@ -50,9 +50,9 @@ private:
     static constexpr int firstChoiceItem = 1, firstUserItem = 1000;
 
     /// "Own (Rosewood)", or "Own" if the objects have no common named material.
-    static juce::String ownMaterialText(const ProcessorView& view) {
+    static juce::String ownMaterialText(const ProcessorView& shown) {
         std::set<std::string> names;
-        for (const auto& played : view.instrument.playedObjects())
+        for (const auto& played : shown.instrument.playedObjects())
             names.insert(played.object->material.name);
         const juce::String own("Own");
         return names.size() != 1 || names.begin()->empty()

@@ -59,12 +59,12 @@ public:
 
     /// Says what an import is doing; empty if nothing.
     static juce::String stepText(const ImportStatus& status) {
-        const auto step = workText(status.step, status.secondsLeft);
+        const auto doing = workText(status.step, status.secondsLeft);
         switch (status.stage) {
         case Stage::working:
-            return step;
+            return doing;
         case Stage::previewed:
-            return "A preview plays. " + step;
+            return "A preview plays. " + doing;
         case Stage::cancelled:
             return "Cancelled.";
         default:

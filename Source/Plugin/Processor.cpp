@@ -18,10 +18,10 @@ int presetCount() {
 
 /// An instrument's side chain and further outputs are closed at first. An LV2 has none, because its
 /// hosts connect every port of a plugin.
-juce::AudioProcessor::BusesProperties Processor::busesOf(PluginKind kind) {
+juce::AudioProcessor::BusesProperties Processor::busesOf(PluginKind kindOfPlugin) {
     const auto stereo = juce::AudioChannelSet::stereo();
     const auto outputs = BusesProperties().withOutput("Output", stereo, true);
-    if (kind == PluginKind::resonator)
+    if (kindOfPlugin == PluginKind::resonator)
         return outputs.withInput("Input", stereo, true);
     if (juce::PluginHostType::getPluginLoadedAs() != wrapperType_VST3)
         return outputs;

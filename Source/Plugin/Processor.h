@@ -86,7 +86,7 @@ private:
         if (polls)
             polls->callSoon();
     }
-    static BusesProperties busesOf(PluginKind kind);
+    static BusesProperties busesOf(PluginKind kindOfPlugin);
     std::array<int, maximumOutputs> outputChannels() const noexcept;
 
     PluginKind kind;
