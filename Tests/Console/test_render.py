@@ -43,9 +43,11 @@ class Render(ConsoleTest):
         for preset in scenes:
             report, _ = self.render(song, "--seconds", 10, "--set", "limiter=0", preset=preset)
             with self.subTest(preset=preset):
-                # A single die is fainter: a roll of dice adds up. A pebble's path amplifies
-                # roundings, which differ between compilers.
-                delta = {"Dice on Rosewood": 4, "Pebble in a Wok": 3.5}.get(preset, 1.5)
+                # A single die is fainter: a roll of dice adds up. Paths of a tube and a pebble
+                # amplify roundings, which differ between compilers and processors: from starts
+                # that differ by micrometres they vary by 5.5 and 5.7 dB.
+                delta = {"Dice on Rosewood": 4, "Falling Cylinder": 4,
+                         "Pebble in a Wok": 6}.get(preset, 1.5)
                 self.assertAlmostEqual(report["integrated_lufs"], -26, delta=delta)
                 self.assertLess(report["peak_dbfs"], 1)
 
