@@ -1,5 +1,5 @@
-# Bullet from its sources, for the WebAssembly module and for programs that run on other distributions. One
-# file for each of its libraries includes all of that library's files.
+# Bullet from its sources, where no library of it in double precision exists, and for programs that run on
+# other distributions. One file for each of its libraries includes all of that library's files.
 idiophone_debian_source(bullet PACKAGE bullet VERSION 3.24+dfsg-2 SUITE bookworm FOLDER src)
 FetchContent_Declare(bullet
     GIT_REPOSITORY https://github.com/bulletphysics/bullet3.git

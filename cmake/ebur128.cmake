@@ -18,7 +18,6 @@ else()
         GIT_TAG v1.2.6
         GIT_SHALLOW ON)
     set(CMAKE_POLICY_DEFAULT_CMP0048 NEW)
-    set(CMAKE_POLICY_DEFAULT_CMP0063 NEW) # hides its symbols, too
     FetchContent_MakeAvailable(ebur128)
     target_include_directories(idiophone_ebur128 SYSTEM INTERFACE "${ebur128_SOURCE_DIR}/ebur128")
     target_link_libraries(idiophone_ebur128 INTERFACE ebur128)

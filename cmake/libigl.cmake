@@ -1,4 +1,4 @@
-# libigl 2.x, header only: mesh files, adjacency, nearest points, rays.
+# libigl 2.0, header only: mesh files, adjacency, nearest points, rays.
 if(TARGET idiophone_libigl)
     return()
 endif()
@@ -6,7 +6,7 @@ idiophone_debian_source(libigl PACKAGE slic3r-prusa VERSION 2.5.0+dfsg-4 SUITE b
     FOLDER src/libigl)
 FetchContent_Declare(libigl
     GIT_REPOSITORY https://github.com/libigl/libigl.git
-    GIT_TAG v2.5.0
+    GIT_TAG v2.0.0
     GIT_SHALLOW ON
     SOURCE_SUBDIR none) # populated, not added: its own build fetches more than the headers need
 FetchContent_MakeAvailable(libigl)

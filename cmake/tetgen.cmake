@@ -1,14 +1,13 @@
-# TetGen 1.5: closed surfaces to tetrahedra (AGPL, like Idiophone). It is built here because the
+# TetGen 1.5.0: closed surfaces to tetrahedra (AGPL, like Idiophone). It is built here because the
 # assertions of Debian's package end the process. Ours throw (Source/Analysis/TetGenWatch.h).
 if(TARGET idiophone_tetgen)
     return()
 endif()
 idiophone_debian_source(tetgen PACKAGE tetgen VERSION 1.5.0-5 SUITE bookworm)
-# 1.5.1, the last of the 1.5 line; the repository has no tags. 1.6 changed what
-# Analysis/TetGenMesher calls.
+# The repository has no tags. 1.5.1 is without assertions, so nothing could stop it.
 FetchContent_Declare(tetgen
     GIT_REPOSITORY https://github.com/libigl/tetgen.git
-    GIT_TAG a754f2485470f1ac51503e273d7e74a281c67807
+    GIT_TAG 3c3b022727629c22f3685b0e45e11f7c9f9598e2
     SOURCE_SUBDIR none) # populated, not added: its own build does not use our assertions
 FetchContent_MakeAvailable(tetgen)
 add_library(idiophone_tetgen STATIC
