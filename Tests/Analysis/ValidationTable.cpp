@@ -12,6 +12,8 @@
 #include <fstream>
 #include <iterator>
 #include <sstream>
+#include <string>
+#include <vector>
 
 namespace idiophone::test {
 namespace {
@@ -54,25 +56,25 @@ std::pair<std::size_t, std::size_t> placeOf(const std::string& title, const std:
     return {begin, end};
 }
 
-#ifdef _WIN32
-constexpr bool onWindows = true; // TetGen makes other tetrahedra than on the page
-#else
-constexpr bool onWindows = false;
-#endif
+std::vector<std::string> wordsOf(const std::string& text) {
+    std::istringstream stream(text);
+    return {std::istream_iterator<std::string>(stream), {}};
+}
 
-bool sameToTheDigitsShown(const std::string& shown, const std::string& now) {
-    std::istringstream a(shown), b(now);
-    std::string wordA, wordB;
-    while (true) {
-        const bool moreA = static_cast<bool>(a >> wordA), moreB = static_cast<bool>(b >> wordB);
-        if (moreA != moreB || !moreA)
-            return moreA == moreB;
-        const auto x = parseNumber(wordA), y = parseNumber(wordB);
+/// Meshers decide by rounding, so processors and systems differ by some elements.
+bool pageIsCurrent(const std::string& shown, const std::string& now) {
+    const auto a = wordsOf(shown), b = wordsOf(now);
+    if (a.size() != b.size())
+        return false;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        const auto x = parseNumber(a[i]), y = parseNumber(b[i]);
+        const double tolerance = i + 1 < a.size() && a[i + 1] == "unknowns." ? 0.02 : 2e-4;
         const bool same =
-            x && y ? std::abs(*x - *y) <= std::max(0.02, 2e-4 * std::abs(*x)) : wordA == wordB;
+            x && y ? std::abs(*x - *y) <= std::max(0.03, tolerance * std::abs(*x)) : a[i] == b[i];
         if (!same)
             return false;
     }
+    return true;
 }
 
 } // namespace
@@ -96,7 +98,7 @@ void report(const std::string& title,
         return;
     }
     INFO("Now:\n" << table << "On the page:\n" << text.substr(begin, end - begin));
-    CHECK((sameToTheDigitsShown(text.substr(begin, end - begin), table) || onWindows));
+    CHECK(pageIsCurrent(text.substr(begin, end - begin), table));
 }
 
 std::size_t validationSections() {
