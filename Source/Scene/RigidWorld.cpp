@@ -18,7 +18,8 @@ namespace idiophone {
 namespace {
 
 constexpr double slowestReboundMetresPerSecond = 0.02; // slower falls do not rebound
-constexpr double sleepMetresPerSecond = 0.003, sleepRadiansPerSecond = 0.03;
+constexpr double sleepMetresPerSecond = 0.003;
+constexpr double sleepRadiansPerSecond = 0.1; // rings at rest on a ring jitter by up to 0.03
 constexpr int solverIterations = 30;
 /// A resting body overlaps by the distance that it falls in this many steps. Otherwise it would
 /// touch only in every other step.

@@ -155,6 +155,19 @@ TEST_CASE("A ring on a ring that is removed falls, although both slept") {
     CHECK_THAT(world.centre(upper).z(), WithinAbs(sectionRadius, 1e-4));
 }
 
+TEST_CASE("A ring at rest on a ring sleeps wherever it lies") {
+    for (int micrometres = 0; micrometres < 32; ++micrometres) {
+        INFO("moved by " << micrometres << " micrometres");
+        RigidWorld world({groundKind({.restitution = 0}), ringKind({.restitution = 0})},
+                         stepsPerSecond, gravity);
+        world.add(0, at({0, 0, 0}));
+        world.add(1, at({0, 0, sectionRadius}));
+        const auto upper = world.add(1, at({1e-6 * micrometres, 0, 3 * sectionRadius}));
+        run(world, 1);
+        CHECK(world.motion(upper).velocity.norm() == 0);
+    }
+}
+
 TEST_CASE("The nearest place of two circles is nearer than every place beside it") {
     std::mt19937 random(4);
     std::uniform_real_distribution<double> part(-1, 1);
